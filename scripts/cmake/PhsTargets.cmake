@@ -1,0 +1,46 @@
+# One target per folder, linked only to the folders that design.md allows it to include.
+
+add_library(phs_options INTERFACE)
+target_compile_features(phs_options INTERFACE cxx_std_20)
+target_include_directories(phs_options INTERFACE
+  $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src> $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>)
+# Contraction to fused multiply-add would make results depend on the compiler: identical bits are a
+# promise of this product.
+target_compile_options(phs_options INTERFACE -Wall -Wextra -Wpedantic -ffp-contract=off)
+if(PHS_SANITIZE)
+  target_compile_options(phs_options INTERFACE -fsanitize=${PHS_SANITIZE} -fno-omit-frame-pointer)
+  target_link_options(phs_options INTERFACE -fsanitize=${PHS_SANITIZE})
+endif()
+
+# phs_folder(NAME DEPENDS targets…): the library phs_NAME from every .cc file of the folder.
+function(phs_folder name)
+  cmake_parse_arguments(ARG "" "" "DEPENDS;EXCLUDE" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cc)
+  foreach(file ${ARG_EXCLUDE})
+    list(REMOVE_ITEM sources ${CMAKE_CURRENT_SOURCE_DIR}/${file})
+  endforeach()
+  if(sources)
+    add_library(phs_${name} STATIC ${sources})
+    target_link_libraries(phs_${name} PUBLIC phs_options ${ARG_DEPENDS})
+  else()
+    add_library(phs_${name} INTERFACE)
+    target_link_libraries(phs_${name} INTERFACE phs_options ${ARG_DEPENDS})
+  endif()
+endfunction()
+
+# phs_test_folder(NAME DEPENDS targets…): one GoogleTest program from every *_test.cc of the folder.
+function(phs_test_folder name)
+  cmake_parse_arguments(ARG "" "" "DEPENDS;LABELS" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*_test.cc)
+  if(NOT sources)
+    return()
+  endif()
+  add_executable(test_${name} ${sources})
+  target_link_libraries(test_${name} PRIVATE phs_options ${ARG_DEPENDS} GTest::gmock GTest::gtest_main
+                        rapidcheck::rapidcheck)
+  target_compile_definitions(test_${name} PRIVATE
+    PHS_SOURCE_DIR="${PROJECT_SOURCE_DIR}" PHS_BINARY_DIR="${PROJECT_BINARY_DIR}"
+    PHS_TEST_DATA="${PROJECT_SOURCE_DIR}/tests/reference/data")
+  gtest_discover_tests(test_${name} TEST_PREFIX "${name}." DISCOVERY_TIMEOUT 60
+                       PROPERTIES LABELS "${ARG_LABELS}")
+endfunction()
