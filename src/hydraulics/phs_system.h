@@ -1,0 +1,66 @@
+// The Passive Hydraulic Steering as one system: cylinders, lines, friction, effects. No MuJoCo.
+// The rig, the MuJoCo plugin and the identification drive the same object.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "base/yaml.h"
+
+namespace phs::hydraulics {
+
+/// What one evaluation yields; arrays belong to the caller and are sized by PhsSystem.
+struct PhsOutputs {
+  // per cylinder
+  double* force = nullptr;           ///< tension force on the mountings [N] (> 0 pulls them together)
+  double* pressure_force = nullptr;  ///< p_rod A_rod - p_bore A_bore [N]
+  double* friction_force = nullptr;  ///< resisting, sign as it adds to `force` [N]
+  double* piston = nullptr;          ///< piston displacement from static [m]
+  double* p_bore = nullptr;          ///< chamber pressures, absolute [Pa]
+  double* p_rod = nullptr;
+  // per line
+  double* pressure = nullptr;        ///< line pressure, absolute [Pa]
+  // whole system
+  double stored_energy = 0;          ///< above the static state [J]
+  double lost_power = 0;             ///< [W], >= 0 for a passive system
+};
+
+/// Immutable description plus pure functions. State (friction bristles, gas temperatures, line
+/// flows, clearances …) lives with the caller: in a rig's array or in mjData's activations.
+class PhsSystem {
+ public:
+  /// Reads models/phs/NAME.yaml (format: docs/phs_models.md).
+  static Result<PhsSystem> Load(const std::string& path);
+  PhsSystem(PhsSystem&&) noexcept;
+  PhsSystem& operator=(PhsSystem&&) noexcept;
+  ~PhsSystem();
+
+  int num_cylinders() const;
+  int num_lines() const;
+  int num_states() const;  ///< deviations from the static state: all zero at rest
+  const std::vector<std::string>& cylinder_names() const;
+  const std::vector<std::string>& line_names() const;
+  const std::vector<std::string>& state_names() const;  ///< "1.bristle", "L1.gas_temperature" …
+  const std::string& name() const;
+
+  /// Forces and pressures at mounting displacements `x` [m] (extension > 0, from static), speeds
+  /// `v` [m/s] and `state`, at `time`. Pure; no allocation; thread-safe.
+  void Calc(double time, const double* x, const double* v, const double* state,
+            PhsOutputs* out) const noexcept;
+  /// Mean rate of the states over the coming step h at constant v: (state(t+h) - state(t)) / h,
+  /// integrated implicitly or exactly inside, so that an explicit Euler step of the caller is
+  /// stable for any h. h = 0 gives the instantaneous derivative.
+  void CalcStateRate(double time, double h, const double* x, const double* v, const double* state,
+                     double* rate) const noexcept;
+  /// Largest stiffness [N/m] seen from one cylinder alone, for step-size checks.
+  double max_stiffness() const;
+
+ private:
+  struct Impl;
+  explicit PhsSystem(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace phs::hydraulics

@@ -1,0 +1,79 @@
+// The track: alignment (continuous to curvature), cant, gradient, gauge, irregularities, support.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "rail/frames.h"
+
+namespace phs::rail {
+
+/// The track frame T at one arc length (see frames.h). Unit vectors in world coordinates.
+struct TrackFrame {
+  double s = 0;          ///< arc length along the centre line in plan [m]
+  Vec3 origin{};         ///< [m]
+  Vec3 forward{};        ///< x_T
+  Vec3 left{};           ///< y_T
+  Vec3 up{};             ///< z_T
+  double curvature = 0;  ///< 1/R in plan, > 0 curving left [1/m]
+  double heading = 0;    ///< angle of the centre line in plan against world x [rad]
+  double cant = 0;       ///< angle about x_T; > 0 raises the right rail (curve to the left) [rad]
+};
+
+/// Displacement of one rail from its designed place, in T axes, with its slope along the track.
+struct RailOffset {
+  double lateral = 0;         ///< along y_T: half of gauge widening and irregularities [m]
+  double vertical = 0;        ///< along z_T [m]
+  double lateral_slope = 0;   ///< d lateral / ds
+  double vertical_slope = 0;  ///< d vertical / ds
+};
+
+/// Elastic support of each rail; absent (rigid) when stiffness is zero.
+struct RailSupport {
+  double lateral_stiffness_N_per_m = 0;
+  double lateral_damping_Ns_per_m = 0;
+  double vertical_stiffness_N_per_m = 0;
+  double vertical_damping_Ns_per_m = 0;
+};
+
+/// Where the track is of one kind, for statistics and the report.
+struct TrackSection {
+  std::string kind;  ///< "tangent", "transition", "curve"
+  double begin_s = 0;
+  double end_s = 0;
+  double curvature = 0;  ///< of a curve [1/m]
+};
+
+/// Immutable after loading; all queries are const, allocation-free and thread-safe.
+class Track {
+ public:
+  /// Reads models/tracks/*.yaml (format: docs/tracks.md). Errors name file, line and key.
+  static Result<Track> Load(const std::string& path);
+  Track(Track&&) noexcept;
+  Track& operator=(Track&&) noexcept;
+  ~Track();
+
+  const std::string& name() const;
+  double length() const;       ///< [m]; beyond both ends the track goes on straight
+  double gauge() const;        ///< nominal [m]
+  double gauge_height() const; ///< depth below rail top at which the gauge is measured [m]
+  double friction() const;     ///< default friction coefficient of this track; NaN if not given
+  const RailSupport& support() const;
+  const std::vector<TrackSection>& sections() const;
+  bool has_irregularity() const;
+
+  TrackFrame FrameAt(double s) const noexcept;
+  /// Arc length of the track frame whose y-z plane contains `point` (the wheelset centre). No
+  /// history: a spatial index finds the nearest part, Newton ends at rounding.
+  double Project(const Vec3& point) const noexcept;
+  RailOffset Rail(Side side, double s) const noexcept;
+
+ private:
+  struct Impl;
+  explicit Track(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace phs::rail
