@@ -8,15 +8,18 @@
 
 #include "base/result.h"
 #include "base/yaml.h"
+#include "hydraulics/extension.h"
+#include "hydraulics/phs_params.h"
 
 namespace phs::hydraulics {
 
-/// What one evaluation yields; arrays belong to the caller and are sized by PhsSystem.
+/// What one evaluation yields; arrays belong to the caller and are sized by PhsSystem. A null
+/// pointer means: not wanted.
 struct PhsOutputs {
   // per cylinder
   double* force = nullptr;           ///< tension force on the mountings [N] (> 0 pulls them together)
   double* pressure_force = nullptr;  ///< p_rod A_rod - p_bore A_bore [N]
-  double* friction_force = nullptr;  ///< resisting, sign as it adds to `force` [N]
+  double* friction_force = nullptr;  ///< seal friction, sign as it adds to `force` [N]
   double* piston = nullptr;          ///< piston displacement from static [m]
   double* p_bore = nullptr;          ///< chamber pressures, absolute [Pa]
   double* p_rod = nullptr;
@@ -31,8 +34,11 @@ struct PhsOutputs {
 /// flows, clearances …) lives with the caller: in a rig's array or in mjData's activations.
 class PhsSystem {
  public:
-  /// Reads models/phs/NAME.yaml (format: docs/phs_models.md).
-  static Result<PhsSystem> Load(const std::string& path);
+  /// Reads models/phs/NAME.yaml (format: docs/phs_models.md). A file that names effects needs the
+  /// catalogue: use effects::LoadPhsSystem.
+  static Result<PhsSystem> Load(const std::string& path, const EffectTable* effects = nullptr);
+  /// Validates and compiles parameters. Cheap: a few microseconds.
+  static Result<PhsSystem> Create(const PhsParams& params, const EffectTable* effects = nullptr);
   PhsSystem(PhsSystem&&) noexcept;
   PhsSystem& operator=(PhsSystem&&) noexcept;
   ~PhsSystem();
@@ -44,6 +50,7 @@ class PhsSystem {
   const std::vector<std::string>& line_names() const;
   const std::vector<std::string>& state_names() const;  ///< "1.bristle", "L1.gas_temperature" …
   const std::string& name() const;
+  const PhsParams& params() const;  ///< as given
 
   /// Forces and pressures at mounting displacements `x` [m] (extension > 0, from static), speeds
   /// `v` [m/s] and `state`, at `time`. Pure; no allocation; thread-safe.
@@ -54,8 +61,13 @@ class PhsSystem {
   /// stable for any h. h = 0 gives the instantaneous derivative.
   void CalcStateRate(double time, double h, const double* x, const double* v, const double* state,
                      double* rate) const noexcept;
-  /// Largest stiffness [N/m] seen from one cylinder alone, for step-size checks.
+  /// Largest stiffness [N/m] and damping [N s/m] seen from one cylinder alone while the other
+  /// cylinders stand still, inside the stroke and on an end stop, for step-size checks.
   double max_stiffness() const;
+  double max_damping() const;
+
+  /// Errors of the instruments, for rigs.
+  const InstrumentTerms& instruments() const;
 
  private:
   struct Impl;

@@ -1,0 +1,88 @@
+// The rigs of the thesis as models: a PHS driven by measured or generated motion on a uniform clock.
+// `phs rig` and the identification call the same object; thousands of runs are made per fit.
+//
+//   cylinder  one cylinder, bore chamber closed, driven
+//   quarter   cylinder "1", lines of its bore and rod side
+//   full      cylinders 1 and 2 driven by actuators, 3 and 4 on a beam hinged at the frame (bogie
+//             yaw of the trailing axle), with the beam's own inertia, friction and play
+//   steps     a quarter rig moved in steps and held (Table B-1), see steps_table.h
+//   element   any part moved by a prescribed motion: friction, mass, stiffness
+//
+// Channel names are those of the measured data: quarter and cylinder
+// `piston_m,load_cell_N,p_bore_Pa,p_rod_Pa` from `actuator_m`; full `piston1_m…piston4_m,
+// load1_N…load4_N,pL1_Pa…pL4_Pa` from `actuator1_m,actuator2_m`; element `force_N` from `x_m`
+// (optionally `v_m_s`, `p_Pa`). Signs: extension > 0, tension > 0; pressures absolute.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "hydraulics/phs_params.h"
+#include "hydraulics/phs_system.h"
+
+namespace phs::effects {
+
+enum class RigKind { kCylinder, kQuarter, kFull, kElement };
+Result<RigKind> ParseRigKind(const std::string& word);
+
+/// The hinged beam that carries cylinders 3 and 4 of the full rig: y = ±lever * angle.
+struct BeamParams {
+  double lever_m = 1.0;                   ///< hinge to cylinder, > 0
+  double inertia_kg_m2 = 60;              ///< about the hinge, > 0
+  double damping_Nms_per_rad = 2000;      ///< >= 0
+  double hinge_friction_Nm = 0;           ///< >= 0, regularised over 1e-4 rad/s
+};
+
+struct RigOptions {
+  int substeps = 1;        ///< integration steps per sample (1 … 1000)
+  bool settle = true;      ///< states start settled at the first position (friction unloaded)
+  BeamParams beam;         ///< full rig only
+};
+
+/// What drives the rig: one row per driven actuator, samples at t0 + i step.
+struct RigMotion {
+  double t0_s = 0;
+  double step_s = 0;                                 ///< > 0
+  std::vector<std::vector<double>> position_m;       ///< [actuator][sample]
+  std::vector<std::vector<double>> speed_m_s;        ///< same shape; empty: central differences
+  std::vector<double> pressure_Pa;                   ///< element rig: side channel; else empty
+  int num_samples() const { return position_m.empty() ? 0 : static_cast<int>(position_m[0].size()); }
+};
+
+/// Predicted channels; [channel][sample]. Reused between runs without reallocation.
+struct RigPrediction {
+  std::vector<std::vector<double>> channels;
+};
+
+class RigModel {
+ public:
+  /// Checks that the model fits the rig (number of cylinders, effects known, ranges).
+  static Result<RigModel> Create(RigKind kind, const hydraulics::PhsParams& params,
+                                 const RigOptions& options = {});
+  RigModel(RigModel&&) noexcept;
+  RigModel& operator=(RigModel&&) noexcept;
+  ~RigModel();
+
+  RigKind kind() const;
+  /// Driving channels, e.g. {"actuator_m"}.
+  const std::vector<std::string>& input_names() const;
+  /// Predicted channels, e.g. {"piston_m","load_cell_N","p_bore_Pa","p_rod_Pa"}.
+  const std::vector<std::string>& output_names() const;
+  const hydraulics::PhsSystem& system() const;
+
+  /// Simulates the whole motion. Deterministic, thread-safe. Errors: shapes that do not match,
+  /// numbers that are not finite.
+  Status Run(const RigMotion& motion, RigPrediction* prediction) const;
+
+ private:
+  struct Impl;
+  explicit RigModel(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+/// Speeds by central differences (one-sided at the ends).
+std::vector<double> DifferentiateMotion(const std::vector<double>& position, double step_s);
+
+}  // namespace phs::effects

@@ -1,0 +1,140 @@
+// How effects enter a PHS without the core knowing them. An effect is a row of an EffectTable: its
+// parameters and an Install function that adds laws to the places below. The core calls only laws
+// that are present, so a model without effects pays nothing.
+//
+//   volume   VolumeLaw at a line: takes up volume as pressure rises (air, hoses)
+//   flow     FlowLaw between two pressures: leakage, resistance; with inertance a state of its own
+//   friction numbers of FrictionTerms: how the level depends on speed, pressure, place, rest time
+//   mounting numbers of MountTerms: what lies between mounting and piston
+//   instrument and environment: InstrumentTerms (predicted channels of a rig), temperature over time
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "hydraulics/phs_params.h"
+
+namespace phs::hydraulics {
+
+/// Volume taken up above the static state at pressure p: Volume(p0) = 0, rising with p (passive).
+class VolumeLaw {
+ public:
+  virtual ~VolumeLaw() = default;
+  /// `volume` [m3] and `slope` dV/dp [m3/Pa] >= 0 are added to.
+  virtual void Add(double pressure, double* volume, double* slope) const noexcept = 0;
+  /// Integral of p dV from the static state [J].
+  virtual double Energy(double pressure) const noexcept = 0;
+};
+
+/// Flow through an opening or pipe: rises with the pressure difference, Flow(0) = 0 (passive).
+class FlowLaw {
+ public:
+  virtual ~FlowLaw() = default;
+  /// Volume flow [m3/s] from the high to the low side at p_from - p_to = `dp` [Pa]; `slope` = d/d(dp).
+  virtual double Flow(double time, double dp, double* slope) const noexcept = 0;
+  /// Inverse: pressure drop [Pa] at `flow`, and its slope. Needed only with an inertance.
+  virtual double Drop(double time, double flow, double* slope) const noexcept = 0;
+  /// rho l / A [kg/m4]; 0 = the flow follows the pressure at once.
+  virtual double Inertance() const noexcept { return 0; }
+};
+
+/// Where a flow law begins and ends.
+enum class Port { kBore, kRod, kLine, kAtmosphere };
+
+/// Friction level of one cylinder beyond its curve. level(v, …) = curve(v)
+///   * (1 + position_slope y + position_curvature y²)     (kept >= 0)
+///   + stribeck_extra exp(-(|v|/stribeck_speed)) + dwell_extra * phi + pressure terms,
+/// plus viscous force c v. phi: dwell state, dphi/dt = (1 - phi)/dwell_time - phi |v|/dwell_length.
+struct FrictionTerms {
+  double stribeck_extra_extension_N = 0, stribeck_extra_retraction_N = 0;
+  double stribeck_speed_m_s = 1e-3;
+  double viscous_extension_Ns_per_m = 0, viscous_retraction_Ns_per_m = 0;
+  double pressure_bore_N_per_Pa = 0, pressure_rod_N_per_Pa = 0;  ///< times p - p0 of the chamber
+  double position_slope_1_per_m = 0, position_curvature_1_per_m2 = 0;
+  double dwell_extra_N = 0, dwell_time_s = 1, dwell_length_m = 1e-4;
+  bool presliding = false;  ///< forces the presliding model with the two numbers below
+  double presliding_stiffness_N_per_m = 0, presliding_breakaway_ratio = 0;
+};
+
+/// Elements in series between mounting and piston: play, spring, spring with a Maxwell branch.
+struct MountTerms {
+  bool present = false;
+  double gap_m = 0;                        ///< total free play
+  double stiffness_N_per_m = 0;            ///< series spring; 0 = the contact stiffness below only
+  double maxwell_stiffness_N_per_m = 0;    ///< parallel branch of a bush
+  double maxwell_damping_Ns_per_m = 0;
+};
+/// Stiffness used for a mounting that only has play [N/m].
+inline constexpr double kContactStiffness = 2e9;
+
+/// Error of one instrument: shown = gain * true(t - delay) + offset + drift * t.
+struct InstrumentTerms {
+  double load_offset_N = 0, load_drift_N_per_s = 0, load_gain = 1;
+  double pressure_offset_Pa = 0, pressure_drift_Pa_per_s = 0, pressure_gain = 1;
+  double piston_offset_m = 0, piston_drift_m_per_s = 0, piston_gain = 1;
+  double load_delay_s = 0, pressure_delay_s = 0, piston_delay_s = 0;
+  bool present = false;
+};
+
+/// Temperature of surroundings and oil: static + rate t up to `limit` + amplitude sin(2 pi t/period).
+struct TemperatureTerms {
+  bool present = false;
+  double rate_K_per_s = 0;
+  double amplitude_K = 0, period_s = 86400;
+  double limit_K = 40;                     ///< |rate t| stays below this
+  double expansion_1_per_K = 0;            ///< of the oil against its housing
+};
+
+/// What an effect may add to while a system is being built.
+class Extension {
+ public:
+  virtual ~Extension() = default;
+  virtual const PhsParams& params() const = 0;
+  virtual void AddVolume(int line, std::unique_ptr<VolumeLaw> law) = 0;
+  /// Between two ports of a cylinder (kBore, kRod of `cylinder`), a line (`line`) or atmosphere.
+  virtual void AddFlow(Port from, Port to, int cylinder, int line, const std::string& name,
+                       std::unique_ptr<FlowLaw> law) = 0;
+  /// Puts `law` between the chamber (kBore or kRod) of `cylinder` and its line. `share` of the line's
+  /// oil volume moves to the chamber side (0.02 … 0.98).
+  virtual void SplitChamber(Port chamber, int cylinder, double share, const std::string& name,
+                            std::unique_ptr<FlowLaw> law) = 0;
+  virtual FrictionTerms& friction(int cylinder) = 0;
+  virtual MountTerms& mount(int cylinder) = 0;
+  virtual InstrumentTerms& instrument() = 0;
+  virtual TemperatureTerms& temperature() = 0;
+  /// Line parameters may still be changed (precharge, gas law): laws are compiled afterwards.
+  virtual LineParams& line(int index) = 0;
+};
+
+/// One parameter of an effect.
+struct EffectParameter {
+  std::string name;   ///< with unit suffix, "gap_m"
+  std::string unit;
+  double otherwise;   ///< default
+  double min, max;    ///< allowed
+  double low, high;   ///< plausible
+  std::string text;
+};
+
+/// One row of the catalogue.
+struct EffectInfo {
+  std::string name;
+  std::string family;      ///< hydraulic, friction, mounting, instrument, environment
+  std::string targets;     ///< "cylinders", "lines" or "" (whole system)
+  std::string text;        ///< the law in one line
+  std::vector<EffectParameter> parameters;
+  /// Adds the law. `value(name)` of every parameter is in `values`, defaults filled in.
+  Status (*install)(const EffectParams& effect, Extension* extension);
+};
+
+/// The catalogue as the core sees it.
+class EffectTable {
+ public:
+  virtual ~EffectTable() = default;
+  virtual const std::vector<EffectInfo>& effects() const = 0;
+  const EffectInfo* Find(const std::string& name) const;
+};
+
+}  // namespace phs::hydraulics

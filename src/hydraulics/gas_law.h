@@ -1,0 +1,71 @@
+// The four gas laws of a reservoir or accumulator, on one interface: V(p, T), its slopes, and the
+// energy and the heat balance that belong to it.
+//
+//   isothermal   p V = p0 V0 T_s/T0                 no state, T = T_s (ambient)
+//   polytropic   p V^n = p0 V0^n (T_s/T0)^n         no state
+//   ideal        p V = m R T,   dT/dt = (T_s - T)/tau - p (dV/dt)/(m c_v0)
+//   bwr          p = p(T, v) of Benedict, Webb and Rubin (bwr_nitrogen.h),
+//                dT/dt = (T_s - T)/tau - T (dp/dT)_v (dv/dt)/c_v(T, v)
+// p absolute [Pa], V [m3], T [K], tau thermal time constant at constant volume [s].
+// Source: T. P. Löwe, M.Eng. thesis, University of Pretoria, eqs. 12-19, constants corrected (see
+// bwr_nitrogen.h); D. R. Otis and P. E. Pourmovahed, J. Dyn. Syst. Meas. Control 107 (1985) 116.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace phs::hydraulics {
+
+enum class GasLaw { kIsothermal, kPolytropic, kIdeal, kBwr };
+const std::vector<std::string>& GasLawNames();  ///< isothermal, polytropic, ideal, bwr
+
+/// Nitrogen as an ideal gas.
+inline constexpr double kNitrogenR = 296.797;    ///< specific gas constant [J/(kg K)]
+inline constexpr double kNitrogenCv = 742.2;     ///< isochoric heat capacity at 300 K [J/(kg K)]
+inline constexpr double kAtmosphere = 101325.0;  ///< [Pa]
+
+/// A closed amount of gas, fixed by its volume at a reference pressure and temperature.
+/// Volumes are clamped to [min_volume, max_volume]: the diaphragm or bladder at its stop.
+struct GasVolume {
+  GasLaw law = GasLaw::kIsothermal;
+  double reference_volume = 0;       ///< V0 [m3], > 0
+  double reference_pressure = 0;     ///< p0 [Pa], > 0
+  double reference_temperature = 0;  ///< T0 [K]
+  double exponent = 1.4;             ///< n of the polytropic law, 1 … 1.7
+  double thermal_time = 5;           ///< tau [s], > 0
+  double min_volume = 0;             ///< [m3]
+  double max_volume = 0;             ///< [m3]
+  double mass = 0;                   ///< [kg]; set by SetMass
+
+  /// Fills `mass` from the reference state by the volume's own law.
+  void SetMass();
+  bool HasTemperatureState() const { return law == GasLaw::kIdeal || law == GasLaw::kBwr; }
+};
+
+/// V(p, T) with its slopes. `stopped`: the diaphragm rests on a stop, V does not change with p, T.
+struct GasState {
+  double volume = 0;    ///< [m3]
+  double dV_dp = 0;     ///< [m3/Pa], <= 0
+  double dV_dT = 0;     ///< [m3/K], >= 0
+  bool stopped = false;
+};
+/// `temperature`: of the gas for the laws with a state, of the surroundings for the others.
+GasState CalcGas(const GasVolume& gas, double pressure, double temperature);
+
+/// Unclamped p(V, T) of the same law [Pa].
+double CalcGasPressure(const GasVolume& gas, double volume, double temperature);
+
+/// Energy stored above the reference state that can be won back against surroundings of
+/// temperature `ambient` [J]: -∫p dV for the laws without a state, the exergy
+/// U - U0 - T_s (S - S0) for those with one. Its rate is -p dV/dt - CalcGasLoss.
+double CalcGasEnergy(const GasVolume& gas, double volume, double temperature, double ambient);
+
+/// Heat balance of a law with a state: dT/dt = relax - kappa dV/dt.
+struct GasHeat {
+  double relax = 0;  ///< (T_s - T)/tau [K/s]
+  double kappa = 0;  ///< T (dp/dT)_v / (m c_v) [K/m3], > 0
+  double loss = 0;   ///< available power destroyed by the heat flow, m c_v (T-T_s)^2/(tau T) [W]
+};
+GasHeat CalcGasHeat(const GasVolume& gas, double volume, double temperature, double ambient);
+
+}  // namespace phs::hydraulics
