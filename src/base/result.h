@@ -15,10 +15,10 @@ namespace phs {
 
 /// One problem with the input. Empty parts are left out of the line.
 struct Error {
-  std::string where;    ///< file:line, key or argument
-  std::string what;     ///< what is wrong
-  std::string allowed;  ///< what would be accepted
-  std::string mend;     ///< what to do
+  std::string where = {};    ///< file:line, key or argument
+  std::string what = {};     ///< what is wrong
+  std::string allowed = {};  ///< what would be accepted
+  std::string mend = {};     ///< what to do
 
   /// `where: what; allowed: …; …` on one line.
   std::string Line() const {

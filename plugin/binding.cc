@@ -1,0 +1,238 @@
+#include "plugin/binding.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/data_path.h"
+#include "effects/catalogue.h"
+#include "plugin/model_text.h"
+
+namespace phs::plugin {
+namespace {
+
+constexpr double kSpeedHoldTime = 0.5;  ///< time constant of the speed hold [s]
+constexpr double kDefaultFriction = 0.3;
+
+std::string Chosen(const std::string& option, const mjModel* m, const std::string& custom,
+                   const std::string& otherwise) {
+  return option.empty() ? CustomText(m, custom).value_or(otherwise) : option;
+}
+
+/// A profile file by name or path; generated profiles ("cone:1/40") have no file.
+Result<std::string> FindProfile(const std::string& kind, const std::string& name) {
+  if (name.find(':') != std::string::npos) return name;
+  return FindData(kind, "models/profiles", name, {".prw", ".prr", ".yaml", ".csv"});
+}
+
+/// Dofs of `body` and its ancestors: those that a force on the body acts on.
+std::vector<int> DofChain(const mjModel* m, int body) {
+  std::vector<int> dofs;
+  for (int b = body; b > 0; b = m->body_parentid[b]) {
+    for (int k = 0; k < m->body_dofnum[b]; ++k) dofs.push_back(m->body_dofadr[b] + k);
+  }
+  std::sort(dofs.begin(), dofs.end());
+  return dofs;
+}
+
+}  // namespace
+
+bool Binding::Concerns(const mjModel* m) {
+  return !TuplesWithPrefix(m, "wheelset:").empty() || !TuplesWithPrefix(m, "phs:").empty();
+}
+
+Result<std::unique_ptr<Binding>> Binding::Create(mjModel* m, const AttachOptions& options) {
+  auto binding = std::make_unique<Binding>();
+  if (Status s = binding->BindWheelsets(m); !s.ok()) return s.error();
+  if (!binding->wheelsets_.empty()) {
+    if (Status s = binding->LoadRail(m, options); !s.ok()) return s.error();
+  }
+  if (Status s = binding->BindPhs(m, options); !s.ok()) return s.error();
+  return binding;
+}
+
+Status Binding::LoadRail(mjModel* m, const AttachOptions& options) {
+  auto track_path = FindData("track", "models/tracks",
+                             Chosen(options.track, m, "phs_track", "straight"), {".yaml"});
+  if (!track_path.ok()) return track_path.error();
+  auto track = rail::Track::Load(track_path.value());
+  if (!track.ok()) return track.error();
+  track_ = std::make_unique<rail::Track>(std::move(track).value());
+
+  friction_ = CustomNumber(m, "phs_friction").value_or(kDefaultFriction);
+  if (std::isfinite(track_->friction())) friction_ = track_->friction();
+  if (options.friction != AttachOptions::kUnset) friction_ = options.friction;
+
+  rail::WheelRailParams params;
+  auto wheel = FindProfile("wheel profile", Chosen(options.wheel_profile, m, "phs_wheel", "S1002"));
+  if (!wheel.ok()) return wheel.error();
+  params.wheel_profile = wheel.value();
+  auto rail = FindProfile("rail profile", Chosen(options.rail_profile, m, "phs_rail", "UIC60"));
+  if (!rail.ok()) return rail.error();
+  params.rail_profile = rail.value();
+  params.gauge = track_->gauge();
+  params.gauge_height = track_->gauge_height();
+  // Clearance between flange and gauge line as on 1435 mm with 1360 mm between the flange backs.
+  params.flange_back_distance =
+      CustomNumber(m, "phs_flange_back_m").value_or(track_->gauge() - 0.075);
+  params.wheel_radius = CustomNumber(m, "phs_wheel_radius_m").value_or(params.wheel_radius);
+  params.creep.method = Chosen(options.creep_law, m, "phs_creep", "kalker_table");
+  params.tread.coefficient = friction_;
+  params.flange.coefficient =
+      options.flange_friction == AttachOptions::kUnset ? friction_ : options.flange_friction;
+  auto wheel_rail = rail::WheelRail::Create(params);
+  if (!wheel_rail.ok()) return wheel_rail.error();
+  wheel_rail_ = std::make_unique<rail::WheelRail>(std::move(wheel_rail).value());
+
+  target_speed_ = CustomNumber(m, "phs_speed_m_s").value_or(0);
+  if (options.speed_m_s != AttachOptions::kUnset) target_speed_ = options.speed_m_s;
+  start_s_ = options.start_s_m == AttachOptions::kUnset ? 1.0 : options.start_s_m;
+  const int driven = static_cast<int>(std::count_if(
+      wheelsets_.begin(), wheelsets_.end(), [](const auto& w) { return w.drive_actuator >= 0; }));
+  root_body_ = m->body_rootid[wheelsets_[0].body];
+  if (driven > 0) {
+    speed_gain_ = m->body_subtreemass[root_body_] * params.wheel_radius / (driven * kSpeedHoldTime);
+  }
+  return {};
+}
+
+Status Binding::BindWheelsets(mjModel* m) {
+  for (const NamedTuple& tuple : TuplesWithPrefix(m, "wheelset:")) {
+    WheelsetBinding w;
+    w.name = tuple.name;
+    const std::vector<int> bodies = tuple.Ids(mjOBJ_BODY);
+    const std::vector<int> joints = tuple.Ids(mjOBJ_JOINT);
+    const std::vector<int> drives = tuple.Ids(mjOBJ_ACTUATOR);
+    const std::string where = "MJCF tuple 'wheelset:" + tuple.name + "'";
+    if (bodies.size() != 1 || joints.empty() || m->jnt_type[joints[0]] != mjJNT_HINGE) {
+      return Error{where, "needs one body and its spin hinge",
+                   "elements: body, hinge joint, optional primary yaw joint, optional actuator",
+                   "see bogie_xml/shared/settings.xml"};
+    }
+    w.body = bodies[0];
+    w.spin_dof = m->jnt_dofadr[joints[0]];
+    if (m->jnt_bodyid[joints[0]] != w.body) {
+      return Error{where,
+                   "joint '" + ObjectName(m, mjOBJ_JOINT, joints[0]) +
+                       "' is not a joint of body '" + ObjectName(m, mjOBJ_BODY, w.body) + "'",
+                   "the hinge about which this body spins", ""};
+    }
+    if (joints.size() > 1) w.yaw_joint = joints[1];
+    if (!drives.empty()) w.drive_actuator = drives[0];
+    w.dofs = DofChain(m, w.body);
+    wheelsets_.push_back(std::move(w));
+  }
+  if (!wheelsets_.empty() && m->nuserdata < UserData::kHeader) {
+    return Error{"MJCF <size nuserdata>", "is too small for the plugin's values",
+                 "at least " + std::to_string(UserData::kHeader), "write <size nuserdata=\"96\"/>"};
+  }
+  return {};
+}
+
+Status Binding::BindPhs(mjModel* m, const AttachOptions& options) {
+  int next = UserData::kHeader;
+  for (const NamedTuple& tuple : TuplesWithPrefix(m, "phs:")) {
+    PhsBinding p;
+    p.name = tuple.name;
+    const std::string where = "MJCF tuple 'phs:" + tuple.name + "'";
+    const std::string model = Chosen(options.phs_model, m, "phs:" + tuple.name, "bo_bo");
+    auto path = FindData("PHS model", "models/phs", model, {".yaml"});
+    if (!path.ok()) return path.error();
+    p.model_path = path.value();
+    auto system = effects::LoadPhsSystem(p.model_path);
+    if (!system.ok()) return system.error();
+    p.system = std::make_shared<const hydraulics::PhsSystem>(std::move(system).value());
+    const std::vector<int> ids = tuple.Ids(mjOBJ_ACTUATOR);
+    const int num_cylinders = p.system->num_cylinders();
+    if (num_cylinders > kMaxCylinders || p.system->num_lines() > kMaxLines ||
+        p.system->num_states() > kMaxStates) {
+      return Error{p.model_path, "has too many cylinders, lines or states",
+                   "at most " + std::to_string(kMaxCylinders) + " cylinders, " +
+                       std::to_string(kMaxLines) + " lines, " + std::to_string(kMaxStates) +
+                       " states in one system",
+                   "split it into several systems"};
+    }
+    if (static_cast<int>(ids.size()) < num_cylinders) {
+      return Error{where,
+                   "names " + std::to_string(ids.size()) + " actuators, PHS model '" + model +
+                       "' has " + std::to_string(num_cylinders) + " cylinders",
+                   "one actuator per cylinder, in its order", ""};
+    }
+    for (int i = 0; i < num_cylinders; ++i) {
+      const int a = ids[i];
+      const std::string name = ObjectName(m, mjOBJ_ACTUATOR, a);
+      if (m->actuator_biastype[a] != mjBIAS_USER || m->actuator_trntype[a] != mjTRN_TENDON) {
+        return Error{"MJCF actuator '" + name + "'", "is no PHS cylinder",
+                     "a general actuator on a tendon with biastype=\"user\"", ""};
+      }
+      p.cylinder.push_back(a);
+      p.length0.push_back(m->actuator_length0[a]);
+    }
+    for (int a : ids) {
+      if (m->actuator_dyntype[a] == mjDYN_USER) p.state_actuator.push_back(a);
+    }
+    const int num_states = p.system->num_states();
+    if (static_cast<int>(p.state_actuator.size()) < num_states) {
+      return Error{where,
+                   "carries " + std::to_string(p.state_actuator.size()) + " states, PHS model '" +
+                       model + "' has " + std::to_string(num_states),
+                   "one actuator with dyntype=\"user\" per state",
+                   "append " + std::to_string(num_states - p.state_actuator.size()) +
+                       " state carriers (phs simulate does so by itself)"};
+    }
+    p.state_actuator.resize(num_states);
+    p.forces_at = next;
+    p.rates_at = p.forces_at + num_cylinders;
+    next = p.rates_at + num_states;
+    phs_.push_back(std::move(p));
+  }
+  if (next > m->nuserdata) {
+    return Error{
+        "MJCF <size nuserdata>",
+        "is " + std::to_string(m->nuserdata) + ", the plugin needs " + std::to_string(next),
+        "at least " + std::to_string(next),
+        "write <size nuserdata=\"" + std::to_string(next) + "\"/>"};
+  }
+  owner_.assign(m->nu, nullptr);
+  cylinder_at_.assign(m->nu, -1);
+  rate_at_.assign(m->nu, -1);
+  for (const PhsBinding& p : phs_) {
+    for (size_t i = 0; i < p.cylinder.size(); ++i) {
+      owner_[p.cylinder[i]] = &p;
+      cylinder_at_[p.cylinder[i]] = p.forces_at + static_cast<int>(i);
+    }
+    for (size_t i = 0; i < p.state_actuator.size(); ++i) {
+      owner_[p.state_actuator[i]] = &p;
+      rate_at_[p.state_actuator[i]] = p.rates_at + static_cast<int>(i);
+    }
+  }
+  return {};
+}
+
+void Binding::LendDamping(mjModel* m, const mjData* d) {
+  Release(m);
+  for (size_t i = 0; i < wheelsets_.size(); ++i) {
+    const WheelsetState state = CalcWheelset(m, d, static_cast<int>(i));
+    double damping = 0;
+    for (const rail::WheelRailForces& wheel : state.wheel) {
+      for (int k = 0; k < wheel.count; ++k) {
+        const rail::ContactPatch& patch = wheel.patch[k];
+        constexpr double kSmallCreep = 1e-7;
+        const rail::CreepForce force = wheel_rail_->creep_law().Calc(
+            {patch.a, patch.b, patch.normal, kSmallCreep, 0, 0, state.speed, patch.friction});
+        const double f11 = std::abs(force.x) / kSmallCreep;
+        const double speed = std::max(state.speed, wheel_rail_->params().speed_floor);
+        damping += f11 * patch.rolling_radius * patch.rolling_radius / speed;
+      }
+    }
+    wheelsets_[i].lent_damping = damping;
+    m->dof_damping[wheelsets_[i].spin_dof] += damping;
+  }
+}
+
+void Binding::Release(mjModel* m) const {
+  for (const WheelsetBinding& w : wheelsets_) {
+    m->dof_damping[w.spin_dof] -= w.lent_damping;
+  }
+}
+
+}  // namespace phs::plugin

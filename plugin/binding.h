@@ -1,0 +1,159 @@
+// A model bound to the physics: names resolved to ids, profiles, track and PHS systems loaded.
+// Immutable once made; every query is a pure function of (m, d) and safe from many threads.
+//
+// Per step MuJoCo calls Passive (contact forces, returned lent damping, PHS evaluated), Control
+// (speed hold), and for each PHS actuator ActDyn and Bias. The PHS is evaluated once in Passive and
+// handed to the per-actuator callbacks through d->userdata, which is rewritten at every call and so
+// carries no history (layout: UserData below).
+//
+// Lent damping. Creep resists the spin of a wheelset with c = sum f11 r^2 / V [N m s/rad], too
+// stiff for an explicit step at low speed. MuJoCo's Euler step is implicit in joint damping only.
+// So on attaching, dof_damping of each spin joint is raised by B = c, and Passive adds +B omega
+// back: forces are unchanged, the step becomes (M + h B) a = f, backward Euler for that mode.
+#pragma once
+
+#include <mujoco/mujoco.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "hydraulics/phs_system.h"
+#include "rail/track.h"
+#include "rail/wheel_rail.h"
+
+namespace phs::plugin {
+
+/// Largest PHS system: its values live on the stack during a step.
+inline constexpr int kMaxCylinders = 16;
+inline constexpr int kMaxLines = 16;
+inline constexpr int kMaxStates = 96;
+
+/// Overrides of what the model says in its <custom> section; empty or NaN = as in the model.
+struct AttachOptions {
+  std::string track;
+  std::string wheel_profile;
+  std::string rail_profile;
+  std::string creep_law;
+  std::string phs_model;            ///< replaces the model of every PHS system
+  double friction = kUnset;         ///< wheel-rail friction coefficient
+  double flange_friction = kUnset;  ///< on the flange; as `friction` if unset
+  double speed_m_s = kUnset;        ///< target of the speed hold
+  double start_s_m = kUnset;        ///< arc length of the rearmost wheelset at the start
+  static constexpr double kUnset = -1;
+};
+
+/// One wheelset: its ids and the dofs that its wrench acts on.
+struct WheelsetBinding {
+  std::string name;
+  int body = -1;
+  int spin_dof = -1;
+  int yaw_joint = -1;       ///< primary yaw joint, or -1
+  int drive_actuator = -1;  ///< or -1
+  double lent_damping = 0;  ///< [N m s/rad]
+  std::vector<int> dofs;    ///< of the body and its ancestors
+};
+
+/// One PHS system and its actuators.
+struct PhsBinding {
+  std::string name;
+  std::string model_path;
+  std::shared_ptr<const hydraulics::PhsSystem> system;
+  std::vector<int> cylinder;        ///< actuator ids
+  std::vector<double> length0;      ///< tendon length at rest [m]
+  std::vector<int> state_actuator;  ///< actuator id that carries each state
+  int forces_at = 0;                ///< userdata: actuator force per cylinder [N]
+  int rates_at = 0;                 ///< userdata: mean state rate per state
+};
+
+/// d->userdata, first entries; PHS blocks follow.
+struct UserData {
+  static constexpr int kCreepPower = 0;     ///< lost to slip, all wheels [W]
+  static constexpr int kContactPower = 1;   ///< lost to contact and support damping [W]
+  static constexpr int kContactEnergy = 2;  ///< stored in contacts and supports [J]
+  static constexpr int kPhsPower = 3;       ///< lost in the PHS [W]
+  static constexpr int kPhsEnergy = 4;      ///< stored in the PHS [J]
+  static constexpr int kLifted = 5;         ///< number of wheels without contact
+  static constexpr int kBeyondProfile = 6;  ///< number of wheels at the end of a profile
+  static constexpr int kMaxLateral = 7;     ///< largest |lateral| of a wheelset [m]
+  static constexpr int kHeader = 8;
+};
+
+/// Forces and motion of one wheelset at one instant (T axes: x forward, y left, z up).
+struct WheelsetState {
+  rail::TrackFrame frame;
+  rail::Vec3 centre{};             ///< world [m]
+  double lateral = 0;              ///< y_T of the centre [m]
+  double vertical = 0;             ///< z_T of the centre [m]
+  double yaw = 0;                  ///< against the radial direction = angle of attack [rad]
+  double roll = 0;                 ///< [rad]
+  double speed = 0;                ///< along the track [m/s]
+  rail::WheelRailForces wheel[2];  ///< by rail::Side, C axes
+  rail::Vec3 force{};              ///< on the wheelset, world [N]
+  rail::Vec3 moment{};             ///< about its centre, world [N m]
+  rail::Vec3 moment_T{};           ///< the same in T axes [N m]
+};
+
+/// PHS values at one instant; vectors sized by the system.
+struct PhsState {
+  std::vector<double> displacement, speed, state;
+  std::vector<double> force, pressure_force, friction_force, piston, p_bore, p_rod, pressure;
+  double stored_energy = 0;
+  double lost_power = 0;
+};
+
+class Binding {
+ public:
+  /// Resolves names and loads data. Changes dof_damping of the spin joints and, if the model has a
+  /// key named "test", fills it with the settled running state. Errors name the MJCF element.
+  static Result<std::unique_ptr<Binding>> Create(mjModel* m, const AttachOptions& options);
+  /// True if the model names at least one wheelset or PHS system.
+  static bool Concerns(const mjModel* m);
+
+  void Passive(const mjModel* m, mjData* d) const noexcept;
+  void Control(const mjModel* m, mjData* d) const noexcept;
+  /// True if actuator `id` belongs to a PHS system.
+  bool Owns(int actuator) const noexcept { return owner_[actuator] != nullptr; }
+  double ActDyn(const mjModel* m, const mjData* d, int actuator) const noexcept;
+  double Bias(const mjData* d, int actuator) const noexcept;
+
+  WheelsetState CalcWheelset(const mjModel* m, const mjData* d, int index) const noexcept;
+  /// Allocates; for recording, not for the step itself.
+  PhsState CalcPhs(const mjModel* m, const mjData* d, int index) const;
+
+  bool has_rail() const { return track_ != nullptr; }
+  const rail::Track& track() const { return *track_; }
+  const rail::WheelRail& wheel_rail() const { return *wheel_rail_; }
+  const std::vector<WheelsetBinding>& wheelsets() const { return wheelsets_; }
+  const std::vector<PhsBinding>& phs() const { return phs_; }
+  double target_speed() const { return target_speed_; }
+  double start_s() const { return start_s_; }
+  double friction() const { return friction_; }
+  /// Undoes the changes to the model (lent damping).
+  void Release(mjModel* m) const;
+  /// Sets the lent damping from the running state in `d` (settled at speed).
+  void LendDamping(mjModel* m, const mjData* d);
+
+ private:
+  Status LoadRail(mjModel* m, const AttachOptions& options);
+  Status BindWheelsets(mjModel* m);
+  Status BindPhs(mjModel* m, const AttachOptions& options);
+  void AddWheelsetForces(const mjModel* m, mjData* d) const noexcept;
+  void EvaluatePhs(const mjModel* m, mjData* d) const noexcept;
+
+  std::unique_ptr<rail::Track> track_;
+  std::unique_ptr<rail::WheelRail> wheel_rail_;
+  std::vector<WheelsetBinding> wheelsets_;
+  std::vector<PhsBinding> phs_;
+  std::vector<const PhsBinding*> owner_;  ///< [actuator]
+  std::vector<int> cylinder_at_;          ///< [actuator] userdata index of its force, or -1
+  std::vector<int> rate_at_;              ///< [actuator] userdata index of its state rate, or -1
+  double friction_ = 0.3;
+  double target_speed_ = 0;
+  double start_s_ = 0;
+  double speed_gain_ = 0;  ///< torque per speed error and driven axle [N m s/m]
+  int root_body_ = -1;     ///< body whose speed is held
+};
+
+}  // namespace phs::plugin

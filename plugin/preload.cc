@@ -1,0 +1,95 @@
+// LD_PRELOAD=libphs_mujoco.so any-mujoco-program bogie.xml
+//
+// MuJoCo 2.2.2 has no plugin loading, so the shared library stands in front of the functions that
+// load and delete models: a model that names wheelsets or PHS systems is attached as it is loaded.
+// Only libphs_mujoco.so contains this file.
+//
+// PHS_OPTIONS="speed_m_s=20;track=curve_r400" overrides as in phs_attach. PHS_TRACE=FILE writes
+// time and qpos of every step of the first mjData to a CSV with every digit.
+#include <dlfcn.h>
+#include <mujoco/mujoco.h>
+
+#include <atomic>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+
+#include "plugin/binding.h"
+#include "plugin/phs_mujoco.h"
+#include "plugin/registry.h"
+
+namespace {
+
+template <typename Function>
+Function Next(const char* name) {
+  return reinterpret_cast<Function>(dlsym(RTLD_NEXT, name));
+}
+
+/// Attaches what concerns us; a model that cannot be attached is refused with the reason.
+mjModel* AttachLoaded(mjModel* m, char* error, int error_size) {
+  if (m == nullptr || !phs::plugin::Binding::Concerns(m)) return m;
+  if (phs_attach(m, std::getenv("PHS_OPTIONS")) == 0) return m;
+  std::fprintf(stderr, "%s\n", phs_last_error());
+  if (error != nullptr && error_size > 0) {
+    std::snprintf(error, static_cast<size_t>(error_size), "%s", phs_last_error());
+  }
+  Next<void (*)(mjModel*)>("mj_deleteModel")(m);
+  return nullptr;
+}
+
+/// Writes the trajectory of the first mjData that steps, if PHS_TRACE asks for it.
+class Trace {
+ public:
+  static Trace& Get() {
+    static Trace trace;
+    return trace;
+  }
+  void Step(const mjModel* m, const mjData* d) {
+    if (file_ == nullptr || phs::plugin::Find(m) == nullptr) return;
+    const mjData* expected = nullptr;
+    if (!data_.compare_exchange_strong(expected, d) && expected != d) return;
+    std::fprintf(file_, "%.17g", d->time);
+    for (int i = 0; i < m->nq; ++i) std::fprintf(file_, ",%.17g", d->qpos[i]);
+    std::fputc('\n', file_);
+  }
+
+ private:
+  Trace() {
+    const char* path = std::getenv("PHS_TRACE");
+    if (path != nullptr) file_ = std::fopen(path, "w");
+  }
+  ~Trace() {
+    if (file_ != nullptr) std::fclose(file_);
+  }
+  std::FILE* file_ = nullptr;
+  std::atomic<const mjData*> data_{nullptr};
+};
+
+}  // namespace
+
+extern "C" {
+
+PHS_API mjModel* mj_loadXML(const char* filename, const mjVFS* vfs, char* error, int error_size) {
+  using Load = mjModel* (*)(const char*, const mjVFS*, char*, int);
+  return AttachLoaded(Next<Load>("mj_loadXML")(filename, vfs, error, error_size), error,
+                      error_size);
+}
+
+PHS_API mjModel* mj_loadModel(const char* filename, const mjVFS* vfs) {
+  using Load = mjModel* (*)(const char*, const mjVFS*);
+  return AttachLoaded(Next<Load>("mj_loadModel")(filename, vfs), nullptr, 0);
+}
+
+PHS_API void mj_deleteModel(mjModel* m) {
+  phs::plugin::Forget(m);
+  Next<void (*)(mjModel*)>("mj_deleteModel")(m);
+}
+
+PHS_API void mj_step(const mjModel* m, mjData* d) {
+  using Step = void (*)(const mjModel*, mjData*);
+  static const Step next = Next<Step>("mj_step");
+  next(m, d);
+  Trace::Get().Step(m, d);
+}
+
+}  // extern "C"

@@ -1,0 +1,172 @@
+#include "plugin/settle.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "plugin/model_text.h"
+
+namespace phs::plugin {
+namespace {
+
+using DataPtr = std::unique_ptr<mjData, decltype(&mj_deleteData)>;
+
+constexpr double kStep = 1e-7;       ///< of the finite differences [m, rad]
+constexpr double kTolerance = 1e-7;  ///< of the accelerations left [m/s^2, rad/s^2]
+constexpr int kMaxIterations = 60;
+constexpr double kFirstSinking =
+    1e-4;  ///< start below mere touching, so that wheels carry load [m]
+
+/// Moves the free roots so that the vehicle stands on the track at its start, rolling at speed.
+void PlaceVehicle(const mjModel* m, const Binding& binding, mjData* d) {
+  mj_resetData(m, d);
+  mj_kinematics(m, d);
+  const double wheel_height = -binding.wheel_rail().touching_height();
+  double rearmost = 1e300;
+  double sink = 1e300;
+  for (const WheelsetBinding& w : binding.wheelsets()) {
+    rearmost = std::min(rearmost, d->xpos[3 * w.body]);
+    sink = std::min(sink, wheel_height - d->xpos[3 * w.body + 2]);
+  }
+  const double speed = std::max(binding.target_speed(), 0.0);
+  for (int j = 0; j < m->njnt; ++j) {
+    if (m->jnt_type[j] != mjJNT_FREE) continue;
+    mjtNum* q = d->qpos + m->jnt_qposadr[j];
+    const rail::TrackFrame f = binding.track().FrameAt(binding.start_s() + q[0] - rearmost);
+    const double y = q[1];
+    const double z = q[2] + sink - kFirstSinking;
+    mjtNum rotation[9];
+    for (int i = 0; i < 3; ++i) {
+      q[i] = f.origin[i] + y * f.left[i] + z * f.up[i];
+      rotation[3 * i] = f.forward[i];
+      rotation[3 * i + 1] = f.left[i];
+      rotation[3 * i + 2] = f.up[i];
+    }
+    mjtNum track_quat[4], own[4] = {q[3], q[4], q[5], q[6]};
+    mju_mat2Quat(track_quat, rotation);
+    mju_mulQuat(q + 3, track_quat, own);
+    mju_scl3(d->qvel + m->jnt_dofadr[j], f.forward.data(), speed);
+  }
+  for (const WheelsetBinding& w : binding.wheelsets()) {
+    d->qvel[w.spin_dof] = speed / binding.wheel_rail().params().wheel_radius;
+  }
+}
+
+/// Dofs that settle: all but spins and the forward motion of free roots.
+std::vector<int> SettlingDofs(const mjModel* m, const Binding& binding) {
+  std::vector<char> settles(m->nv, 1);
+  for (const WheelsetBinding& w : binding.wheelsets()) settles[w.spin_dof] = 0;
+  for (int j = 0; j < m->njnt; ++j) {
+    if (m->jnt_type[j] == mjJNT_FREE) settles[m->jnt_dofadr[j]] = 0;
+  }
+  std::vector<int> dofs;
+  for (int i = 0; i < m->nv; ++i) {
+    if (settles[i]) dofs.push_back(i);
+  }
+  return dofs;
+}
+
+Eigen::VectorXd Residual(const mjModel* m, mjData* d, const std::vector<int>& dofs) {
+  mj_forward(m, d);
+  Eigen::VectorXd r(dofs.size());
+  for (size_t i = 0; i < dofs.size(); ++i) r[i] = d->qacc[dofs[i]];
+  return r;
+}
+
+/// qpos = base moved by `move` along `dofs`.
+void Move(const mjModel* m, const Eigen::VectorXd& base, const std::vector<int>& dofs,
+          const Eigen::VectorXd& move, mjData* d) {
+  Eigen::VectorXd full = Eigen::VectorXd::Zero(m->nv);
+  for (size_t i = 0; i < dofs.size(); ++i) full[dofs[i]] = move[i];
+  mju_copy(d->qpos, base.data(), m->nq);
+  mj_integratePos(m, d->qpos, full.data(), 1.0);
+}
+
+/// Newton with step halving. Returns the largest acceleration left.
+double Settle(const mjModel* m, const std::vector<int>& dofs, mjData* d) {
+  const int n = static_cast<int>(dofs.size());
+  Eigen::VectorXd base = Eigen::Map<Eigen::VectorXd>(d->qpos, m->nq);
+  Eigen::VectorXd r = Residual(m, d, dofs);
+  for (int iteration = 0; iteration < kMaxIterations; ++iteration) {
+    if (r.lpNorm<Eigen::Infinity>() < kTolerance) break;
+    Eigen::MatrixXd jacobian(n, n);
+    for (int k = 0; k < n; ++k) {
+      Eigen::VectorXd probe = Eigen::VectorXd::Zero(n);
+      probe[k] = kStep;
+      Move(m, base, dofs, probe, d);
+      const Eigen::VectorXd plus = Residual(m, d, dofs);
+      Move(m, base, dofs, -probe, d);
+      jacobian.col(k) = (plus - Residual(m, d, dofs)) / (2 * kStep);
+    }
+    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver;
+    solver.setThreshold(1e-9);
+    solver.compute(jacobian);
+    Eigen::VectorXd step = solver.solve(-r);
+    const double largest = step.lpNorm<Eigen::Infinity>();
+    if (largest > 5e-3) step *= 5e-3 / largest;
+    double scale = 1;
+    Eigen::VectorXd next = r;
+    for (int halving = 0; halving < 12; ++halving, scale /= 2) {
+      Move(m, base, dofs, scale * step, d);
+      next = Residual(m, d, dofs);
+      if (next.norm() < r.norm()) break;
+    }
+    if (next.norm() >= r.norm()) {
+      Move(m, base, dofs, Eigen::VectorXd::Zero(n), d);
+      Residual(m, d, dofs);
+      break;
+    }
+    base = Eigen::Map<Eigen::VectorXd>(d->qpos, m->nq);
+    r = next;
+  }
+  return r.lpNorm<Eigen::Infinity>();
+}
+
+void StoreStart(mjModel* m, const mjData* d) {
+  const int key = mj_name2id(m, mjOBJ_KEY, "test");
+  if (key < 0) return;
+  mju_copy(m->key_qpos + key * m->nq, d->qpos, m->nq);
+  mju_copy(m->key_qvel + key * m->nv, d->qvel, m->nv);
+  if (m->na > 0) mju_copy(m->key_act + key * m->na, d->act, m->na);
+}
+
+}  // namespace
+
+Status PrepareStart(mjModel* m, Binding* binding) {
+  if (!binding->has_rail()) return {};
+  const DataPtr data(mj_makeData(m), &mj_deleteData);
+  PlaceVehicle(m, *binding, data.get());
+  const double left = Settle(m, SettlingDofs(m, *binding), data.get());
+  // A vehicle that is left with more than a thousandth of gravity does not stand.
+  if (!(left < 1e-2)) {
+    return Error{ObjectName(m, mjOBJ_BODY, m->body_rootid[binding->wheelsets()[0].body]),
+                 "does not come to rest on track '" + binding->track().name() +
+                     "' (acceleration left: " + std::to_string(left) + ")",
+                 "wheelsets that stand on straight, level track at the start",
+                 "check wheel radius, flange-back distance, gauge and start position"};
+  }
+  for (size_t i = 0; i < binding->wheelsets().size(); ++i) {
+    const WheelsetState state = binding->CalcWheelset(m, data.get(), static_cast<int>(i));
+    if (state.wheel[0].count > 0 && state.wheel[1].count > 0) {
+      data->qvel[binding->wheelsets()[i].spin_dof] =
+          2 * state.speed /
+          (state.wheel[0].patch[0].rolling_radius + state.wheel[1].patch[0].rolling_radius);
+    }
+  }
+  mj_forward(m, data.get());
+  binding->LendDamping(m, data.get());
+  StoreStart(m, data.get());
+  return {};
+}
+
+void ResetToStart(const mjModel* m, mjData* d) {
+  const int key = mj_name2id(m, mjOBJ_KEY, "test");
+  if (key >= 0) {
+    mj_resetDataKeyframe(m, d, key);
+  } else {
+    mj_resetData(m, d);
+  }
+}
+
+}  // namespace phs::plugin

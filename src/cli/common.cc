@@ -1,0 +1,75 @@
+#include <unistd.h>
+
+#include <atomic>
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+
+#include "cli/verbs.h"
+
+namespace phs::cli {
+namespace {
+
+std::atomic<bool> interrupted{false};
+void OnInterrupt(int) { interrupted = true; }
+
+}  // namespace
+
+void AddCommonOptions(CLI::App* verb, CommonOptions* options) {
+  verb->add_option("--out", options->out, "Result directory (complete or absent)");
+  verb->add_option("--format", options->format, "Output on stdout")
+      ->check(CLI::IsMember({"text", "json"}))
+      ->capture_default_str();
+  verb->add_flag("--quiet", options->quiet, "No progress on stderr");
+  verb->add_flag("--force", options->force, "Replace an existing result directory");
+}
+
+int BadInput(const Error& error) {
+  std::fprintf(stderr, "phs: %s\n", error.Line().c_str());
+  return kBadInput;
+}
+
+struct ProgressLine::Impl {
+  std::string what;
+  bool quiet = false;
+  bool terminal = false;
+  int last_tenth = -1;
+  bool shown = false;
+  std::chrono::steady_clock::time_point begin = std::chrono::steady_clock::now();
+  std::chrono::steady_clock::time_point last{};
+};
+
+ProgressLine::ProgressLine(std::string what, bool quiet) : impl_(new Impl) {
+  impl_->what = std::move(what);
+  impl_->quiet = quiet;
+  impl_->terminal = isatty(STDERR_FILENO) != 0;
+  std::signal(SIGINT, &OnInterrupt);
+  std::signal(SIGTERM, &OnInterrupt);
+}
+
+ProgressLine::~ProgressLine() {
+  if (impl_->shown && impl_->terminal) std::fprintf(stderr, "\r\033[K");
+  delete impl_;
+}
+
+bool ProgressLine::operator()(double share) {
+  if (interrupted) return false;
+  if (impl_->quiet) return true;
+  const auto now = std::chrono::steady_clock::now();
+  const double elapsed = std::chrono::duration<double>(now - impl_->begin).count();
+  const double left = share > 0 ? elapsed * (1 - share) / share : 0;
+  if (impl_->terminal) {
+    if (now - impl_->last < std::chrono::milliseconds(100)) return true;
+    impl_->last = now;
+    std::fprintf(stderr, "\r\033[K%s: %3.0f %%, %.0f s left", impl_->what.c_str(), 100 * share,
+                 left);
+    impl_->shown = true;
+  } else if (const int tenth = static_cast<int>(share * 10);
+             tenth > impl_->last_tenth && elapsed > 5) {
+    impl_->last_tenth = tenth;
+    std::fprintf(stderr, "%s: %3.0f %%, %.0f s left\n", impl_->what.c_str(), 100 * share, left);
+  }
+  return true;
+}
+
+}  // namespace phs::cli

@@ -1,0 +1,41 @@
+// phs: Passive Hydraulic Steering on MuJoCo. Chooses the verb, maps outcomes to exit codes.
+#include <csignal>
+#include <cstdio>
+#include <exception>
+
+#include "cli/verbs.h"
+
+namespace {
+
+int Main(int argc, char** argv) {
+  CLI::App app{"Passive Hydraulic Steering of locomotive bogies on MuJoCo", "phs"};
+  app.set_version_flag("--version", std::string("phs " PHS_VERSION));
+  app.require_subcommand(1);
+  app.failure_message([](const CLI::App*, const CLI::Error& e) {
+    return std::string("phs: ") + e.what() + "; see phs --help\n";
+  });
+  phs::cli::Action action;
+  phs::cli::AddSimulate(&app, &action);
+  phs::cli::AddCompare(&app, &action);
+  phs::cli::AddContact(&app, &action);
+  phs::cli::AddReport(&app, &action);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    const int code = app.exit(e);
+    return code == 0 ? phs::cli::kDone : phs::cli::kUsage;
+  }
+  return action();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return Main(argc, argv);
+  } catch (const std::exception& e) {
+    std::fprintf(stderr, "phs: internal fault: %s; please report it with the command used\n",
+                 e.what());
+    return phs::cli::kInternal;
+  }
+}

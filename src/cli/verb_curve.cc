@@ -1,0 +1,178 @@
+// phs simulate, phs compare: runs on a track.
+#include <fmt/format.h>
+
+#include <future>
+#include <memory>
+#include <optional>
+
+#include "base/result_dir.h"
+#include "cli/curve_table.h"
+#include "cli/verbs.h"
+#include "report/curving_report.h"
+#include "vehicle/result_files.h"
+#include "vehicle/scenario.h"
+#include "vehicle/simulation.h"
+#include "vehicle/summary.h"
+
+namespace phs::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using vehicle::RunOutcome;
+using vehicle::Scenario;
+using vehicle::Simulation;
+
+struct CurveOptions {
+  CommonOptions common;
+  std::string scenario;
+  std::vector<std::string> bogies;
+  bool csv = false;
+  double timestep_s = 0;
+};
+
+struct CurveRun {
+  std::string bogie;
+  std::optional<Simulation> simulation;
+  RunOutcome outcome;
+  Json summary;
+};
+
+/// Creates all simulations first, so that bad input ends before any long work.
+Status CreateRuns(const CurveOptions& options, const Scenario& scenario,
+                  std::vector<CurveRun>* runs) {
+  for (const std::string& bogie : options.bogies) {
+    Scenario own = scenario;
+    own.bogie = bogie;
+    auto simulation = Simulation::Create(own);
+    if (!simulation.ok()) return simulation.error();
+    runs->push_back({bogie, std::move(simulation).value(), {}, {}});
+  }
+  return {};
+}
+
+/// Runs two at a time; results do not depend on it.
+Status RunAll(const CurveOptions& options, const Scenario& scenario, std::vector<CurveRun>* runs) {
+  ProgressLine progress(scenario.name, options.common.quiet);
+  for (size_t i = 0; i < runs->size(); i += 2) {
+    std::future<Result<RunOutcome>> second;
+    if (i + 1 < runs->size()) {
+      second = std::async(std::launch::async, [&, i] { return (*runs)[i + 1].simulation->Run(); });
+    }
+    const double done = static_cast<double>(i) / static_cast<double>(runs->size());
+    const double part = 2.0 / static_cast<double>(runs->size());
+    auto first = (*runs)[i].simulation->Run(
+        [&](double share) { return progress(std::min(1.0, done + part * share)); });
+    if (!first.ok()) return first.error();
+    (*runs)[i].outcome = std::move(first).value();
+    if (second.valid()) {
+      auto outcome = second.get();
+      if (!outcome.ok()) return outcome.error();
+      (*runs)[i + 1].outcome = std::move(outcome).value();
+    }
+  }
+  for (CurveRun& run : *runs) run.summary = vehicle::Summarise(*run.simulation, run.outcome);
+  return {};
+}
+
+NamedSummaries Summaries(const std::vector<CurveRun>& runs) {
+  NamedSummaries named;
+  for (const CurveRun& run : runs) named.emplace_back(run.bogie, run.summary);
+  return named;
+}
+
+Status WriteResults(const CurveOptions& options, const Scenario& scenario, bool compare,
+                    const std::vector<CurveRun>& runs, ResultDir* dir) {
+  const rail::Track& track = runs[0].simulation->binding().track();
+  const Json compared = vehicle::Compare(Summaries(runs), scenario, track);
+  for (const CurveRun& run : runs) {
+    const std::string stem = compare ? run.bogie + "_timeseries" : "timeseries";
+    if (Status s = vehicle::WriteTimeSeries(run.outcome, dir->File(stem), options.csv); !s.ok()) {
+      return s;
+    }
+  }
+  Json main = compared;
+  if (!compare) {
+    main = runs[0].summary;
+    main["scenario"] = compared["scenario"];
+    main["track"] = compared["track"];
+  }
+  const std::string name = compare ? "compare.json" : "summary.json";
+  if (Status s = WriteFileAtomically(dir->File(name), main.dump(2) + "\n"); !s.ok()) return s;
+  return report::WriteCurvingReport(dir->File(""), dir->File("report.html"));
+}
+
+int RunCurve(const CurveOptions& options, bool compare) {
+  auto loaded = vehicle::LoadScenario(options.scenario);
+  if (!loaded.ok()) return BadInput(loaded.error());
+  Scenario scenario = std::move(loaded).value();
+  if (options.timestep_s > 0) scenario.timestep_s = options.timestep_s;
+  CurveOptions chosen = options;
+  if (chosen.bogies.empty()) chosen.bogies = {scenario.bogie};
+  std::optional<ResultDir> dir;
+  if (!options.common.out.empty()) {
+    auto created = ResultDir::Create(options.common.out, options.common.force);
+    if (!created.ok()) return BadInput(created.error());
+    dir.emplace(std::move(created).value());
+  }
+  std::vector<CurveRun> runs;
+  if (Status s = CreateRuns(chosen, scenario, &runs); !s.ok()) return BadInput(s.error());
+  if (Status s = RunAll(chosen, scenario, &runs); !s.ok()) return BadInput(s.error());
+  const NamedSummaries summaries = Summaries(runs);
+  if (options.common.format == "json") {
+    const Json json =
+        compare ? vehicle::Compare(summaries, scenario, runs[0].simulation->binding().track())
+                : runs[0].summary;
+    fmt::print("{}\n", json.dump(2));
+  } else {
+    const rail::Track& track = runs[0].simulation->binding().track();
+    fmt::print("{}: track {}, {:.1f} km/h, friction {:.2f}, step {:g} ms\n\n", scenario.name,
+               track.name(), scenario.speed_m_s * 3.6, runs[0].simulation->binding().friction(),
+               scenario.timestep_s * 1e3);
+    fmt::print("{}\n{}", CurveTable(summaries), SteeringBudget(summaries));
+  }
+  if (dir) {
+    if (Status s = WriteResults(chosen, scenario, compare, runs, &*dir); !s.ok()) {
+      return BadInput(s.error());
+    }
+    if (Status s = dir->Commit(); !s.ok()) return BadInput(s.error());
+    if (options.common.format == "text") {
+      fmt::print("\nReport: {}/report.html\n", dir->final_path());
+    }
+  }
+  for (const CurveRun& run : runs) {
+    if (run.outcome.status == "ok") continue;
+    fmt::print(stderr, "phs: {}: {}: {}\n", run.bogie, run.outcome.status, run.outcome.reason);
+    return kFailed;
+  }
+  return kDone;
+}
+
+void AddCurveOptions(CLI::App* verb, CurveOptions* options) {
+  AddCommonOptions(verb, &options->common);
+  verb->add_option("scenario", options->scenario, "Scenario: a name or a YAML file")->required();
+  verb->add_flag("--csv", options->csv, "Time series as CSV too");
+  verb->add_option("--timestep", options->timestep_s, "Step in seconds, instead of the scenario's")
+      ->check(CLI::PositiveNumber);
+}
+
+}  // namespace
+
+void AddSimulate(CLI::App* app, Action* action) {
+  CLI::App* verb = app->add_subcommand("simulate", "One bogie on one track");
+  auto options = std::make_shared<CurveOptions>();
+  AddCurveOptions(verb, options.get());
+  verb->add_option("--bogie", options->bogies, "Bogie, instead of the scenario's")->expected(1);
+  verb->callback([=] { *action = [=] { return RunCurve(*options, false); }; });
+}
+
+void AddCompare(CLI::App* app, Action* action) {
+  CLI::App* verb = app->add_subcommand("compare", "The same run with several bogies");
+  auto options = std::make_shared<CurveOptions>();
+  AddCurveOptions(verb, options.get());
+  verb->add_option("--bogies", options->bogies, "Bogies, separated by commas")
+      ->delimiter(',')
+      ->required();
+  verb->callback([=] { *action = [=] { return RunCurve(*options, true); }; });
+}
+
+}  // namespace phs::cli

@@ -1,0 +1,54 @@
+// The verbs of `phs`. Each file verb_NAME.cc adds one subcommand and says what it does when chosen.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <string>
+
+#include "base/result.h"
+
+namespace phs::cli {
+
+/// Exit codes of the program (docs/program.md).
+enum ExitCode { kDone = 0, kFailed = 1, kUsage = 2, kBadInput = 3, kInternal = 5 };
+
+/// Options that every verb has.
+struct CommonOptions {
+  std::string out;  ///< result directory; empty = none asked for
+  std::string format = "text";
+  bool quiet = false;
+  bool force = false;
+};
+
+/// Adds --out, --format, --quiet, --force to a subcommand.
+void AddCommonOptions(CLI::App* verb, CommonOptions* options);
+
+/// Prints `error` as one line on stderr and returns the exit code for bad input.
+int BadInput(const Error& error);
+
+/// A line of progress on stderr: rewritten in place on a terminal, one per tenth elsewhere.
+class ProgressLine {
+ public:
+  ProgressLine(std::string what, bool quiet);
+  ~ProgressLine();
+  /// `share` from 0 to 1; false once the user has pressed Ctrl-C.
+  bool operator()(double share);
+
+ private:
+  struct Impl;
+  Impl* impl_;
+};
+
+/// What the chosen verb does; returns the exit code.
+using Action = std::function<int()>;
+
+void AddSimulate(CLI::App* app, Action* action);
+void AddCompare(CLI::App* app, Action* action);
+void AddContact(CLI::App* app, Action* action);
+void AddModes(CLI::App* app, Action* action);
+void AddReport(CLI::App* app, Action* action);
+void AddRig(CLI::App* app, Action* action);
+void AddIdentify(CLI::App* app, Action* action);
+void AddValidate(CLI::App* app, Action* action);
+
+}  // namespace phs::cli

@@ -1,0 +1,19 @@
+// From a scenario to a compiled MuJoCo model.
+//
+// A single bogie is its MJCF file as it stands. Two things are added in memory where asked:
+//   state carriers  a PHS model with more states than the file has activations (gas temperatures,
+//                   clearances …) gets one force-free user actuator per further state;
+//   locomotive      the bogie (frame, wheelsets, cylinders) is put twice, with names prefixed
+//                   front_ and rear_, under the car body of bogie_xml/shared/locomotive_body.xml.
+#pragma once
+
+#include "base/result.h"
+#include "vehicle/engine.h"
+#include "vehicle/scenario.h"
+
+namespace phs::vehicle {
+
+/// Errors name the MJCF file, line and element.
+Result<ModelPtr> ComposeVehicle(const Scenario& scenario);
+
+}  // namespace phs::vehicle

@@ -1,0 +1,31 @@
+// A run: one vehicle on one track. Read from models/scenarios/*.yaml (format: docs/scenarios.md).
+#pragma once
+
+#include <string>
+
+#include "base/result.h"
+
+namespace phs::vehicle {
+
+struct Scenario {
+  std::string name;               ///< file name without extension
+  std::string track;              ///< name or path
+  std::string bogie = "phs";      ///< name or path
+  std::string vehicle = "bogie";  ///< bogie | locomotive
+  std::string wheel;              ///< profile; empty = as in the bogie file
+  std::string rail;
+  std::string creep;            ///< creep law; empty = as in the bogie file
+  std::string phs;              ///< PHS model; empty = as in the bogie file
+  double speed_m_s = 0;         ///< held by the drives, > 0
+  double friction = -1;         ///< < 0: the track's
+  double flange_friction = -1;  ///< < 0: as `friction`
+  double timestep_s = 0.001;
+  double duration_s = 0;  ///< 0: until the vehicle reaches the end of the track
+  double start_s_m = 1;   ///< arc length of the rearmost wheelset at the start
+  double record_interval_s = 0.01;
+};
+
+/// Errors name file:line and key.
+Result<Scenario> LoadScenario(const std::string& name_or_path);
+
+}  // namespace phs::vehicle

@@ -1,0 +1,257 @@
+#include "vehicle/simulation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+
+#include "base/data_path.h"
+#include "plugin/registry.h"
+#include "plugin/settle.h"
+#include "vehicle/compose.h"
+#include "vehicle/stable_step.h"
+
+namespace phs::vehicle {
+namespace {
+
+using plugin::UserData;
+
+constexpr double kDerailedLateral =
+    0.06;  ///< wheelset this far off the centre has left the rails [m]
+constexpr double kDerailedTime =
+    0.02;  ///< contact at a profile's end or no wheel load for so long [s]
+constexpr int kProgressSteps = 2000;
+
+/// Watches the flags that the plugin leaves in userdata.
+class DerailmentWatch {
+ public:
+  /// Empty while all is well.
+  std::string Check(const mjData* d, double h, int num_wheels) {
+    if (d->userdata[UserData::kMaxLateral] > kDerailedLateral) {
+      return "a wheelset is " + std::to_string(d->userdata[UserData::kMaxLateral] * 1e3) +
+             " mm off the track centre";
+    }
+    beyond_ = d->userdata[UserData::kBeyondProfile] > 0 ? beyond_ + h : 0;
+    airborne_ = d->userdata[UserData::kLifted] >= num_wheels ? airborne_ + h : 0;
+    if (beyond_ > kDerailedTime)
+      return "a wheel runs on the tip of its flange or off the rail head";
+    if (airborne_ > 10 * kDerailedTime) return "no wheel touches the rails";
+    return "";
+  }
+
+ private:
+  double beyond_ = 0;
+  double airborne_ = 0;
+};
+
+/// Integrates powers over the steps (trapezoidal) and reads the stores.
+class EnergyKeeper {
+ public:
+  explicit EnergyKeeper(const mjModel* m, const plugin::Binding& binding)
+      : binding_(binding), damping_(m->dof_damping, m->dof_damping + m->nv) {
+    for (const auto& w : binding.wheelsets()) damping_[w.spin_dof] -= w.lent_damping;
+  }
+
+  /// After mj_step: userdata, actuator forces are those of the step's start, `before` its qvel.
+  void Step(const mjModel* m, const mjData* d, const std::vector<double>& before,
+            EnergyBook* book) {
+    const double h = m->opt.timestep;
+    const double* user = d->userdata;
+    const double now[4] = {user[UserData::kCreepPower], user[UserData::kContactPower],
+                           user[UserData::kPhsPower], 0};
+    double* sums[3] = {&book->lost_creep, &book->lost_contact, &book->lost_phs};
+    for (int i = 0; i < 3; ++i) {
+      *sums[i] += first_ ? 0 : 0.5 * h * (last_[i] + now[i]);
+      last_[i] = now[i];
+    }
+    first_ = false;
+    // Drive torques and joint dampers act over the mean speed of the step: then the change of
+    // kinetic energy is met exactly by what the step did.
+    for (const auto& w : binding_.wheelsets()) {
+      if (w.drive_actuator < 0) continue;
+      book->work_in += h * d->actuator_force[w.drive_actuator] * 0.5 *
+                       (before[w.spin_dof] + d->qvel[w.spin_dof]);
+    }
+    for (int i = 0; i < m->nv; ++i) {
+      book->lost_dampers += h * damping_[i] * d->qvel[i] * 0.5 * (before[i] + d->qvel[i]);
+    }
+  }
+
+  /// Stores at the start of the step just made (mjENBL_ENERGY was on).
+  void Read(const mjData* d, EnergyBook* book) {
+    const double stored =
+        d->energy[0] + d->userdata[UserData::kContactEnergy] + d->userdata[UserData::kPhsEnergy];
+    if (!has_start_) {
+      start_stored_ = stored;
+      book->start_kinetic = d->energy[1];
+      has_start_ = true;
+    }
+    book->kinetic = d->energy[1];
+    book->stored = stored - start_stored_;
+  }
+
+ private:
+  const plugin::Binding& binding_;
+  std::vector<double> damping_;
+  double last_[4] = {};
+  double start_stored_ = 0;
+  bool first_ = true;
+  bool has_start_ = false;
+};
+
+const char* const kEnergyChannels[] = {"energy_kinetic_J", "energy_stored_J", "work_in_J",
+                                       "lost_creep_J",     "lost_contact_J",  "lost_dampers_J",
+                                       "lost_phs_J",       "drive_torque_Nm"};
+
+/// Processor time of this thread [s]: what the run costs on one core, whatever else is running.
+double ThreadSeconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+double TotalDriveTorque(const mjData* d, const plugin::Binding& binding) {
+  double torque = 0;
+  for (const auto& w : binding.wheelsets()) {
+    if (w.drive_actuator >= 0) torque += d->actuator_force[w.drive_actuator];
+  }
+  return torque;
+}
+
+}  // namespace
+
+double EnergyBook::RelativeError() const {
+  const double lost = lost_creep + lost_contact + lost_dampers + lost_phs;
+  const double scale =
+      std::max({std::abs(work_in), std::abs(lost), std::abs(kinetic - start_kinetic)});
+  return scale > 0 ? Error() / scale : 0;
+}
+
+int RunOutcome::Find(const std::string& name) const {
+  for (size_t i = 0; i < channels.size(); ++i) {
+    if (channels[i].name == name) return static_cast<int>(i);
+  }
+  return -1;
+}
+
+Simulation::~Simulation() {
+  if (model_ != nullptr) plugin::Detach(model_.get());
+}
+
+const plugin::Binding& Simulation::binding() const { return *plugin::Find(model_.get()); }
+
+Result<Simulation> Simulation::Create(const Scenario& scenario) {
+  InstallEngineHandlers();
+  auto loaded = ComposeVehicle(scenario);
+  if (!loaded.ok()) return loaded.error();
+  Simulation sim;
+  sim.scenario_ = scenario;
+  sim.model_ = std::move(loaded).value();
+  sim.model_->opt.timestep = scenario.timestep_s;
+  plugin::AttachOptions options;
+  options.track = scenario.track;
+  options.wheel_profile = scenario.wheel;
+  options.rail_profile = scenario.rail;
+  options.creep_law = scenario.creep;
+  options.phs_model = scenario.phs;
+  if (scenario.friction >= 0) options.friction = scenario.friction;
+  if (scenario.flange_friction >= 0) options.flange_friction = scenario.flange_friction;
+  options.speed_m_s = scenario.speed_m_s;
+  options.start_s_m = scenario.start_s_m;
+  try {
+    if (Status s = plugin::Attach(sim.model_.get(), options); !s.ok()) return s.error();
+    sim.data_.reset(mj_makeData(sim.model_.get()));
+    plugin::ResetToStart(sim.model_.get(), sim.data_.get());
+    if (Status s = CheckStep(sim.model_.get(), sim.data_.get(), &sim.largest_stable_step_);
+        !s.ok()) {
+      return s.error();
+    }
+  } catch (const EngineError& e) {
+    return Error{scenario.bogie, std::string("MuJoCo: ") + e.what(), "", ""};
+  }
+  return sim;
+}
+
+Result<RunOutcome> Simulation::Run(const Progress& progress) {
+  mjModel* m = model_.get();
+  mjData* d = data_.get();
+  plugin::ResetToStart(m, d);
+  const plugin::Binding& bound = binding();
+  const plugin::Observer observer(m, bound);
+  RunOutcome run;
+  run.channels = observer.channels();
+  const int num_observed = static_cast<int>(run.channels.size());
+  for (const char* name : kEnergyChannels) {
+    const std::string text = name;
+    run.channels.push_back({text, text.ends_with("_Nm") ? "N m" : "J", "since the start"});
+  }
+  run.columns.resize(run.channels.size());
+  const double h = m->opt.timestep;
+  const long record_every = std::max(1L, std::lround(scenario_.record_interval_s / h));
+  const double end_s = bound.track().length();
+  const long last_step = scenario_.duration_s > 0
+                             ? std::lround(scenario_.duration_s / h)
+                             : std::lround(2 * (end_s / bound.target_speed()) / h) + 1;
+  const int num_wheels = 2 * static_cast<int>(bound.wheelsets().size());
+  EnergyKeeper keeper(m, bound);
+  DerailmentWatch watch;
+  std::vector<double> row(run.channels.size());
+  std::vector<double> before(m->nv);
+  const double begin = ThreadSeconds();
+  double front_s = scenario_.start_s_m;
+  for (long step = 0; step <= last_step; ++step) {
+    const bool record = step % record_every == 0;
+    if (record) {
+      m->opt.enableflags |= mjENBL_ENERGY;
+    } else {
+      m->opt.enableflags &= ~mjENBL_ENERGY;
+    }
+    std::copy(d->qvel, d->qvel + m->nv, before.begin());
+    const double time = d->time;
+    try {
+      mj_step(m, d);
+    } catch (const EngineError& e) {
+      run.status = "diverged";
+      run.reason = e.what();
+      break;
+    }
+    if (const std::string warning = EngineWarning(d); !warning.empty()) {
+      run.status = "diverged";
+      run.reason = warning + " at t = " + std::to_string(time) + " s";
+      break;
+    }
+    run.steps = step + 1;
+    run.end_time_s = time;
+    keeper.Step(m, d, before, &run.energy);
+    if (record) {
+      keeper.Read(d, &run.energy);
+      observer.Observe(m, d, row.data());
+      row[0] = time;
+      const EnergyBook& e = run.energy;
+      const double energies[] = {
+          e.kinetic,      e.stored,       e.work_in,  e.lost_creep,
+          e.lost_contact, e.lost_dampers, e.lost_phs, TotalDriveTorque(d, bound)};
+      std::copy(std::begin(energies), std::end(energies), row.begin() + num_observed);
+      for (size_t i = 0; i < row.size(); ++i) run.columns[i].push_back(row[i]);
+      front_s = row[1];
+    }
+    if (std::string why = watch.Check(d, h, num_wheels); !why.empty()) {
+      run.status = "derailed";
+      run.reason = why + " at s = " + std::to_string(front_s) + " m";
+      break;
+    }
+    if (record && scenario_.duration_s <= 0 && front_s >= end_s) break;
+    if (progress && step % kProgressSteps == 0 &&
+        !progress(std::clamp(
+            scenario_.duration_s > 0 ? static_cast<double>(step) / last_step : front_s / end_s, 0.0,
+            1.0))) {
+      run.status = "stopped";
+      run.reason = "interrupted";
+      break;
+    }
+  }
+  const double spent = ThreadSeconds() - begin;
+  run.real_time_factor = spent > 0 ? run.end_time_s / spent : 0;
+  return run;
+}
+
+}  // namespace phs::vehicle

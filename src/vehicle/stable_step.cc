@@ -1,0 +1,92 @@
+#include "vehicle/stable_step.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <vector>
+
+#include "vehicle/engine.h"
+
+namespace phs::vehicle {
+namespace {
+
+constexpr double kGrowth = 1.2;       ///< per step: above it is numerical, below may be hunting
+constexpr double kProbe = 1e-7;       ///< of position [m, rad] and activation
+constexpr double kSpeedProbe = 1e-5;  ///< of speed [m/s, rad/s]
+constexpr double kSmallest = 1e-5;    ///< [s]
+constexpr double kLargest = 0.02;     ///< [s]
+
+/// State as tangent vector: position difference to the base, speed, activation.
+class Probe {
+ public:
+  Probe(const mjModel* m, const mjData* base) : m_(m), base_(base), data_(mj_makeData(m)) {}
+
+  int size() const { return 2 * m_->nv + m_->na; }
+
+  /// The state after one step from base + `delta`, as difference to base.
+  Eigen::VectorXd Step(const Eigen::VectorXd& delta) {
+    mjData* d = data_.get();
+    mju_copy(d->qpos, base_->qpos, m_->nq);
+    mj_integratePos(m_, d->qpos, delta.data(), 1.0);
+    mju_add(d->qvel, base_->qvel, delta.data() + m_->nv, m_->nv);
+    mju_add(d->act, base_->act, delta.data() + 2 * m_->nv, m_->na);
+    mju_zero(d->qacc_warmstart, m_->nv);
+    d->time = base_->time;
+    mj_step(m_, d);
+    Eigen::VectorXd out(size());
+    mj_differentiatePos(m_, out.data(), 1.0, base_->qpos, d->qpos);
+    mju_sub(out.data() + m_->nv, d->qvel, base_->qvel, m_->nv);
+    mju_sub(out.data() + 2 * m_->nv, d->act, base_->act, m_->na);
+    return out;
+  }
+
+ private:
+  const mjModel* m_;
+  const mjData* base_;
+  DataPtr data_;
+};
+
+}  // namespace
+
+double StepSpectralRadius(mjModel* m, const mjData* d, double h) {
+  const double old_step = m->opt.timestep;
+  m->opt.timestep = h;
+  Probe probe(m, d);
+  const int n = probe.size();
+  Eigen::MatrixXd transition(n, n);
+  for (int k = 0; k < n; ++k) {
+    const double eps = k >= m->nv && k < 2 * m->nv ? kSpeedProbe : kProbe;
+    Eigen::VectorXd delta = Eigen::VectorXd::Zero(n);
+    delta[k] = eps;
+    const Eigen::VectorXd plus = probe.Step(delta);
+    delta[k] = -eps;
+    transition.col(k) = (plus - probe.Step(delta)) / (2 * eps);
+  }
+  m->opt.timestep = old_step;
+  if (!transition.allFinite()) return std::numeric_limits<double>::infinity();
+  return transition.eigenvalues().cwiseAbs().maxCoeff();
+}
+
+Status CheckStep(mjModel* m, const mjData* d, double* largest) {
+  const double h = m->opt.timestep;
+  double low = kSmallest;
+  double high = std::max(kLargest, h);
+  if (StepSpectralRadius(m, d, high) <= kGrowth) {
+    low = high;
+  } else if (StepSpectralRadius(m, d, low) > kGrowth) {
+    low = 0;
+  } else {
+    for (int i = 0; i < 10; ++i) {
+      const double middle = std::sqrt(low * high);
+      (StepSpectralRadius(m, d, middle) <= kGrowth ? low : high) = middle;
+    }
+  }
+  *largest = low;
+  if (h <= low || StepSpectralRadius(m, d, h) <= kGrowth) return {};
+  return Error{"timestep_s", "is too large for the stiffness of this vehicle",
+               "at most " + std::to_string(low) + " s", "make it smaller"};
+}
+
+}  // namespace phs::vehicle

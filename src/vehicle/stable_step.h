@@ -1,0 +1,21 @@
+// Is the step small enough for the stiffness? Eigenvalues of the discrete step about the running
+// start tell; a step too large shows as a spectral radius far above one.
+#pragma once
+
+#include <mujoco/mujoco.h>
+
+#include "base/result.h"
+
+namespace phs::vehicle {
+
+/// Spectral radius of one mj_step about the state of `d` at step `h` (central differences in
+/// position, speed and activation; forward position and spin angles left out: nothing depends on
+/// them). Leaves `d` as it was.
+double StepSpectralRadius(mjModel* m, const mjData* d, double h);
+
+/// Error if the model's step is unstable, with the largest stable step found by bisection, which is
+/// also stored in `*largest` (0 if not even 1e-5 s is stable). Slow physical growth (hunting) is
+/// allowed: only growth by more than 20 % in a single step counts.
+Status CheckStep(mjModel* m, const mjData* d, double* largest);
+
+}  // namespace phs::vehicle
