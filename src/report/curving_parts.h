@@ -1,0 +1,48 @@
+// The parts of the curving report, one function each; every part reads the saved results only.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "report/curving_results.h"
+#include "report/report_page.h"
+
+namespace phs::report {
+
+// curving_tables.cc
+void AddStatus(const CurvingResults& results, ReportPage* page);
+void AddKeyFigures(const CurvingResults& results, ReportPage* page);
+void AddHeadlineTable(const CurvingResults& results, ReportPage* page);
+void AddComparisonBars(const CurvingResults& results, ReportPage* page);
+void AddEnergyTable(const CurvingResults& results, ReportPage* page);
+void AddInputs(const CurvingResults& results, ReportPage* page);
+
+// curving_words.cc
+void AddSteeringWords(const CurvingResults& results, ReportPage* page);
+void AddNextSteps(const CurvingResults& results, ReportPage* page);
+
+// curving_plots.cc
+void AddPlanView(const CurvingResults& results, ReportPage* page);
+void AddMomentBudget(const CurvingResults& results, ReportPage* page);
+void AddTrackPlots(const CurvingResults& results, ReportPage* page);
+void AddHydraulicPlots(const CurvingResults& results, ReportPage* page);
+
+/// Yaw moments on one axle in the steady curve [N m], counted positive where they turn the axle
+/// towards the radial direction (steer) and negative where they turn it away (hold back). The
+/// radial direction asks the leading axle of a curve to the left to turn left in its bogie, and the
+/// trailing axle to turn right; the signs of the recorded moments (about the vertical axis,
+/// positive to the left) are changed accordingly. A steady state adds up to zero; `rest` is what is
+/// missing.
+struct MomentBudget {
+  double creep = 0;
+  double phs_pressure = 0;
+  double phs_friction = 0;
+  double primary = 0;
+  double rest = 0;
+  bool known = false;
+};
+/// `axle` is "lead" or "trail" with the bogie's prefix.
+MomentBudget CalcBudget(const BogieRun& run, const CurvingResults& results,
+                        const std::string& axle);
+
+}  // namespace phs::report

@@ -1,0 +1,70 @@
+#include "report/curving_report.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "report/curving_parts.h"
+#include "report/curving_results.h"
+#include "report/report_page.h"
+
+namespace phs::report {
+namespace {
+
+std::string Title(const CurvingResults& results) {
+  std::string title = "Curving run";
+  if (results.radius > 0) {
+    title += fmt::format(", R = {:.0f} m to the {}", results.radius,
+                         results.hand > 0 ? "left" : "right");
+  }
+  return title;
+}
+
+std::string Subtitle(const CurvingResults& results) {
+  std::string text;
+  for (const BogieRun& run : results.runs) text += (text.empty() ? "" : " against ") + run.label;
+  const double speed =
+      results.reference().Mean("speed_m_s", results.steady_begin, results.steady_end);
+  if (!results.track_name.empty()) text += " on track " + results.track_name;
+  if (std::isfinite(speed)) text += fmt::format(", {:.3g} km/h", 3.6 * speed);
+  const std::string version = results.reference().summary.value("version", "");
+  if (!version.empty()) text += "; phs " + version;
+  return text;
+}
+
+}  // namespace
+
+Status WriteCurvingReport(const CurvingReportInput& input, const std::string& path) {
+  Result<CurvingResults> read = ReadCurvingResults(input);
+  if (!read.ok()) return read.error();
+  const CurvingResults& results = read.value();
+  ReportPage page(Title(results), Subtitle(results));
+  AddStatus(results, &page);
+  page.Section("At a glance");
+  AddKeyFigures(results, &page);
+  AddSteeringWords(results, &page);
+  AddHeadlineTable(results, &page);
+  AddComparisonBars(results, &page);
+  page.Section("Seen from above");
+  AddPlanView(results, &page);
+  page.Section("What steers, what holds back");
+  AddMomentBudget(results, &page);
+  page.Section("Along the track");
+  AddTrackPlots(results, &page);
+  page.Section("Bogie and hydraulics");
+  AddHydraulicPlots(results, &page);
+  page.Section("Energy");
+  AddEnergyTable(results, &page);
+  page.Section("Inputs and assumptions");
+  AddInputs(results, &page);
+  page.Section("What to do next");
+  AddNextSteps(results, &page);
+  return page.Write(path);
+}
+
+Status WriteCurvingReport(const std::string& directory, const std::string& path) {
+  Result<CurvingReportInput> input = CurvingReportInput::FromDirectory(directory);
+  return input.ok() ? WriteCurvingReport(input.value(), path) : Status(input.error());
+}
+
+}  // namespace phs::report

@@ -1,0 +1,301 @@
+// Tables, key figures and bar charts of the curving report.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include "report/curving_parts.h"
+
+namespace phs::report {
+namespace {
+
+using json = nlohmann::ordered_json;
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+/// A quantity of the headline table.
+struct Metric {
+  std::string label;  ///< with unit
+  std::function<double(const BogieRun&)> value;
+};
+
+double Larger(double a, double b) {
+  if (!std::isfinite(a)) return b;
+  return std::isfinite(b) ? std::max(a, b) : a;
+}
+
+/// Angle of attack with the sign that the arc gives it: positive = pointing to the outer rail.
+double AttackOutward(const BogieRun& run, const CurvingResults& results, const std::string& axle) {
+  return -results.hand * run.Steady("wheelsets", axle, "angle_of_attack_rad");
+}
+
+/// Sum of T-gamma over the four wheels of a bogie [N].
+double TotalWear(const BogieRun& run, const std::string& prefix) {
+  double sum = 0;
+  for (const char* wheel : {"lead_outer", "lead_inner", "trail_outer", "trail_inner"}) {
+    sum += run.Steady("wheels", prefix + wheel, "T_gamma_N");
+  }
+  return sum;
+}
+
+/// Greatest cylinder force of a bogie in the steady curve [N]; NaN without cylinders.
+double GreatestCylinderForce(const BogieRun& run, const std::string& prefix) {
+  double greatest = kNone;
+  const json::json_pointer at("/steady_curve/cylinders");
+  if (!run.summary.contains(at)) return kNone;
+  for (const json& cylinder : run.summary.at(at)) {
+    if (!cylinder.value("name", "").starts_with(prefix)) continue;
+    if (!cylinder.contains("force_N") || !cylinder["force_N"].is_number()) continue;
+    greatest = Larger(greatest, std::abs(cylinder["force_N"].get<double>()));
+  }
+  return greatest;
+}
+
+void AddSteadyMetrics(const CurvingResults& results, const std::string& prefix,
+                      std::vector<Metric>* metrics) {
+  const std::string lead = prefix + "lead";
+  const std::string trail = prefix + "trail";
+  const auto wheel = [](const std::string& name, const char* key, double scale) {
+    return
+        [name, key, scale](const BogieRun& run) { return scale * run.Steady("wheels", name, key); };
+  };
+  const auto wheelset = [](const std::string& name, const char* key, double scale) {
+    return [name, key, scale](const BogieRun& run) {
+      return scale * run.Steady("wheelsets", name, key);
+    };
+  };
+  const auto attack = [&results](const std::string& axle) {
+    return
+        [&results, axle](const BogieRun& run) { return 1e3 * AttackOutward(run, results, axle); };
+  };
+  *metrics = {
+      {"Angle of attack, leading axle [mrad]", attack(lead)},
+      {"Angle of attack, trailing axle [mrad]", attack(trail)},
+      {"Lateral position, leading axle [mm]", wheelset(lead, "lateral_m", 1e3)},
+      {"Lateral position, trailing axle [mm]", wheelset(trail, "lateral_m", 1e3)},
+      {"Track-shifting force ΣY, leading axle [kN]", wheelset(lead, "sum_Y_N", 1e-3)},
+      {"Track-shifting force ΣY, trailing axle [kN]", wheelset(trail, "sum_Y_N", 1e-3)},
+      {"Guiding force Y, leading outer wheel [kN]", wheel(prefix + "lead_outer", "Y_N", 1e-3)},
+      {"Wheel load Q, leading outer wheel [kN]", wheel(prefix + "lead_outer", "Q_N", 1e-3)},
+      {"Y/Q, leading outer wheel [–]", wheel(prefix + "lead_outer", "Y_over_Q", 1)},
+      {"Wear number Tγ, leading outer wheel [N]", wheel(prefix + "lead_outer", "T_gamma_N", 1)},
+      {"Wear number Tγ, four wheels [N]",
+       [prefix](const BogieRun& run) { return TotalWear(run, prefix); }},
+      {"Bending (steering) of the bogie [mrad]",
+       [prefix](const BogieRun& run) {
+         return 1e3 * run.Number("/steady_curve/" + prefix + "bending_rad");
+       }},
+      {"Greatest cylinder force [kN]",
+       [prefix](const BogieRun& run) { return 1e-3 * GreatestCylinderForce(run, prefix); }},
+  };
+}
+
+std::vector<Metric> RunMetrics() {
+  const auto number = [](const char* pointer, double scale) {
+    return [pointer, scale](const BogieRun& run) { return scale * run.Number(pointer); };
+  };
+  return {{"Greatest angle of attack [mrad]", number("/run/max_angle_of_attack_rad", 1e3)},
+          {"Greatest ΣY [kN]", number("/run/max_sum_Y_N", 1e-3)},
+          {"Greatest Y/Q [–]", number("/run/max_Y_over_Q", 1)},
+          {"Work lost as Tγ along the track [kJ]", number("/run/T_gamma_total_J", 1e-3)}};
+}
+
+void AddRows(const CurvingResults& results, const std::vector<Metric>& metrics, DataTable* table) {
+  for (const Metric& metric : metrics) {
+    std::vector<TableCell> row = {metric.label};
+    const double own = metric.value(results.reference());
+    bool any = false;
+    for (const BogieRun& run : results.runs) {
+      const double value = metric.value(run);
+      any = any || std::isfinite(value);
+      row.emplace_back(FormatNumber(value), &run == &results.reference());
+    }
+    for (std::size_t i = 1; i < results.runs.size(); ++i) {
+      const double ratio = std::abs(metric.value(results.runs[i]) / own);
+      row.emplace_back(std::isfinite(ratio) ? fmt::format("{} ×", FormatNumber(ratio)) : "–");
+    }
+    if (any) table->rows.push_back(std::move(row));
+  }
+}
+
+double EnergyOf(const BogieRun& run, const std::string& channel) {
+  const std::vector<double>* values = run.Channel(channel);
+  return values == nullptr || values->empty() ? kNone : values->back();
+}
+
+}  // namespace
+
+void AddStatus(const CurvingResults& results, ReportPage* page) {
+  for (const BogieRun& run : results.runs) {
+    if (run.ok()) continue;
+    page->Warning(fmt::format(
+        "The run of the {} bogie ended as '{}': {}. Its numbers below hold only up to that point.",
+        run.label, run.summary.value("status", "?"),
+        run.summary.value("reason", "no reason given")));
+  }
+}
+
+void AddKeyFigures(const CurvingResults& results, ReportPage* page) {
+  struct Key {
+    std::string label;
+    std::string unit;
+    std::function<double(const BogieRun&)> value;
+  };
+  const std::string prefix = results.prefixes.front();
+  const std::vector<Key> keys = {
+      {"Angle of attack, leading axle", "mrad",
+       [&](const BogieRun& run) {
+         return 1e3 * std::abs(AttackOutward(run, results, prefix + "lead"));
+       }},
+      {"Guiding force Y, leading outer wheel", "kN",
+       [&](const BogieRun& run) {
+         return 1e-3 * std::abs(run.Steady("wheels", prefix + "lead_outer", "Y_N"));
+       }},
+      {"Y/Q, leading outer wheel", "",
+       [&](const BogieRun& run) {
+         return std::abs(run.Steady("wheels", prefix + "lead_outer", "Y_over_Q"));
+       }},
+      {"Wear number Tγ, four wheels", "N",
+       [&](const BogieRun& run) { return TotalWear(run, prefix); }},
+  };
+  std::vector<KeyFigure> figures;
+  for (const Key& key : keys) {
+    const double own = key.value(results.reference());
+    if (!std::isfinite(own)) continue;
+    std::string remark;
+    for (std::size_t i = 1; i < results.runs.size(); ++i) {
+      const double other = key.value(results.runs[i]);
+      if (!std::isfinite(other)) continue;
+      remark += fmt::format("{}{}: {} {} ({} ×)", remark.empty() ? "" : "; ", results.runs[i].label,
+                            FormatNumber(other), key.unit, FormatNumber(other / own));
+    }
+    figures.push_back({.value = FormatNumber(own),
+                       .unit = key.unit,
+                       .label = key.label + ", " + results.reference().label,
+                       .remark = remark});
+  }
+  if (!figures.empty()) page->KeyFigures(figures);
+}
+
+void AddHeadlineTable(const CurvingResults& results, ReportPage* page) {
+  DataTable table{.caption = "Steady curve: means over the last third of the circular arc"};
+  table.head = {"Quantity"};
+  for (const BogieRun& run : results.runs) table.head.push_back(run.label);
+  for (std::size_t i = 1; i < results.runs.size(); ++i) {
+    table.head.push_back(results.runs[i].label + " / " + results.reference().label);
+  }
+  for (const std::string& prefix : results.prefixes) {
+    if (!prefix.empty()) {
+      table.rows.push_back({TableCell(prefix == "front_" ? "Front bogie" : "Rear bogie")});
+    }
+    std::vector<Metric> metrics;
+    AddSteadyMetrics(results, prefix, &metrics);
+    AddRows(results, metrics, &table);
+  }
+  table.rows.push_back({TableCell("Whole run")});
+  AddRows(results, RunMetrics(), &table);
+  page->Add(table);
+  page->Note(
+      "Angle of attack: yaw of the axle against the radial direction of the track under it, here "
+      "positive when the axle points to the outer (high) rail. Lateral position: positive to the "
+      "left. Tγ = |Tx ξ| + |Ty η| without the spin term. The last columns are ratios of "
+      "magnitudes.");
+}
+
+void AddComparisonBars(const CurvingResults& results, ReportPage* page) {
+  const std::string prefix = results.prefixes.front();
+  std::vector<Metric> metrics;
+  AddSteadyMetrics(results, prefix, &metrics);
+  page->Heading(
+      "Side by side, steady curve" +
+      (prefix.empty() ? std::string() : ", " + prefix.substr(0, prefix.size() - 1) + " bogie"));
+  page->BeginGrid(3);
+  // Angles, sum of Y, guiding force, Y/Q and wear: the numbers that decide about wheel and rail.
+  for (int index : {0, 1, 4, 6, 8, 10}) {
+    BarChart chart{.title = metrics[index].label, .categories = {""}};
+    bool any = false;
+    for (const BogieRun& run : results.runs) {
+      const double value = metrics[index].value(run);
+      any = any || std::isfinite(value);
+      chart.bars.push_back({run.label, run.colour, {value}});
+    }
+    if (any) page->Add(chart);
+  }
+  page->EndGrid();
+}
+
+void AddEnergyTable(const CurvingResults& results, ReportPage* page) {
+  const std::vector<std::pair<std::string, std::string>> lines = {
+      {"Work of the drives", "work_in_J"},
+      {"Lost in creep between wheel and rail", "lost_creep_J"},
+      {"Lost in the contact dampers", "lost_contact_J"},
+      {"Lost in suspension dampers", "lost_dampers_J"},
+      {"Lost in the hydraulic steering (seals, oil)", "lost_phs_J"},
+      {"Kinetic energy at the end", "energy_kinetic_J"},
+      {"Stored at the end (springs, oil, gravity)", "energy_stored_J"}};
+  DataTable table{.caption = "Energy over the whole run [kJ]", .head = {"Where"}};
+  for (const BogieRun& run : results.runs) table.head.push_back(run.label);
+  for (const auto& [label, channel] : lines) {
+    std::vector<TableCell> row = {TableCell(label)};
+    bool any = false;
+    for (const BogieRun& run : results.runs) {
+      const double value = EnergyOf(run, channel);
+      any = any || std::isfinite(value);
+      row.emplace_back(FormatNumber(1e-3 * value));
+    }
+    if (any) table.rows.push_back(std::move(row));
+  }
+  std::vector<TableCell> error = {"Missing in the balance, relative"};
+  for (const BogieRun& run : results.runs) {
+    error.emplace_back(FormatNumber(run.Number("/run/energy_error_relative"), 2));
+  }
+  table.rows.push_back(std::move(error));
+  page->Paragraph(
+      "Work in equals what is stored plus what is lost. The missing part is the numerical error of "
+      "the run; it should stay below 0.001.");
+  page->Add(table);
+}
+
+void AddInputs(const CurvingResults& results, ReportPage* page) {
+  DataTable table{.caption = "The runs",
+                  .head = {"Bogie", "Status", "Time step [ms]", "Times faster than real time"}};
+  for (const BogieRun& run : results.runs) {
+    table.rows.push_back({TableCell(run.label), TableCell(run.summary.value("status", "?")),
+                          TableCell(FormatNumber(1e3 * run.Number("/timestep_s"))),
+                          TableCell(FormatNumber(run.Number("/real_time_factor")))});
+  }
+  page->Add(table);
+  if (!results.sections.empty()) {
+    DataTable track{.caption = "Track " + results.track_name,
+                    .head = {"Section", "From [m]", "To [m]", "Radius [m]"}};
+    for (const Section& section : results.sections) {
+      track.rows.push_back({TableCell(section.kind), TableCell(FormatNumber(section.begin, 4)),
+                            TableCell(FormatNumber(section.end, 4)),
+                            TableCell(FormatNumber(section.radius, 4))});
+    }
+    page->Add(track);
+  }
+  const json scenario = results.all.value("scenario", json::object());
+  if (!scenario.empty()) {
+    page->BeginDetails("Scenario as it was run");
+    page->Preformatted(scenario.dump(2));
+    page->EndDetails();
+  }
+  for (const BogieRun& run : results.runs) {
+    const json inputs = run.summary.value("inputs", json::object());
+    if (inputs.empty()) continue;
+    page->BeginDetails("Inputs of the " + run.label + " bogie");
+    page->Preformatted(inputs.dump(2));
+    page->EndDetails();
+  }
+  page->List(
+      {"The vehicle data of the 19E-like bogie are partly assumed (wheelbase, suspension); "
+       "each assumption is marked where it stands, in the files of bogie_xml/ and models/.",
+       "Wheel-rail contact: real profiles, Hertzian contact patches, creep forces by the law "
+       "named in the scenario; Coulomb friction with one coefficient for each contact.",
+       "Rail and wheel wear, profile change and rail flexibility beyond the track's own "
+       "support springs are not part of the run."});
+}
+
+}  // namespace phs::report

@@ -1,0 +1,191 @@
+// What the numbers say, in words made from the numbers.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+
+#include "report/curving_parts.h"
+
+namespace phs::report {
+namespace {
+
+using json = nlohmann::ordered_json;
+
+/// "2.4 kN m" of moment.
+std::string Moment(double moment) { return FormatNumber(1e-3 * std::abs(moment)) + " kN m"; }
+
+struct Part {
+  const char* name;
+  double moment;
+};
+
+std::vector<Part> PartsOf(const MomentBudget& budget) {
+  return {{"the creep forces between wheel and rail", budget.creep},
+          {"the oil pressure in the cylinders", budget.phs_pressure},
+          {"the seal friction of the cylinders", budget.phs_friction},
+          {"the primary suspension", budget.primary},
+          {"the rest (inertia, links not listed)", budget.rest}};
+}
+
+/// "a (1 kN m), b (2 kN m) and c (3 kN m)" of the parts that steer (sign 1) or hold back (-1).
+std::string ListParts(const MomentBudget& budget, int sign) {
+  double total = 0;
+  for (const Part& part : PartsOf(budget)) total += std::abs(part.moment);
+  std::vector<std::string> words;
+  for (const Part& part : PartsOf(budget)) {
+    if (part.moment * sign <= 0 || std::abs(part.moment) < 0.01 * total) continue;
+    words.push_back(fmt::format("{} ({})", part.name, Moment(part.moment)));
+  }
+  std::string text;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (i > 0) text += i + 1 == words.size() ? " and " : ", ";
+    text += words[i];
+  }
+  return text.empty() ? "nothing of weight" : text;
+}
+
+std::string DescribeAxle(const BogieRun& run, const CurvingResults& results,
+                         const std::string& prefix) {
+  const std::string lead = prefix + "lead";
+  const double attack = -results.hand * run.Steady("wheelsets", lead, "angle_of_attack_rad");
+  std::string text;
+  if (std::isfinite(attack)) {
+    text = fmt::format(
+        "The {}leading axle points {} mrad {}. ",
+        BogieWords(prefix).empty() ? "" : prefix.substr(0, prefix.size() - 1) + " bogie's ",
+        FormatNumber(1e3 * std::abs(attack)),
+        attack >= 0 ? "to the outer rail" : "to the inner rail");
+  }
+  const MomentBudget budget = CalcBudget(run, results, lead);
+  if (!budget.known) return text;
+  return text +
+         fmt::format("Towards the radial direction it is turned by {}; it is held back by {}.",
+                     ListParts(budget, 1), ListParts(budget, -1));
+}
+
+/// Compares one number of two bogies: "the leading angle of attack is 2.1 times as large".
+std::string Compare(const std::string& what, double other, double own) {
+  const double ratio = std::abs(other / own);
+  if (!std::isfinite(ratio)) return "";
+  if (ratio > 0.97 && ratio < 1.03) return what + " is the same within 3 %";
+  if (ratio >= 1) return fmt::format("{} is {} times as large", what, FormatNumber(ratio, 2));
+  return fmt::format("{} is smaller, {} of it", what, FormatNumber(ratio, 2));
+}
+
+std::string CompareRuns(const CurvingResults& results, const BogieRun& other) {
+  const BogieRun& own = results.reference();
+  const std::string prefix = results.prefixes.front();
+  const auto wear = [&prefix](const BogieRun& run) {
+    double sum = 0;
+    for (const char* wheel : {"lead_outer", "lead_inner", "trail_outer", "trail_inner"}) {
+      sum += run.Steady("wheels", prefix + wheel, "T_gamma_N");
+    }
+    return sum;
+  };
+  std::string text;
+  for (const std::string& part :
+       {Compare("its leading angle of attack",
+                other.Steady("wheelsets", prefix + "lead", "angle_of_attack_rad"),
+                own.Steady("wheelsets", prefix + "lead", "angle_of_attack_rad")),
+        Compare("its guiding force on the leading outer wheel",
+                other.Steady("wheels", prefix + "lead_outer", "Y_N"),
+                own.Steady("wheels", prefix + "lead_outer", "Y_N")),
+        Compare("its wear number Tγ of the four wheels", wear(other), wear(own))}) {
+    if (!part.empty()) text += (text.empty() ? "" : ", ") + part;
+  }
+  return text;
+}
+
+/// Advice that follows from the steering budget of the reference bogie.
+void AdviseOnSteering(const CurvingResults& results, std::vector<std::string>* advice) {
+  const BogieRun& run = results.reference();
+  const MomentBudget lead = CalcBudget(run, results, results.prefixes.front() + "lead");
+  if (!lead.known || lead.creep <= 0) return;
+  if (lead.phs_friction < -0.15 * lead.creep) {
+    advice->push_back(fmt::format(
+        "Seal friction takes {} % of the steering moment of the {} bogie's leading axle. Run the "
+        "same scenario with a PHS model of lower seal friction to see what better seals would "
+        "give.",
+        FormatNumber(-100 * lead.phs_friction / lead.creep, 2), run.label));
+  }
+  if (lead.phs_pressure < -0.15 * lead.creep) {
+    advice->push_back(fmt::format(
+        "Oil pressure takes {} % of the steering moment: the axles do not bend against each other "
+        "alone, so the stiff shear mode of the network is loaded. Look at shear and at the lateral "
+        "forces in the transitions.",
+        FormatNumber(-100 * lead.phs_pressure / lead.creep, 2)));
+  }
+  if (lead.primary < -0.3 * lead.creep) {
+    advice->push_back(
+        fmt::format("The primary suspension takes {} % of the steering moment: its longitudinal "
+                    "stiffness is the "
+                    "first thing to vary.",
+                    FormatNumber(-100 * lead.primary / lead.creep, 2)));
+  }
+}
+
+void AdviseOnLimits(const CurvingResults& results, std::vector<std::string>* advice) {
+  for (const BogieRun& run : results.runs) {
+    if (!run.ok()) {
+      advice->push_back(
+          fmt::format("Find out why the {} run ended as '{}'; a lower speed or a "
+                      "larger radius tells on which side of the limit it is.",
+                      run.label, run.summary.value("status", "?")));
+    }
+    const double ratio = run.Number("/run/max_Y_over_Q");
+    if (ratio > 0.8) {
+      advice->push_back(
+          fmt::format("Y/Q of the {} bogie reaches {} in the run, above the usual limit of 0.8 (2 "
+                      "m mean): look "
+                      "at the place in the plot and at the flange contact there.",
+                      run.label, FormatNumber(ratio)));
+    }
+    const double energy = std::abs(run.Number("/run/energy_error_relative"));
+    if (energy > 1e-3) {
+      advice->push_back(
+          fmt::format("The energy balance of the {} run misses {}: repeat it with half "
+                      "the time step.",
+                      run.label, FormatNumber(energy, 2)));
+    }
+  }
+}
+
+}  // namespace
+
+void AddSteeringWords(const CurvingResults& results, ReportPage* page) {
+  for (const BogieRun& run : results.runs) {
+    for (const std::string& prefix : results.prefixes) {
+      const std::string text = DescribeAxle(run, results, prefix);
+      if (!text.empty()) page->Paragraph(text, run.label + ".");
+    }
+  }
+  for (std::size_t i = 1; i < results.runs.size(); ++i) {
+    const std::string text = CompareRuns(results, results.runs[i]);
+    if (text.empty()) continue;
+    page->Paragraph(fmt::format("Of the {} bogie, measured by the {} bogie: {}.",
+                                results.runs[i].label, results.reference().label, text),
+                    "Compared.");
+  }
+}
+
+void AddNextSteps(const CurvingResults& results, ReportPage* page) {
+  std::vector<std::string> advice;
+  AdviseOnLimits(results, &advice);
+  AdviseOnSteering(results, &advice);
+  if (results.radius > 0) {
+    advice.push_back(fmt::format(
+        "One curve says little about a line: repeat the comparison over radius, speed and friction "
+        "(phs sweep), from R = 150 m to straight track; at R = {:.0f} m the answer holds for this "
+        "speed and this rail only.",
+        results.radius));
+  }
+  advice.push_back(
+      "A bogie that steers well must also run straight: check its critical speed with "
+      "phs stability and the axle modes with phs modes.");
+  advice.push_back(
+      "Where rig data of the hydraulics exist, put the identified model in place of the "
+      "declared one (phs identify writes it) and run this comparison again.");
+  page->List(advice);
+}
+
+}  // namespace phs::report
