@@ -19,15 +19,17 @@ struct TrackFrame {
   Vec3 up{};             ///< z_T
   double curvature = 0;  ///< 1/R in plan, > 0 curving left [1/m]
   double heading = 0;    ///< angle of the centre line in plan against world x [rad]
-  double cant = 0;       ///< angle about x_T; > 0 raises the right rail (curve to the left) [rad]
+  double cant = 0;       ///< angle of y_T below the horizontal; > 0 raises the right rail [rad]
 };
 
-/// Displacement of one rail from its designed place, in T axes, with its slope along the track.
+/// Displacement of one rail from its designed place, in T axes, and its slope against x_T. The
+/// vertical slope holds the twist of the track too: on a cant ramp the rails run at -+ (e/2)
+/// dcant/ds against the centre line although their displacement is zero.
 struct RailOffset {
-  double lateral = 0;         ///< along y_T: half of gauge widening and irregularities [m]
-  double vertical = 0;        ///< along z_T [m]
+  double lateral = 0;         ///< along y_T: half of gauge widening, and irregularities [m]
+  double vertical = 0;        ///< along z_T: irregularities [m]
   double lateral_slope = 0;   ///< d lateral / ds
-  double vertical_slope = 0;  ///< d vertical / ds
+  double vertical_slope = 0;  ///< d vertical / ds + twist (left rail: -(e/2) dcant/ds)
 };
 
 /// Elastic support of each rail; absent (rigid) when stiffness is zero.
@@ -49,24 +51,27 @@ struct TrackSection {
 /// Immutable after loading; all queries are const, allocation-free and thread-safe.
 class Track {
  public:
-  /// Reads models/tracks/*.yaml (format: docs/tracks.md). Errors name file, line and key.
-  static Result<Track> Load(const std::string& path);
+  /// Reads models/tracks/*.yaml (format: docs/tracks.md). Errors name file, line and key. `mirror`
+  /// swaps left and right: every curve turns the other way, to the last bit.
+  static Result<Track> Load(const std::string& path, bool mirror = false);
   Track(Track&&) noexcept;
   Track& operator=(Track&&) noexcept;
   ~Track();
 
   const std::string& name() const;
-  double length() const;       ///< [m]; beyond both ends the track goes on straight
-  double gauge() const;        ///< nominal [m]
-  double gauge_height() const; ///< depth below rail top at which the gauge is measured [m]
-  double friction() const;     ///< default friction coefficient of this track; NaN if not given
+  double length() const;        ///< [m]; beyond both ends the track goes on straight
+  double gauge() const;         ///< nominal [m]
+  double gauge_height() const;  ///< depth below rail top at which the gauge is measured [m]
+  double friction() const;      ///< default friction coefficient of this track; NaN if not given
   const RailSupport& support() const;
   const std::vector<TrackSection>& sections() const;
   bool has_irregularity() const;
+  double cant_base() const;  ///< distance of the running lines e, over which cant is given [m]
 
   TrackFrame FrameAt(double s) const noexcept;
   /// Arc length of the track frame whose y-z plane contains `point` (the wheelset centre). No
-  /// history: a spatial index finds the nearest part, Newton ends at rounding.
+  /// history: a spatial index finds the nearest part, Newton ends at rounding. Beyond both ends the
+  /// result goes on below 0 and above length().
   double Project(const Vec3& point) const noexcept;
   RailOffset Rail(Side side, double s) const noexcept;
 

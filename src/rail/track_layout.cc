@@ -1,0 +1,226 @@
+#include "rail/track_layout.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <numbers>
+
+#include "base/yaml.h"
+
+namespace phs::rail {
+namespace {
+
+constexpr double kSmallestRadius = 50;     // [m]
+constexpr double kLongestSegment = 200e3;  // [m]
+constexpr double kLargestCant = 0.25;      // [m]
+constexpr double kHeadWidth = 0.072;  // of a 60E1 rail: gauge + head = distance of rail centres
+
+SegmentKind ReadKind(YamlMap& map) {
+  const std::string kind = map.Word("kind", {"tangent", "transition", "curve"});
+  if (kind == "transition") return SegmentKind::kTransition;
+  return kind == "curve" ? SegmentKind::kCurve : SegmentKind::kTangent;
+}
+
+void ReadCurve(YamlMap& map, TrackSegment* segment) {
+  const double sign = map.Word("hand", {"left", "right"}) == "left" ? 1 : -1;
+  const double radius = map.Number("radius_m", {.min = kSmallestRadius, .max = 1e6});
+  if (map.Has("length_m") == map.Has("angle_deg")) {
+    map.Fail(map.Has("length_m") ? "angle_deg" : "kind", "a curve needs one of length_m, angle_deg",
+             "exactly one of the two", "give the length of the arc or the angle it turns by");
+    return;
+  }
+  if (map.Has("length_m")) {
+    segment->length = map.Number("length_m", {.min = 0, .max = kLongestSegment, .open_min = true});
+  } else {
+    const double angle = map.Number("angle_deg", {.min = 0, .max = 360, .open_min = true});
+    segment->length = radius * angle * std::numbers::pi / 180;
+  }
+  segment->curvature_begin = segment->curvature_end = radius > 0 ? sign / radius : 0;
+  segment->cant_begin = segment->cant_end =
+      sign * map.Number("cant_m", {.min = 0, .max = kLargestCant}, 0.0);
+  segment->widening_begin = segment->widening_end =
+      map.Number("gauge_widening_m", {.min = -0.02, .max = 0.05}, 0.0);
+}
+
+TrackSegment ReadSegment(YamlMap& map) {
+  TrackSegment segment;
+  segment.kind = ReadKind(map);
+  segment.where = map.Where("kind");
+  if (segment.kind == SegmentKind::kCurve) {
+    ReadCurve(map, &segment);
+  } else {
+    segment.length = map.Number("length_m", {.min = 0, .max = kLongestSegment, .open_min = true});
+  }
+  segment.gradient = map.Number("gradient_per_mille", {.min = -100, .max = 100}, 0.0) / 1000;
+  return segment;
+}
+
+// A transition takes the end values of its neighbours.
+Status JoinTransitions(std::vector<TrackSegment>* segments) {
+  for (size_t i = 0; i < segments->size(); ++i) {
+    TrackSegment& now = (*segments)[i];
+    if (now.kind != SegmentKind::kTransition) continue;
+    const bool lonely = i == 0 || i + 1 == segments->size() ||
+                        (*segments)[i - 1].kind == SegmentKind::kTransition ||
+                        (*segments)[i + 1].kind == SegmentKind::kTransition;
+    if (lonely) {
+      return Error{now.where, "a transition without a tangent or curve on both sides",
+                   "tangent or curve, transition, tangent or curve",
+                   "add the missing segment or remove the transition"};
+    }
+    const TrackSegment& before = (*segments)[i - 1];
+    const TrackSegment& after = (*segments)[i + 1];
+    now.curvature_begin = before.curvature_end;
+    now.curvature_end = after.curvature_begin;
+    now.cant_begin = before.cant_end;
+    now.cant_end = after.cant_begin;
+    now.widening_begin = before.widening_end;
+    now.widening_end = after.widening_begin;
+  }
+  return {};
+}
+
+void ReadAlignment(YamlMap& map, const TrackLayout& layout, AlignmentParams* params) {
+  params->cant_base =
+      map.Number("cant_base_m", {.min = 0.5, .max = 2.5}, layout.gauge + kHeadWidth);
+  params->pivot = map.Word("cant_pivot", {"low_rail", "centre_line"}, "low_rail") == "low_rail"
+                      ? CantPivot::kLowRail
+                      : CantPivot::kCentreLine;
+  params->vertical_radius = map.Number("vertical_radius_m", {.min = 100, .max = 1e6}, 5000.0);
+  params->ramp_rounding = map.Number("ramp_rounding_m", {.min = 0, .max = 50}, 6.0);
+  std::vector<YamlMap> segments = map.Maps("segments");
+  if (segments.empty()) {
+    map.Fail("segments", "no segments", "a list of tangent, transition and curve",
+             "add `- {kind: tangent, length_m: 100}`");
+  }
+  for (YamlMap& segment : segments) params->segments.push_back(ReadSegment(segment));
+}
+
+RailSupport ReadSupport(YamlMap& map) {
+  constexpr double kStiffest = 1e11;
+  constexpr double kMostDamped = 1e8;
+  RailSupport support;
+  support.lateral_stiffness_N_per_m =
+      map.Number("lateral_stiffness_N_per_m", {.min = 0, .max = kStiffest}, 0.0);
+  support.lateral_damping_Ns_per_m =
+      map.Number("lateral_damping_Ns_per_m", {.min = 0, .max = kMostDamped}, 0.0);
+  support.vertical_stiffness_N_per_m =
+      map.Number("vertical_stiffness_N_per_m", {.min = 0, .max = kStiffest}, 0.0);
+  support.vertical_damping_Ns_per_m =
+      map.Number("vertical_damping_Ns_per_m", {.min = 0, .max = kMostDamped}, 0.0);
+  return support;
+}
+
+void ReadPsd(YamlMap& map, double length, IrregularityPsdParams* psd) {
+  psd->psd = map.Word("psd", PsdNames());
+  psd->seed = static_cast<std::uint64_t>(map.Integer("seed", 0, 2147483647, 1));
+  psd->begin_s = map.Number("begin_s_m", {.min = 0, .max = length}, 0.0);
+  psd->end_s = map.Number("end_s_m", {.min = 0, .max = length}, length);
+  if (psd->end_s - psd->begin_s < 1) {
+    map.Fail(map.Has("end_s_m") ? "end_s_m" : "begin_s_m",
+             "the range of the irregularity is shorter than 1 m", "begin_s_m + 1 <= end_s_m",
+             "swap or spread the two");
+  }
+  psd->shortest_wavelength = map.Number("shortest_wavelength_m", {.min = 0.2, .max = 100}, 3.0);
+  psd->longest_wavelength = map.Number("longest_wavelength_m", {.min = 0.4, .max = 500}, 100.0);
+  if (psd->longest_wavelength < 1.5 * psd->shortest_wavelength) {
+    map.Fail("longest_wavelength_m", "the band of wavelengths is empty or too narrow",
+             "at least 1.5 times shortest_wavelength_m", "raise it");
+  }
+  psd->scale = map.Number("scale", {.min = 0, .max = 100}, 1.0);
+}
+
+Result<IrregularityLayout> ReadIrregularityLayout(YamlMap& map, double length) {
+  IrregularityLayout layout;
+  layout.fade = map.Number("fade_m", {.min = 0, .max = 1000}, 20.0);
+  if (map.Has("file") == map.Has("psd")) {
+    map.Fail(map.Has("file") ? "psd" : "file", "an irregularity needs one of file, psd",
+             "exactly one of the two", "name a record or a spectrum");
+    return layout;
+  }
+  if (map.Has("psd")) {
+    ReadPsd(map, length, &layout.psd);
+    return layout;
+  }
+  const std::filesystem::path file = map.Text("file");
+  const auto folder = std::filesystem::path(map.path()).parent_path();
+  auto read = ReadIrregularity(file.is_absolute() ? file.string() : (folder / file).string());
+  if (!read.ok()) return read.error();
+  layout.samples = std::move(read).value();
+  return layout;
+}
+
+double Length(const TrackLayout& layout) {
+  double length = 0;
+  for (const TrackSegment& segment : layout.alignment.segments) length += segment.length;
+  return length;
+}
+
+void Mirror(TrackLayout* layout) {
+  for (TrackSegment& segment : layout->alignment.segments) {
+    for (double* value : {&segment.curvature_begin, &segment.curvature_end, &segment.cant_begin,
+                          &segment.cant_end}) {
+      *value = -*value;
+    }
+  }
+  layout->mirrored = !layout->mirrored;
+}
+
+Result<TrackLayout> ReadOwnLayout(YamlMap& map) {
+  TrackLayout layout;
+  const std::string stem = std::filesystem::path(map.path()).stem().string();
+  layout.name = map.Text("name", stem);
+  map.Text("description", "");
+  map.Text("source", "");
+  layout.gauge = map.Number("gauge_m", {.min = 0.3, .max = 2.0}, 1.067);
+  layout.gauge_height = map.Number("gauge_height_m", {.min = 0, .max = 0.05}, 0.014);
+  layout.friction = map.Number("friction", {.min = 0, .max = 1}, layout.friction);
+  ReadAlignment(map, layout, &layout.alignment);
+  if (map.Has("support")) {
+    YamlMap support = map.Map("support");
+    layout.support = ReadSupport(support);
+  }
+  const double length = Length(layout);
+  if (map.Has("irregularity")) {
+    YamlMap irregularity = map.Map("irregularity");
+    auto read = ReadIrregularityLayout(irregularity, length);
+    if (!read.ok()) return read.error();
+    layout.irregularity = std::move(read).value();
+  }
+  if (Status s = map.Finish(); !s.ok()) return s.error();
+  if (Status s = JoinTransitions(&layout.alignment.segments); !s.ok()) return s.error();
+  return layout;
+}
+
+}  // namespace
+
+Result<TrackLayout> ReadTrackLayout(const std::string& path, bool mirror) {
+  Result<YamlMap> loaded = YamlMap::Load(path);
+  if (!loaded.ok()) return loaded.error();
+  YamlMap& map = loaded.value();
+  const std::string stem = std::filesystem::path(path).stem().string();
+  Result<TrackLayout> layout = TrackLayout{};
+  if (map.Has("mirror_of")) {
+    const std::string name = map.Text("name", stem);
+    map.Text("description", "");
+    const std::string where = map.Where("mirror_of");
+    const std::filesystem::path original =
+        std::filesystem::path(path).parent_path() / (map.Text("mirror_of") + ".yaml");
+    if (Status s = map.Finish(); !s.ok()) return s.error();
+    auto other = YamlMap::Load(original.string());
+    if (!other.ok()) return Error{where, other.error().Line(), "", ""};
+    if (other.value().Has("mirror_of")) {
+      return Error{where, "a mirror image of a mirror image", "the name of a track with segments",
+                   "name the original"};
+    }
+    layout = ReadOwnLayout(other.value());
+    if (layout.ok()) layout.value().name = name;
+    mirror = !mirror;
+  } else {
+    layout = ReadOwnLayout(map);
+  }
+  if (layout.ok() && mirror) Mirror(&layout.value());
+  return layout;
+}
+
+}  // namespace phs::rail
