@@ -6,7 +6,8 @@
 //   flow     FlowLaw between two pressures: leakage, resistance; with inertance a state of its own
 //   friction numbers of FrictionTerms: how the level depends on speed, pressure, place, rest time
 //   mounting numbers of MountTerms: what lies between mounting and piston
-//   instrument and environment: InstrumentTerms (predicted channels of a rig), temperature over time
+//   instrument and environment: InstrumentTerms (predicted channels of a rig), temperature over
+//   time
 #pragma once
 
 #include <memory>
@@ -32,7 +33,8 @@ class VolumeLaw {
 class FlowLaw {
  public:
   virtual ~FlowLaw() = default;
-  /// Volume flow [m3/s] from the high to the low side at p_from - p_to = `dp` [Pa]; `slope` = d/d(dp).
+  /// Volume flow [m3/s] from the high to the low side at p_from - p_to = `dp` [Pa]; `slope` =
+  /// d/d(dp).
   virtual double Flow(double time, double dp, double* slope) const noexcept = 0;
   /// Inverse: pressure drop [Pa] at `flow`, and its slope. Needed only with an inertance.
   virtual double Drop(double time, double flow, double* slope) const noexcept = 0;
@@ -61,9 +63,9 @@ struct FrictionTerms {
 /// Elements in series between mounting and piston: play, spring, spring with a Maxwell branch.
 struct MountTerms {
   bool present = false;
-  double gap_m = 0;                        ///< total free play
-  double stiffness_N_per_m = 0;            ///< series spring; 0 = the contact stiffness below only
-  double maxwell_stiffness_N_per_m = 0;    ///< parallel branch of a bush
+  double gap_m = 0;                      ///< total free play
+  double stiffness_N_per_m = 0;          ///< series spring; 0 = the contact stiffness below only
+  double maxwell_stiffness_N_per_m = 0;  ///< parallel branch of a bush
   double maxwell_damping_Ns_per_m = 0;
 };
 /// Stiffness used for a mounting that only has play [N/m].
@@ -78,13 +80,14 @@ struct InstrumentTerms {
   bool present = false;
 };
 
-/// Temperature of surroundings and oil: static + rate t up to `limit` + amplitude sin(2 pi t/period).
+/// Temperature of surroundings and oil: static + rate t up to `limit` + amplitude sin(2 pi
+/// t/period).
 struct TemperatureTerms {
   bool present = false;
   double rate_K_per_s = 0;
   double amplitude_K = 0, period_s = 86400;
-  double limit_K = 40;                     ///< |rate t| stays below this
-  double expansion_1_per_K = 0;            ///< of the oil against its housing
+  double limit_K = 40;           ///< |rate t| stays below this
+  double expansion_1_per_K = 0;  ///< of the oil against its housing
 };
 
 /// What an effect may add to while a system is being built.
@@ -96,8 +99,8 @@ class Extension {
   /// Between two ports of a cylinder (kBore, kRod of `cylinder`), a line (`line`) or atmosphere.
   virtual void AddFlow(Port from, Port to, int cylinder, int line, const std::string& name,
                        std::unique_ptr<FlowLaw> law) = 0;
-  /// Puts `law` between the chamber (kBore or kRod) of `cylinder` and its line. `share` of the line's
-  /// oil volume moves to the chamber side (0.02 … 0.98).
+  /// Puts `law` between the chamber (kBore or kRod) of `cylinder` and its line. `share` of the
+  /// line's oil volume moves to the chamber side (0.02 … 0.98).
   virtual void SplitChamber(Port chamber, int cylinder, double share, const std::string& name,
                             std::unique_ptr<FlowLaw> law) = 0;
   virtual FrictionTerms& friction(int cylinder) = 0;
@@ -110,20 +113,20 @@ class Extension {
 
 /// One parameter of an effect.
 struct EffectParameter {
-  std::string name;   ///< with unit suffix, "gap_m"
+  std::string name;  ///< with unit suffix, "gap_m"
   std::string unit;
-  double otherwise;   ///< default
-  double min, max;    ///< allowed
-  double low, high;   ///< plausible
+  double otherwise;  ///< default
+  double min, max;   ///< allowed
+  double low, high;  ///< plausible
   std::string text;
 };
 
 /// One row of the catalogue.
 struct EffectInfo {
   std::string name;
-  std::string family;      ///< hydraulic, friction, mounting, instrument, environment
-  std::string targets;     ///< "cylinders", "lines" or "" (whole system)
-  std::string text;        ///< the law in one line
+  std::string family;   ///< hydraulic, friction, mounting, instrument, environment
+  std::string targets;  ///< "cylinders", "lines" or "" (whole system)
+  std::string text;     ///< the law in one line
   std::vector<EffectParameter> parameters;
   /// Adds the law. `value(name)` of every parameter is in `values`, defaults filled in.
   Status (*install)(const EffectParams& effect, Extension* extension);

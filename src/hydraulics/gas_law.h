@@ -44,9 +44,9 @@ struct GasVolume {
 
 /// V(p, T) with its slopes. `stopped`: the diaphragm rests on a stop, V does not change with p, T.
 struct GasState {
-  double volume = 0;    ///< [m3]
-  double dV_dp = 0;     ///< [m3/Pa], <= 0
-  double dV_dT = 0;     ///< [m3/K], >= 0
+  double volume = 0;  ///< [m3]
+  double dV_dp = 0;   ///< [m3/Pa], <= 0
+  double dV_dT = 0;   ///< [m3/K], >= 0
   bool stopped = false;
 };
 /// `temperature`: of the gas for the laws with a state, of the surroundings for the others.

@@ -1,8 +1,8 @@
 // Parameters of a Passive Hydraulic Steering as plain data: cylinders, lines, friction, effects.
 // Read from models/phs/NAME.yaml (docs/phs_models.md), written back by ToYaml, addressable by name.
 //
-// Signs: piston displacement x > 0 = extension from the static position; tension force > 0; oil flow
-// into a chamber > 0. Pressures absolute. SI throughout.
+// Signs: piston displacement x > 0 = extension from the static position; tension force > 0; oil
+// flow into a chamber > 0. Pressures absolute. SI throughout.
 //
 //        bore side (1)        rod side (2)
 //      +--------------+==+---------------+
@@ -20,47 +20,47 @@
 
 namespace phs::hydraulics {
 
-/// Elastic end stop with a soft start: F = k s²/(2 d) for penetration s < d, k (s - d/2) beyond, and
-/// damping c min(s/d, 1) v, never pulling.
+/// Elastic end stop with a soft start: F = k s²/(2 d) for penetration s < d, k (s - d/2) beyond,
+/// and damping c min(s/d, 1) v, never pulling.
 struct EndStopParams {
-  double clearance_m = 0.03;             ///< free stroke to each side, (0, 1]
-  double stiffness_N_per_m = 1e8;        ///< > 0
-  double damping_Ns_per_m = 1e5;         ///< >= 0
-  double transition_m = 1e-3;            ///< d, > 0
+  double clearance_m = 0.03;       ///< free stroke to each side, (0, 1]
+  double stiffness_N_per_m = 1e8;  ///< > 0
+  double damping_Ns_per_m = 1e5;   ///< >= 0
+  double transition_m = 1e-3;      ///< d, > 0
 };
 
 struct CylinderParams {
   std::string name;
-  std::string bore_line;                 ///< line of the bore chamber; empty: open to atmosphere
-  std::string rod_line;                  ///< line of the rod chamber; empty: open to atmosphere
-  double bore_m = 0.100;                 ///< bore diameter
-  double rod_m = 0.032;                  ///< rod diameter, < bore_m
+  std::string bore_line;  ///< line of the bore chamber; empty: open to atmosphere
+  std::string rod_line;   ///< line of the rod chamber; empty: open to atmosphere
+  double bore_m = 0.100;  ///< bore diameter
+  double rod_m = 0.032;   ///< rod diameter, < bore_m
   EndStopParams end_stop;
 
-  double BoreArea() const;               ///< pi/4 bore² [m2]
-  double RodArea() const;                ///< pi/4 (bore² - rod²) [m2]
+  double BoreArea() const;  ///< pi/4 bore² [m2]
+  double RodArea() const;   ///< pi/4 (bore² - rod²) [m2]
 };
 
 /// A diaphragm reservoir (or a bladder accumulator): one gas volume behind a separator.
 struct GasChargeParams {
   GasLaw law = GasLaw::kIsothermal;
-  double volume_m3 = 0;                  ///< shell volume: gas volume when empty of oil; 0 = absent
+  double volume_m3 = 0;  ///< shell volume: gas volume when empty of oil; 0 = absent
   double polytropic_exponent = 1.4;
-  double thermal_time_s = 5.0;           ///< tau of the energy equation
-  double min_gas_volume_m3 = 0;          ///< diaphragm on its stop
+  double thermal_time_s = 5.0;   ///< tau of the energy equation
+  double min_gas_volume_m3 = 0;  ///< diaphragm on its stop
 };
 
 /// All oil and gas that share one pressure.
 struct LineParams {
   std::string name;
-  double static_pressure_Pa = 2.0e6;     ///< p0
-  double oil_volume_m3 = 1.1e-3;         ///< V_oil, > 0
-  double bulk_modulus_Pa = 1.4e9;        ///< beta at static pressure, > 0
-  double bulk_modulus_slope = 0;         ///< d(beta)/dp [-], 0 … 20
-  double free_air_m3 = 0;                ///< undissolved air, as a volume at 101325 Pa
-  double gas_volume_m3 = 0;              ///< V_g0 of the reservoir at static pressure; 0 = no gas
+  double static_pressure_Pa = 2.0e6;  ///< p0
+  double oil_volume_m3 = 1.1e-3;      ///< V_oil, > 0
+  double bulk_modulus_Pa = 1.4e9;     ///< beta at static pressure, > 0
+  double bulk_modulus_slope = 0;      ///< d(beta)/dp [-], 0 … 20
+  double free_air_m3 = 0;             ///< undissolved air, as a volume at 101325 Pa
+  double gas_volume_m3 = 0;           ///< V_g0 of the reservoir at static pressure; 0 = no gas
   GasChargeParams reservoir;
-  GasChargeParams accumulator;           ///< blow-off accumulator; volume_m3 = 0: none
+  GasChargeParams accumulator;  ///< blow-off accumulator; volume_m3 = 0: none
   double accumulator_precharge_Pa = 15e6;
 };
 
@@ -72,9 +72,9 @@ enum class FrictionCurve { kTable, kCoulomb };
 struct FrictionParams {
   FrictionModel model = FrictionModel::kPresliding;
   FrictionCurve curve = FrictionCurve::kTable;
-  double scale = 1.0;                    ///< multiplies every level, >= 0
-  /// Table: speed [m/s], rising, with one point (0, 0); force [N] with the sign of the speed. Linear
-  /// between points, last segment continued.
+  double scale = 1.0;  ///< multiplies every level, >= 0
+  /// Table: speed [m/s], rising, with one point (0, 0); force [N] with the sign of the speed.
+  /// Linear between points, last segment continued.
   std::vector<double> speed_m_s = {-0.05, -0.01, -0.001, -0.0002, 0, 0.0002, 0.001, 0.01, 0.05};
   std::vector<double> force_N = {-1900, -1700, -1600, -1500, 0, 1700, 1850, 1950, 2150};
   /// Coulomb + Stribeck + viscous: level = coulomb + (breakaway - coulomb) exp(-|v|/v_s) + c |v|.
@@ -82,11 +82,11 @@ struct FrictionParams {
   double breakaway_extension_N = 1850, breakaway_retraction_N = 1600;
   double stribeck_speed_m_s = 1e-3;
   double viscous_extension_Ns_per_m = 4000, viscous_retraction_Ns_per_m = 4000;
-  double ramp_speed_m_s = 2e-4;          ///< static model: level reached at this speed, > 0
+  double ramp_speed_m_s = 2e-4;  ///< static model: level reached at this speed, > 0
   /// Presliding (elasto-plastic, friction.h).
-  double stiffness_N_per_m = 3.6e7;      ///< sigma0, > 0
-  double damping_Ns_per_m = 2e3;         ///< sigma1, >= 0
-  double breakaway_ratio = 0.7;          ///< purely elastic below this share of the level, [0, 0.99]
+  double stiffness_N_per_m = 3.6e7;  ///< sigma0, > 0
+  double damping_Ns_per_m = 2e3;     ///< sigma1, >= 0
+  double breakaway_ratio = 0.7;      ///< purely elastic below this share of the level, [0, 0.99]
 };
 
 /// A part on a bench moved by prescribed motion: force = mass a + stiffness x + offset + friction.
@@ -107,15 +107,15 @@ struct EffectParams {
 /// How line pressures follow from volumes.
 enum class BalanceMethod {
   kUnified,     ///< all elements share the pressure (physics of one line); the default
-  kSequential,  ///< the thesis's procedure (its Figs 6-7, 7-4): reservoir until full, then oil, then
-                ///< accumulator
+  kSequential,  ///< the thesis's procedure (its Figs 6-7, 7-4): reservoir until full, then oil,
+                ///< then accumulator
 };
 
 struct PhsParams {
   std::string name;
   std::string description;
   std::string source;
-  double temperature_K = 293.15;         ///< static temperature of oil, gas and surroundings
+  double temperature_K = 293.15;  ///< static temperature of oil, gas and surroundings
   BalanceMethod balance = BalanceMethod::kUnified;
   std::vector<CylinderParams> cylinders;
   std::vector<LineParams> lines;
@@ -141,7 +141,7 @@ struct ParameterInfo {
   std::string name;  ///< "L1.gas_volume_m3", "friction.scale", "1.bore_m", "effects.backlash.gap_m"
   std::string unit;
   double value = 0;
-  double low = 0;    ///< plausible range
+  double low = 0;  ///< plausible range
   double high = 0;
 };
 /// Every addressable parameter of the core (effects: see effects/catalogue.h).

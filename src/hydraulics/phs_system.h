@@ -17,17 +17,18 @@ namespace phs::hydraulics {
 /// pointer means: not wanted.
 struct PhsOutputs {
   // per cylinder
-  double* force = nullptr;           ///< tension force on the mountings [N] (> 0 pulls them together)
+  double* force = nullptr;  ///< tension force on the mountings [N] (> 0 pulls them together)
   double* pressure_force = nullptr;  ///< p_rod A_rod - p_bore A_bore [N]
   double* friction_force = nullptr;  ///< seal friction, sign as it adds to `force` [N]
   double* piston = nullptr;          ///< piston displacement from static [m]
   double* p_bore = nullptr;          ///< chamber pressures, absolute [Pa]
   double* p_rod = nullptr;
   // per line
-  double* pressure = nullptr;        ///< line pressure, absolute [Pa]
+  double* pressure = nullptr;  ///< line pressure, absolute [Pa]
   // whole system
-  double stored_energy = 0;          ///< above the static state [J]
-  double lost_power = 0;             ///< [W], >= 0 for a passive system
+  double stored_energy = 0;  ///< above the static state [J]
+  double lost_power = 0;     ///< [W], >= 0 for a passive system
+  bool energy = true;        ///< in: false skips the two above (faster)
 };
 
 /// Immutable description plus pure functions. State (friction bristles, gas temperatures, line
@@ -59,6 +60,12 @@ class PhsSystem {
   /// Mean rate of the states over the coming step h at constant v: (state(t+h) - state(t)) / h,
   /// integrated implicitly or exactly inside, so that an explicit Euler step of the caller is
   /// stable for any h. h = 0 gives the instantaneous derivative.
+  ///
+  /// Use with semi-implicit Euler (v_{n+1} = v_n + h a_n, x_{n+1} = x_n + h v_{n+1}, states
+  /// advanced with v_n, as MuJoCo's Euler does): the stored state then lags x by one step, which
+  /// would feed energy into a stuck bristle (growth h sigma0/(2 m)). Evaluate forces at the state
+  /// that belongs to x_n: Calc(time, x, v, state + h * rate). With h = 0 rates inside RK4 no such
+  /// shift is needed.
   void CalcStateRate(double time, double h, const double* x, const double* v, const double* state,
                      double* rate) const noexcept;
   /// Largest stiffness [N/m] and damping [N s/m] seen from one cylinder alone while the other

@@ -1,0 +1,285 @@
+// PhsParams + effects -> the compiled form. Laws of effects are collected first, because an effect
+// may still change the parameters of a line.
+#include <algorithm>
+#include <utility>
+
+#include "hydraulics/phs_impl.h"
+
+namespace phs::hydraulics {
+namespace {
+
+struct PendingFlow {
+  Port from, to;
+  int cylinder, line;
+  std::string name;
+  std::unique_ptr<FlowLaw> law;
+};
+struct PendingSplit {
+  Port chamber;
+  int cylinder;
+  double share;
+  std::string name;
+  std::unique_ptr<FlowLaw> law;
+};
+
+class Builder final : public Extension {
+ public:
+  explicit Builder(const PhsParams& params) : params_(params), lines_(params.lines) {
+    friction_.resize(params.cylinders.size());
+    mount_.resize(params.cylinders.size());
+  }
+  const PhsParams& params() const override { return params_; }
+  void AddVolume(int line, std::unique_ptr<VolumeLaw> law) override {
+    volumes_.emplace_back(line, std::move(law));
+  }
+  void AddFlow(Port from, Port to, int cylinder, int line, const std::string& name,
+               std::unique_ptr<FlowLaw> law) override {
+    flows_.push_back({from, to, cylinder, line, name, std::move(law)});
+  }
+  void SplitChamber(Port chamber, int cylinder, double share, const std::string& name,
+                    std::unique_ptr<FlowLaw> law) override {
+    splits_.push_back({chamber, cylinder, share, name, std::move(law)});
+  }
+  FrictionTerms& friction(int cylinder) override { return friction_[cylinder]; }
+  MountTerms& mount(int cylinder) override { return mount_[cylinder]; }
+  InstrumentTerms& instrument() override { return instrument_; }
+  TemperatureTerms& temperature() override { return temperature_; }
+  LineParams& line(int index) override { return lines_[index]; }
+
+  CompiledPhs Compile();
+  /// First thing that does not fit, if any (too many flows …).
+  Status status() const { return status_; }
+
+ private:
+  void CompileNodes(CompiledPhs* sys);
+  void CompileCylinders(CompiledPhs* sys);
+  void CompileSplits(CompiledPhs* sys);
+  void CompileFlows(CompiledPhs* sys);
+  void CompileStates(CompiledPhs* sys);
+  int PortNode(const CompiledPhs& sys, Port port, int cylinder, int line) const;
+
+  const PhsParams& params_;
+  std::vector<LineParams> lines_;
+  std::vector<std::pair<int, std::unique_ptr<VolumeLaw>>> volumes_;
+  std::vector<PendingFlow> flows_;
+  std::vector<PendingSplit> splits_;
+  std::vector<FrictionTerms> friction_;
+  std::vector<MountTerms> mount_;
+  InstrumentTerms instrument_;
+  TemperatureTerms temperature_;
+  std::vector<std::string> path_names_;
+  Status status_;
+};
+
+NodeGas CompileGas(const GasChargeParams& charge, double volume, double pressure, double T) {
+  NodeGas g;
+  g.gas.law = charge.law;
+  g.gas.reference_volume = volume;
+  g.gas.reference_pressure = pressure;
+  g.gas.reference_temperature = T;
+  g.gas.exponent = charge.polytropic_exponent;
+  g.gas.thermal_time = charge.thermal_time_s;
+  g.gas.min_volume = charge.min_gas_volume_m3;
+  g.gas.max_volume = std::max(charge.volume_m3, volume);
+  g.static_volume = volume;
+  g.gas.SetMass();
+  return g;
+}
+
+void Builder::CompileNodes(CompiledPhs* sys) {
+  for (const LineParams& line : lines_) {
+    Node node;
+    node.p0 = line.static_pressure_Pa;
+    node.oil_volume = line.oil_volume_m3;
+    node.bulk_modulus = line.bulk_modulus_Pa;
+    node.bulk_slope = line.bulk_modulus_slope;
+    node.air = (line.free_air_m3 + kTraceAir * line.oil_volume_m3) * kAtmosphere;
+    node.temperature = params_.temperature_K;
+    node.sequential = params_.balance == BalanceMethod::kSequential;
+    if (line.gas_volume_m3 > 0) {
+      node.gases.push_back(CompileGas(line.reservoir, line.gas_volume_m3, line.static_pressure_Pa,
+                                      params_.temperature_K));
+    }
+    if (line.accumulator.volume_m3 > 0) {
+      // At a static pressure above its precharge the accumulator is partly full of oil from the
+      // start.
+      NodeGas g = CompileGas(line.accumulator, line.accumulator.volume_m3,
+                             line.accumulator_precharge_Pa, params_.temperature_K);
+      g.blow_off = true;
+      g.static_volume = CalcGas(g.gas, node.p0, params_.temperature_K).volume;
+      node.gases.push_back(g);
+    }
+    sys->nodes.push_back(std::move(node));
+  }
+  for (auto& [line, law] : volumes_) {
+    sys->nodes[line].laws.push_back(law.get());
+    sys->volume_laws.push_back(std::move(law));
+  }
+}
+
+void Builder::CompileCylinders(CompiledPhs* sys) {
+  for (size_t i = 0; i < params_.cylinders.size(); ++i) {
+    const CylinderParams& from = params_.cylinders[i];
+    CompiledCylinder c;
+    c.bore = params_.FindLine(from.bore_line);
+    c.rod = params_.FindLine(from.rod_line);
+    c.bore_area = from.BoreArea();
+    c.rod_area = from.RodArea();
+    if (c.bore >= 0) c.bore_p0 = lines_[c.bore].static_pressure_Pa;
+    if (c.rod >= 0) c.rod_p0 = lines_[c.rod].static_pressure_Pa;
+    c.friction = Friction(params_.friction, friction_[i]);
+    c.stop = from.end_stop;
+    c.mount = mount_[i];
+    if (c.mount.present && c.mount.stiffness_N_per_m <= 0) {
+      c.mount.stiffness_N_per_m = kContactStiffness;
+    }
+    sys->has_mounts |= c.mount.present;
+    sys->friction_needs_pressure |= c.friction.depends_on_pressure();
+    sys->cylinders.push_back(std::move(c));
+    sys->cylinder_names.push_back(from.name);
+  }
+}
+
+void Builder::CompileSplits(CompiledPhs* sys) {
+  for (PendingSplit& split : splits_) {
+    CompiledCylinder& c = sys->cylinders[split.cylinder];
+    int& chamber = split.chamber == Port::kBore ? c.bore : c.rod;
+    if (chamber == kOpen) continue;
+    const int line = chamber;
+    const bool already = line >= static_cast<int>(lines_.size());
+    if (already || static_cast<int>(sys->nodes.size()) >= kMaxNodes) {
+      status_ = Error{"effects." + split.name, "a chamber can have one resistance to its line only",
+                      "", "switch on one of line_resistance, line_inertance, check_restriction"};
+      return;
+    }
+    Node chamber_node;
+    Node& main = sys->nodes[line];
+    chamber_node.p0 = main.p0;
+    chamber_node.bulk_modulus = main.bulk_modulus;
+    chamber_node.bulk_slope = main.bulk_slope;
+    chamber_node.temperature = main.temperature;
+    const double oil = split.share * lines_[line].oil_volume_m3;
+    chamber_node.oil_volume = oil;
+    chamber_node.air = kTraceAir * oil * kAtmosphere;
+    main.oil_volume -= oil;
+    main.air -= chamber_node.air;
+    chamber = static_cast<int>(sys->nodes.size());
+    sys->nodes.push_back(std::move(chamber_node));
+    Path path;
+    path.from = chamber;
+    path.to = line;
+    path.law = std::move(split.law);
+    sys->paths.push_back(std::move(path));
+    path_names_.push_back(sys->cylinder_names[split.cylinder] +
+                          (split.chamber == Port::kBore ? ".bore_" : ".rod_") + split.name);
+  }
+}
+
+int Builder::PortNode(const CompiledPhs& sys, Port port, int cylinder, int line) const {
+  switch (port) {
+    case Port::kBore:
+      return sys.cylinders[cylinder].bore;
+    case Port::kRod:
+      return sys.cylinders[cylinder].rod;
+    case Port::kLine:
+      return line;
+    case Port::kAtmosphere:
+      return kOpen;
+  }
+  return kOpen;
+}
+
+void Builder::CompileFlows(CompiledPhs* sys) {
+  for (PendingFlow& flow : flows_) {
+    Path path;
+    path.from = PortNode(*sys, flow.from, flow.cylinder, flow.line);
+    path.to = PortNode(*sys, flow.to, flow.cylinder, flow.line);
+    if (path.from == path.to) continue;
+    path.law = std::move(flow.law);
+    sys->paths.push_back(std::move(path));
+    const bool of_cylinder = flow.from != Port::kLine && flow.cylinder >= 0;
+    path_names_.push_back(
+        (of_cylinder ? sys->cylinder_names[flow.cylinder] : sys->line_names[flow.line]) + "." +
+        flow.name);
+  }
+}
+
+void Builder::CompileStates(CompiledPhs* sys) {
+  auto add = [sys](const std::string& name) {
+    sys->state_names.push_back(name);
+    return sys->num_states() - 1;
+  };
+  for (size_t i = 0; i < sys->cylinders.size(); ++i) {
+    CompiledCylinder& c = sys->cylinders[i];
+    const std::string& name = sys->cylinder_names[i];
+    if (c.friction.model() == FrictionModel::kPresliding) c.bristle = add(name + ".bristle");
+    if (c.friction.has_dwell()) c.dwell = add(name + ".dwell");
+    if (c.mount.present) c.mount_state = add(name + ".mount");
+    if (c.mount.present && c.mount.maxwell_stiffness_N_per_m > 0) c.maxwell = add(name + ".bush");
+  }
+  sys->first_slow = sys->num_states();
+  for (size_t n = 0; n < lines_.size(); ++n) {
+    for (NodeGas& g : sys->nodes[n].gases) {
+      if (!g.gas.HasTemperatureState()) continue;
+      g.state = add(lines_[n].name + (g.blow_off ? ".accumulator" : ".gas") + "_temperature");
+    }
+  }
+  for (size_t k = 0; k < sys->paths.size(); ++k) {
+    sys->paths[k].volume = add(path_names_[k] + "_volume");
+    if (sys->paths[k].law->Inertance() > 0) sys->paths[k].flow = add(path_names_[k] + "_flow");
+  }
+}
+
+CompiledPhs Builder::Compile() {
+  CompiledPhs compiled;
+  CompiledPhs* sys = &compiled;
+  sys->params = params_;
+  for (const LineParams& line : lines_) sys->line_names.push_back(line.name);
+  CompileNodes(sys);
+  CompileCylinders(sys);
+  CompileSplits(sys);
+  CompileFlows(sys);
+  CompileStates(sys);
+  for (Node& node : sys->nodes) node.Prepare();
+  sys->instruments = instrument_;
+  sys->temperature = temperature_;
+  if (static_cast<int>(sys->paths.size()) > kMaxPaths || sys->num_states() > kMaxStates) {
+    status_ = Error{params_.name, "too many flows or states for one system",
+                    "at most " + std::to_string(kMaxPaths) + " flows", "switch effects off"};
+  }
+  return compiled;
+}
+
+Status InstallEffects(const PhsParams& params, const EffectTable* table, Builder* builder) {
+  for (const EffectParams& effect : params.effects) {
+    if (table == nullptr) {
+      return Error{"effects." + effect.name, "this entry has no catalogue of effects", "",
+                   "load the model with effects::LoadPhsSystem"};
+    }
+    Result<EffectParams> full = CompleteEffect(params, effect, *table);
+    if (!full.ok()) return full.error();
+    const EffectInfo* info = table->Find(effect.name);
+    if (Status s = info->install(full.value(), builder); !s.ok()) return s;
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<PhsSystem> PhsSystem::Create(const PhsParams& params, const EffectTable* effects) {
+  if (Status s = Validate(params); !s.ok()) return s.error();
+  Builder builder(params);
+  if (Status s = InstallEffects(params, effects, &builder); !s.ok()) return s.error();
+  // Effects may have changed line numbers: the same limits hold.
+  PhsParams changed = params;
+  for (size_t i = 0; i < params.lines.size(); ++i) {
+    changed.lines[i] = builder.line(static_cast<int>(i));
+  }
+  if (Status s = Validate(changed); !s.ok()) return s.error();
+  auto impl = std::make_unique<Impl>();
+  static_cast<CompiledPhs&>(*impl) = builder.Compile();
+  if (!builder.status().ok()) return builder.status().error();
+  return PhsSystem(std::move(impl));
+}
+
+}  // namespace phs::hydraulics

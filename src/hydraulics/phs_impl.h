@@ -1,0 +1,98 @@
+// The compiled form of a PHS, shared by the files that evaluate it. Internal to src/hydraulics.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "hydraulics/end_stop.h"
+#include "hydraulics/friction.h"
+#include "hydraulics/node.h"
+#include "hydraulics/phs_system.h"
+
+namespace phs::hydraulics {
+
+inline constexpr int kMaxCylinders = 16;
+inline constexpr int kMaxNodes = 32;
+inline constexpr int kMaxPaths = 32;
+inline constexpr int kMaxStates = 192;
+inline constexpr int kOpen = -1;  ///< node index of the atmosphere
+
+struct CompiledCylinder {
+  int bore = kOpen, rod = kOpen;  ///< nodes of its chambers
+  double bore_area = 0, rod_area = 0;
+  double bore_p0 = kAtmosphere, rod_p0 = kAtmosphere;
+  Friction friction;
+  EndStopParams stop;
+  MountTerms mount;
+  int bristle = -1, dwell = -1, mount_state = -1, maxwell = -1;  ///< state indices
+};
+
+/// Flow from one node to another; `volume` state = volume that went from `from` to `to` [m3].
+struct Path {
+  int from = kOpen, to = kOpen;
+  std::unique_ptr<FlowLaw> law;
+  int volume = -1, flow = -1;  ///< state indices; flow only with an inertance
+};
+
+/// Everything known at one instant.
+struct Instant {
+  double ambient = 0;            ///< [K]
+  double piston[kMaxCylinders];  ///< y [m]
+  double pushed[kMaxNodes];      ///< D [m3]
+  NodeState node[kMaxNodes];
+};
+
+struct CompiledPhs {
+  PhsParams params;
+  std::vector<std::string> cylinder_names, line_names, state_names;
+  std::vector<CompiledCylinder> cylinders;
+  std::vector<Node> nodes;  ///< the first num_lines are the lines themselves
+  std::vector<Path> paths;
+  std::vector<std::unique_ptr<VolumeLaw>> volume_laws;
+  InstrumentTerms instruments;
+  TemperatureTerms temperature;
+  int first_slow = 0;  ///< states below: friction and mounting; from here: hydraulic
+  bool friction_needs_pressure = false;
+  bool has_mounts = false;
+
+  int num_states() const { return static_cast<int>(state_names.size()); }
+  double Ambient(double time) const;
+  double Pressure(const Instant& at, int node) const {
+    return node == kOpen ? kAtmosphere : at.node[node].p;
+  }
+  /// Volumes pushed into the nodes by pistons, flows and warmth.
+  void CalcPushed(const double* state, Instant* at) const;
+  void SolveNodes(const double* state, Instant* at) const;
+  FrictionPlace Place(const Instant& at, int cylinder, const double* state) const;
+};
+
+struct PhsSystem::Impl : CompiledPhs {};
+
+/// Force of the cylinder's chambers on its piston, tension > 0 [N].
+double CalcPressureForce(const CompiledPhs& sys, const Instant& at, int cylinder);
+
+/// Mean piston speeds over h and rates of the mount states (mount.cc).
+void CalcMountRates(const CompiledPhs& sys, double time, double h, const double* x, const double* v,
+                    const double* state, double* piston_speed, double* rate);
+/// Force of a mounting at deflection u = x - y and Maxwell deflection q [N]; `slope` = dF/du.
+double CalcMountForce(const MountTerms& mount, double u, double q, double* slope);
+double CalcMountEnergy(const MountTerms& mount, double u, double q);
+/// Power lost in the Maxwell branches of all mountings [W].
+double CalcMountLoss(const CompiledPhs& sys, const double* state);
+
+/// Rates of gas temperatures and flows over h, the pistons moving at constant speed
+/// (flow_rates.cc).
+void CalcHydraulicRates(const CompiledPhs& sys, double time, double h, const Instant& start,
+                        const double* piston_speed, const double* state, double* rate);
+/// Kinetic energy of oil with inertance, and work done on the atmosphere by oil that left [J].
+double CalcPathEnergy(const CompiledPhs& sys, const double* state);
+/// Available power lost in gases and paths [W].
+double CalcHydraulicLoss(const CompiledPhs& sys, double time, const Instant& at,
+                         const double* state);
+
+/// The effect with defaults filled in; errors for unknown names, keys, targets and ranges.
+Result<EffectParams> CompleteEffect(const PhsParams& params, const EffectParams& effect,
+                                    const EffectTable& table);
+
+}  // namespace phs::hydraulics

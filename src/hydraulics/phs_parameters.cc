@@ -1,0 +1,194 @@
+// Parameters by name, for fitting: "CYLINDER.key", "LINE.key", "LINE.reservoir.key",
+// "LINE.accumulator.key", "friction.key", "element.key", "temperature_K", "effects.NAME.key".
+#include <cmath>
+#include <functional>
+
+#include "hydraulics/phs_impl.h"
+#include "hydraulics/phs_params.h"
+
+namespace phs::hydraulics {
+namespace {
+
+// One addressable number: where it lives and its plausible range, as factors on the present value
+// (relative) or absolute.
+struct Slot {
+  std::string name;
+  const char* unit;
+  double* value;
+  double low, high;
+};
+
+void AddGasSlots(const std::string& prefix, GasChargeParams* gas, std::vector<Slot>* out) {
+  out->push_back({prefix + ".volume_m3", "m3", &gas->volume_m3, 0, 5e-3});
+  out->push_back({prefix + ".polytropic_exponent", "-", &gas->polytropic_exponent, 1.0, 1.6});
+  out->push_back({prefix + ".thermal_time_s", "s", &gas->thermal_time_s, 0.1, 100});
+  out->push_back({prefix + ".min_gas_volume_m3", "m3", &gas->min_gas_volume_m3, 0, 2e-4});
+}
+
+std::vector<Slot> CollectSlots(PhsParams* p) {
+  std::vector<Slot> out;
+  out.reserve(64);
+  out.push_back({"temperature_K", "K", &p->temperature_K, 253, 323});
+  for (CylinderParams& c : p->cylinders) {
+    out.push_back({c.name + ".bore_m", "m", &c.bore_m, 0.02, 0.3});
+    out.push_back({c.name + ".rod_m", "m", &c.rod_m, 0.005, 0.2});
+    out.push_back({c.name + ".end_stop.clearance_m", "m", &c.end_stop.clearance_m, 0.001, 0.1});
+    out.push_back(
+        {c.name + ".end_stop.stiffness_N_per_m", "N/m", &c.end_stop.stiffness_N_per_m, 1e6, 1e10});
+  }
+  for (LineParams& l : p->lines) {
+    out.push_back({l.name + ".static_pressure_Pa", "Pa", &l.static_pressure_Pa, 1e5, 5e6});
+    out.push_back({l.name + ".oil_volume_m3", "m3", &l.oil_volume_m3, 2e-4, 5e-3});
+    out.push_back({l.name + ".bulk_modulus_Pa", "Pa", &l.bulk_modulus_Pa, 0.5e9, 2.2e9});
+    out.push_back({l.name + ".bulk_modulus_slope", "-", &l.bulk_modulus_slope, 0, 12});
+    out.push_back({l.name + ".free_air_m3", "m3", &l.free_air_m3, 0, 5e-5});
+    out.push_back({l.name + ".gas_volume_m3", "m3", &l.gas_volume_m3, 1e-6, 3.2e-4});
+    out.push_back(
+        {l.name + ".accumulator_precharge_Pa", "Pa", &l.accumulator_precharge_Pa, 5e6, 2.5e7});
+    AddGasSlots(l.name + ".reservoir", &l.reservoir, &out);
+    AddGasSlots(l.name + ".accumulator", &l.accumulator, &out);
+  }
+  FrictionParams& f = p->friction;
+  out.push_back({"friction.scale", "-", &f.scale, 0.2, 3});
+  out.push_back({"friction.coulomb_extension_N", "N", &f.coulomb_extension_N, 0, 6000});
+  out.push_back({"friction.coulomb_retraction_N", "N", &f.coulomb_retraction_N, 0, 6000});
+  out.push_back({"friction.breakaway_extension_N", "N", &f.breakaway_extension_N, 0, 9000});
+  out.push_back({"friction.breakaway_retraction_N", "N", &f.breakaway_retraction_N, 0, 9000});
+  out.push_back({"friction.stribeck_speed_m_s", "m/s", &f.stribeck_speed_m_s, 1e-5, 0.1});
+  out.push_back(
+      {"friction.viscous_extension_Ns_per_m", "N s/m", &f.viscous_extension_Ns_per_m, 0, 1e5});
+  out.push_back(
+      {"friction.viscous_retraction_Ns_per_m", "N s/m", &f.viscous_retraction_Ns_per_m, 0, 1e5});
+  out.push_back({"friction.ramp_speed_m_s", "m/s", &f.ramp_speed_m_s, 1e-6, 0.01});
+  out.push_back({"friction.stiffness_N_per_m", "N/m", &f.stiffness_N_per_m, 1e6, 1e9});
+  out.push_back({"friction.damping_Ns_per_m", "N s/m", &f.damping_Ns_per_m, 0, 1e6});
+  out.push_back({"friction.breakaway_ratio", "-", &f.breakaway_ratio, 0, 0.95});
+  out.push_back({"element.mass_kg", "kg", &p->element.mass_kg, 0, 1e4});
+  out.push_back({"element.stiffness_N_per_m", "N/m", &p->element.stiffness_N_per_m, 0, 1e9});
+  out.push_back({"element.offset_N", "N", &p->element.offset_N, -1e4, 1e4});
+  return out;
+}
+
+// Value of "effects.NAME.key", or null.
+double* FindEffectValue(PhsParams* params, const std::string& name) {
+  if (name.rfind("effects.", 0) != 0) return nullptr;
+  const size_t dot = name.find('.', 8);
+  if (dot == std::string::npos) return nullptr;
+  for (EffectParams& effect : params->effects) {
+    if (effect.name == name.substr(8, dot - 8)) return &effect.values[name.substr(dot + 1)];
+  }
+  return nullptr;
+}
+
+Error Unknown(const std::string& name, const std::vector<Slot>& slots) {
+  std::vector<std::string> names;
+  for (const Slot& slot : slots) names.push_back(slot.name);
+  const std::string nearest = NearestWord(name, names);
+  return Error{name, "no such parameter", "",
+               nearest.empty() ? "see ListParameters" : "did you mean " + nearest + "?"};
+}
+
+}  // namespace
+
+std::vector<ParameterInfo> ListParameters(const PhsParams& params) {
+  PhsParams copy = params;
+  std::vector<ParameterInfo> out;
+  for (const Slot& slot : CollectSlots(&copy)) {
+    out.push_back({slot.name, slot.unit, *slot.value, slot.low, slot.high});
+  }
+  return out;
+}
+
+Result<double> GetParameter(const PhsParams& params, const std::string& name) {
+  PhsParams& open = const_cast<PhsParams&>(params);  // read only below
+  if (name.rfind("effects.", 0) == 0) {
+    PhsParams copy = params;
+    const size_t dot = name.find('.', 8);
+    for (const EffectParams& effect : copy.effects) {
+      if (dot == std::string::npos || effect.name != name.substr(8, dot - 8)) continue;
+      auto found = effect.values.find(name.substr(dot + 1));
+      if (found != effect.values.end()) return found->second;
+    }
+    return Error{name, "this effect or key is not set", "", "switch the effect on first"};
+  }
+  const std::vector<Slot> slots = CollectSlots(&open);
+  for (const Slot& slot : slots) {
+    if (slot.name == name) return *slot.value;
+  }
+  return Unknown(name, slots);
+}
+
+Status SetParameter(PhsParams* params, const std::string& name, double value) {
+  if (double* found = FindEffectValue(params, name)) {
+    *found = value;
+    return {};
+  }
+  if (name.rfind("effects.", 0) == 0) {
+    return Error{name, "this effect is not switched on", "", "add it to the model's effects first"};
+  }
+  const std::vector<Slot> slots = CollectSlots(params);
+  for (const Slot& slot : slots) {
+    if (slot.name != name) continue;
+    *slot.value = value;
+    return {};
+  }
+  return Unknown(name, slots);
+}
+
+const EffectInfo* EffectTable::Find(const std::string& name) const {
+  for (const EffectInfo& info : effects()) {
+    if (info.name == name) return &info;
+  }
+  return nullptr;
+}
+
+Result<EffectParams> CompleteEffect(const PhsParams& params, const EffectParams& effect,
+                                    const EffectTable& table) {
+  const std::string where = "effects." + effect.name;
+  const EffectInfo* info = table.Find(effect.name);
+  if (info == nullptr) {
+    std::vector<std::string> names;
+    for (const EffectInfo& known : table.effects()) names.push_back(known.name);
+    const std::string nearest = NearestWord(effect.name, names);
+    std::string all;
+    for (const std::string& n : names) all += (all.empty() ? "" : ", ") + n;
+    return Error{where, "no such effect", all,
+                 nearest.empty() ? "" : "did you mean " + nearest + "?"};
+  }
+  EffectParams full = effect;
+  full.values.clear();
+  for (const EffectParameter& p : info->parameters) full.values[p.name] = p.otherwise;
+  for (const auto& [key, value] : effect.values) {
+    auto found = full.values.find(key);
+    if (found == full.values.end()) {
+      std::vector<std::string> names;
+      for (const EffectParameter& p : info->parameters) names.push_back(p.name);
+      const std::string nearest = NearestWord(key, names);
+      std::string all;
+      for (const std::string& n : names) all += (all.empty() ? "" : ", ") + n;
+      return Error{where + "." + key, "unknown key", all,
+                   nearest.empty() ? "" : "did you mean " + nearest + "?"};
+    }
+    found->second = value;
+  }
+  for (const EffectParameter& p : info->parameters) {
+    const double value = full.values[p.name];
+    if (std::isfinite(value) && value >= p.min && value <= p.max) continue;
+    return Error{where + "." + p.name, std::to_string(value) + " is out of range",
+                 Range{.min = p.min, .max = p.max}.Text()};
+  }
+  for (const std::string& target : full.targets) {
+    const bool known = info->targets == "cylinders" ? params.FindCylinder(target) >= 0
+                       : info->targets == "lines"   ? params.FindLine(target) >= 0
+                                                    : false;
+    if (!known) {
+      return Error{where + ".targets",
+                   "\"" + target + "\" is none of the model's " +
+                       (info->targets.empty() ? "targets: this effect has none" : info->targets),
+                   ""};
+    }
+  }
+  return full;
+}
+
+}  // namespace phs::hydraulics

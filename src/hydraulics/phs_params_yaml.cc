@@ -1,0 +1,336 @@
+// Reading and writing model files (docs/phs_models.md).
+#include <cstdio>
+#include <cstdlib>
+
+#include "hydraulics/phs_params.h"
+
+namespace phs::hydraulics {
+namespace {
+
+const Range kPositive{.min = 0, .open_min = true};
+const Range kNotNegative{.min = 0};
+const std::vector<std::string> kModels = {"none", "static", "presliding"};
+const std::vector<std::string> kCurves = {"table", "coulomb"};
+const std::vector<std::string> kBalances = {"unified", "sequential"};
+
+int IndexOf(const std::string& word, const std::vector<std::string>& words) {
+  for (size_t i = 0; i < words.size(); ++i) {
+    if (words[i] == word) return static_cast<int>(i);
+  }
+  return 0;
+}
+
+void ReadEndStop(YamlMap map, EndStopParams* stop) {
+  stop->clearance_m = map.Number("clearance_m", kPositive, stop->clearance_m);
+  stop->stiffness_N_per_m = map.Number("stiffness_N_per_m", kPositive, stop->stiffness_N_per_m);
+  stop->damping_Ns_per_m = map.Number("damping_Ns_per_m", kNotNegative, stop->damping_Ns_per_m);
+  stop->transition_m = map.Number("transition_m", kPositive, stop->transition_m);
+}
+
+// Keys shared by `cylinder_defaults` and each entry of `cylinders`.
+void ReadCylinder(YamlMap& map, CylinderParams* c) {
+  c->bore_m = map.Number("bore_m", kPositive, c->bore_m);
+  c->rod_m = map.Number("rod_m", kNotNegative, c->rod_m);
+  if (map.Has("end_stop")) ReadEndStop(map.Map("end_stop"), &c->end_stop);
+}
+
+void ReadGas(YamlMap& map, GasChargeParams* gas) {
+  const std::string law = map.Word("law", GasLawNames(), GasLawNames()[static_cast<int>(gas->law)]);
+  gas->law = static_cast<GasLaw>(IndexOf(law, GasLawNames()));
+  gas->volume_m3 = map.Number("volume_m3", kNotNegative, gas->volume_m3);
+  gas->polytropic_exponent =
+      map.Number("polytropic_exponent", {.min = 0.9, .max = 2}, gas->polytropic_exponent);
+  gas->thermal_time_s = map.Number("thermal_time_s", kPositive, gas->thermal_time_s);
+  gas->min_gas_volume_m3 = map.Number("min_gas_volume_m3", kNotNegative, gas->min_gas_volume_m3);
+}
+
+// `charge_pressure_Pa`: the shell was filled with gas at this pressure and then brought to the
+// static pressure by oil; slow, hence isothermal (by BWR for the real gas).
+double GasAfterCharging(const LineParams& line, double charge, double T) {
+  GasVolume gas;
+  gas.law = line.reservoir.law == GasLaw::kBwr ? GasLaw::kBwr : GasLaw::kIsothermal;
+  gas.reference_volume = line.reservoir.volume_m3;
+  gas.reference_pressure = charge;
+  gas.reference_temperature = T;
+  gas.min_volume = 0;
+  gas.max_volume = line.reservoir.volume_m3;
+  gas.SetMass();
+  return CalcGas(gas, line.static_pressure_Pa, T).volume;
+}
+
+void ReadLine(YamlMap& map, double T, LineParams* line) {
+  line->static_pressure_Pa = map.Number("static_pressure_Pa", kPositive, line->static_pressure_Pa);
+  line->oil_volume_m3 = map.Number("oil_volume_m3", kPositive, line->oil_volume_m3);
+  line->bulk_modulus_Pa = map.Number("bulk_modulus_Pa", kPositive, line->bulk_modulus_Pa);
+  line->bulk_modulus_slope =
+      map.Number("bulk_modulus_slope", {.min = 0, .max = 20}, line->bulk_modulus_slope);
+  line->free_air_m3 = map.Number("free_air_m3", kNotNegative, line->free_air_m3);
+  if (map.Has("reservoir")) {
+    YamlMap r = map.Map("reservoir");
+    ReadGas(r, &line->reservoir);
+    if (r.Has("charge_pressure_Pa")) {
+      const double charge = r.Number("charge_pressure_Pa", kPositive);
+      if (r.Has("gas_volume_m3")) {
+        r.Fail("gas_volume_m3", "given together with charge_pressure_Pa", "one of the two");
+      } else if (charge > 0 && line->static_pressure_Pa > 0) {
+        line->gas_volume_m3 = GasAfterCharging(*line, charge, T);
+      }
+    }
+    line->gas_volume_m3 = r.Number("gas_volume_m3", kNotNegative, line->gas_volume_m3);
+  }
+  if (map.Has("accumulator")) {
+    YamlMap a = map.Map("accumulator");
+    ReadGas(a, &line->accumulator);
+    line->accumulator_precharge_Pa =
+        a.Number("precharge_Pa", kPositive, line->accumulator_precharge_Pa);
+  }
+}
+
+void ReadFriction(YamlMap map, FrictionParams* f) {
+  const std::string model = map.Word("model", kModels, kModels[static_cast<int>(f->model)]);
+  f->model = static_cast<FrictionModel>(IndexOf(model, kModels));
+  const std::string curve = map.Word("curve", kCurves, kCurves[static_cast<int>(f->curve)]);
+  f->curve = static_cast<FrictionCurve>(IndexOf(curve, kCurves));
+  f->scale = map.Number("scale", kNotNegative, f->scale);
+  f->speed_m_s = map.Numbers("speed_m_s", {}, f->speed_m_s);
+  f->force_N = map.Numbers("force_N", {}, f->force_N);
+  auto number = [&map](const char* key, const Range& range, double* value) {
+    *value = map.Number(key, range, *value);
+  };
+  number("coulomb_extension_N", kNotNegative, &f->coulomb_extension_N);
+  number("coulomb_retraction_N", kNotNegative, &f->coulomb_retraction_N);
+  number("breakaway_extension_N", kNotNegative, &f->breakaway_extension_N);
+  number("breakaway_retraction_N", kNotNegative, &f->breakaway_retraction_N);
+  number("stribeck_speed_m_s", kPositive, &f->stribeck_speed_m_s);
+  number("viscous_extension_Ns_per_m", kNotNegative, &f->viscous_extension_Ns_per_m);
+  number("viscous_retraction_Ns_per_m", kNotNegative, &f->viscous_retraction_Ns_per_m);
+  number("ramp_speed_m_s", kPositive, &f->ramp_speed_m_s);
+  number("stiffness_N_per_m", kPositive, &f->stiffness_N_per_m);
+  number("damping_Ns_per_m", kNotNegative, &f->damping_Ns_per_m);
+  number("breakaway_ratio", {.min = 0, .max = 0.99}, &f->breakaway_ratio);
+}
+
+void ReadEffects(YamlMap map, PhsParams* params) {
+  for (const std::string& name : map.Keys()) {
+    EffectParams effect;
+    effect.name = name;
+    YamlMap entry = map.Map(name);
+    for (const std::string& key : entry.Keys()) {
+      if (key == "targets") {
+        effect.targets = entry.Texts("targets");
+      } else {
+        effect.values[key] = entry.Number(key, {});
+      }
+    }
+    params->effects.push_back(std::move(effect));
+  }
+}
+
+class Writer {
+ public:
+  void Text(int indent, const std::string& key, const std::string& value) {
+    if (!value.empty()) Raw(indent, key, "\"" + Escaped(value) + "\"");
+  }
+  void Num(int indent, const std::string& key, double value) { Raw(indent, key, Shortest(value)); }
+  void Raw(int indent, const std::string& key, const std::string& value) {
+    out_ += std::string(indent, ' ') + key + ": " + value + "\n";
+  }
+  void Open(int indent, const std::string& key) { out_ += std::string(indent, ' ') + key + ":\n"; }
+  void Nums(int indent, const std::string& key, const std::vector<double>& values) {
+    std::string list;
+    for (double v : values) list += (list.empty() ? "" : ", ") + Shortest(v);
+    Raw(indent, key, "[" + list + "]");
+  }
+  std::string& out() { return out_; }
+
+ private:
+  static std::string Escaped(const std::string& text) {
+    std::string out;
+    for (char c : text) {
+      if (c == '"' || c == '\\') out += '\\';
+      if (c == '\n') {
+        out += "\\n";
+      } else {
+        out += c;
+      }
+    }
+    return out;
+  }
+  static std::string Shortest(double value) {
+    char text[40];
+    for (int digits = 6; digits <= 17; ++digits) {
+      std::snprintf(text, sizeof text, "%.*g", digits, value);
+      if (std::strtod(text, nullptr) == value) break;
+    }
+    return text;
+  }
+  std::string out_;
+};
+
+void WriteGas(Writer* w, int indent, const GasChargeParams& gas) {
+  w->Raw(indent, "law", GasLawNames()[static_cast<int>(gas.law)]);
+  w->Num(indent, "volume_m3", gas.volume_m3);
+  w->Num(indent, "polytropic_exponent", gas.polytropic_exponent);
+  w->Num(indent, "thermal_time_s", gas.thermal_time_s);
+  w->Num(indent, "min_gas_volume_m3", gas.min_gas_volume_m3);
+}
+
+void WriteFriction(Writer* w, const FrictionParams& f) {
+  w->Open(0, "friction");
+  w->Raw(2, "model", kModels[static_cast<int>(f.model)]);
+  w->Raw(2, "curve", kCurves[static_cast<int>(f.curve)]);
+  w->Num(2, "scale", f.scale);
+  if (f.curve == FrictionCurve::kTable) {
+    w->Nums(2, "speed_m_s", f.speed_m_s);
+    w->Nums(2, "force_N", f.force_N);
+  } else {
+    w->Num(2, "coulomb_extension_N", f.coulomb_extension_N);
+    w->Num(2, "coulomb_retraction_N", f.coulomb_retraction_N);
+    w->Num(2, "breakaway_extension_N", f.breakaway_extension_N);
+    w->Num(2, "breakaway_retraction_N", f.breakaway_retraction_N);
+    w->Num(2, "stribeck_speed_m_s", f.stribeck_speed_m_s);
+    w->Num(2, "viscous_extension_Ns_per_m", f.viscous_extension_Ns_per_m);
+    w->Num(2, "viscous_retraction_Ns_per_m", f.viscous_retraction_Ns_per_m);
+    w->Num(2, "ramp_speed_m_s", f.ramp_speed_m_s);
+  }
+  w->Num(2, "stiffness_N_per_m", f.stiffness_N_per_m);
+  w->Num(2, "damping_Ns_per_m", f.damping_Ns_per_m);
+  w->Num(2, "breakaway_ratio", f.breakaway_ratio);
+}
+
+void WriteCylinder(Writer* w, const CylinderParams& c) {
+  w->out() += "  - name: \"" + c.name + "\"\n";
+  w->Text(4, "bore_line", c.bore_line);
+  w->Text(4, "rod_line", c.rod_line);
+  w->Num(4, "bore_m", c.bore_m);
+  w->Num(4, "rod_m", c.rod_m);
+  w->Open(4, "end_stop");
+  w->Num(6, "clearance_m", c.end_stop.clearance_m);
+  w->Num(6, "stiffness_N_per_m", c.end_stop.stiffness_N_per_m);
+  w->Num(6, "damping_Ns_per_m", c.end_stop.damping_Ns_per_m);
+  w->Num(6, "transition_m", c.end_stop.transition_m);
+}
+
+void WriteLine(Writer* w, const LineParams& l) {
+  w->out() += "  - name: \"" + l.name + "\"\n";
+  w->Num(4, "static_pressure_Pa", l.static_pressure_Pa);
+  w->Num(4, "oil_volume_m3", l.oil_volume_m3);
+  w->Num(4, "bulk_modulus_Pa", l.bulk_modulus_Pa);
+  w->Num(4, "bulk_modulus_slope", l.bulk_modulus_slope);
+  w->Num(4, "free_air_m3", l.free_air_m3);
+  w->Open(4, "reservoir");
+  WriteGas(w, 6, l.reservoir);
+  w->Num(6, "gas_volume_m3", l.gas_volume_m3);
+  w->Open(4, "accumulator");
+  WriteGas(w, 6, l.accumulator);
+  w->Num(6, "precharge_Pa", l.accumulator_precharge_Pa);
+}
+
+void WriteEffects(Writer* w, const std::vector<EffectParams>& effects) {
+  if (effects.empty()) return;
+  w->Open(0, "effects");
+  for (const EffectParams& effect : effects) {
+    if (effect.values.empty() && effect.targets.empty()) {
+      w->Raw(2, effect.name, "{}");
+      continue;
+    }
+    w->Open(2, effect.name);
+    if (!effect.targets.empty()) {
+      std::string list;
+      for (const std::string& t : effect.targets) {
+        if (!list.empty()) list += ", ";
+        list.append("\"").append(t).append("\"");
+      }
+      w->Raw(4, "targets", "[" + list + "]");
+    }
+    for (const auto& [key, value] : effect.values) w->Num(4, key, value);
+  }
+}
+
+}  // namespace
+
+Result<PhsParams> ReadPhsParams(YamlMap& map) {
+  PhsParams params;
+  params.name = map.Text("name");
+  params.description = map.Text("description", "");
+  params.source = map.Text("source", "");
+  params.temperature_K = map.Number("temperature_K", {.min = 200, .max = 400}, 293.15);
+  const std::string balance = map.Word("balance", kBalances, kBalances[0]);
+  params.balance = static_cast<BalanceMethod>(IndexOf(balance, kBalances));
+  CylinderParams cylinder;
+  if (map.Has("cylinder_defaults")) {
+    YamlMap defaults = map.Map("cylinder_defaults");
+    ReadCylinder(defaults, &cylinder);
+  }
+  for (YamlMap entry : map.Maps("cylinders")) {
+    CylinderParams c = cylinder;
+    c.name = entry.Text("name");
+    c.bore_line = entry.Text("bore_line", "");
+    c.rod_line = entry.Text("rod_line", "");
+    ReadCylinder(entry, &c);
+    params.cylinders.push_back(c);
+  }
+  LineParams line;
+  double default_charge = 0;
+  if (map.Has("line_defaults")) {
+    YamlMap defaults = map.Map("line_defaults");
+    ReadLine(defaults, params.temperature_K, &line);
+    if (defaults.Has("reservoir") && defaults.Map("reservoir").Has("charge_pressure_Pa")) {
+      default_charge = defaults.Map("reservoir").Number("charge_pressure_Pa", kPositive);
+    }
+  }
+  for (YamlMap entry : map.Maps("lines")) {
+    LineParams l = line;
+    l.name = entry.Text("name");
+    l.static_pressure_Pa = entry.Number("static_pressure_Pa", kPositive, l.static_pressure_Pa);
+    // A charge given for all lines depends on each line's own static pressure.
+    if (default_charge > 0 && l.static_pressure_Pa > 0) {
+      l.gas_volume_m3 = GasAfterCharging(l, default_charge, params.temperature_K);
+    }
+    ReadLine(entry, params.temperature_K, &l);
+    params.lines.push_back(l);
+  }
+  if (map.Has("friction")) ReadFriction(map.Map("friction"), &params.friction);
+  if (map.Has("element")) {
+    YamlMap e = map.Map("element");
+    params.element.mass_kg = e.Number("mass_kg", kNotNegative, 0);
+    params.element.stiffness_N_per_m = e.Number("stiffness_N_per_m", kNotNegative, 0);
+    params.element.offset_N = e.Number("offset_N", {}, 0);
+  }
+  if (map.Has("effects")) ReadEffects(map.Map("effects"), &params);
+  if (Status s = map.Finish(); !s.ok()) return s.error();
+  if (Status s = Validate(params); !s.ok()) {
+    Error error = s.error();
+    error.where = map.path() + ": " + error.where;
+    return error;
+  }
+  return params;
+}
+
+Result<PhsParams> LoadPhsParams(const std::string& path) {
+  Result<YamlMap> map = YamlMap::Load(path);
+  if (!map.ok()) return map.error();
+  return ReadPhsParams(map.value());
+}
+
+std::string ToYaml(const PhsParams& params) {
+  Writer w;
+  w.Text(0, "name", params.name);
+  w.Text(0, "description", params.description);
+  w.Text(0, "source", params.source);
+  w.Num(0, "temperature_K", params.temperature_K);
+  w.Raw(0, "balance", kBalances[static_cast<int>(params.balance)]);
+  w.Open(0, "cylinders");
+  for (const CylinderParams& c : params.cylinders) WriteCylinder(&w, c);
+  if (!params.lines.empty()) w.Open(0, "lines");
+  for (const LineParams& l : params.lines) WriteLine(&w, l);
+  WriteFriction(&w, params.friction);
+  w.Open(0, "element");
+  w.Num(2, "mass_kg", params.element.mass_kg);
+  w.Num(2, "stiffness_N_per_m", params.element.stiffness_N_per_m);
+  w.Num(2, "offset_N", params.element.offset_N);
+  WriteEffects(&w, params.effects);
+  return w.out();
+}
+
+}  // namespace phs::hydraulics

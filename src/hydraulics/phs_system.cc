@@ -1,0 +1,207 @@
+#include "hydraulics/phs_system.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "hydraulics/phs_impl.h"
+
+namespace phs::hydraulics {
+
+PhsSystem::PhsSystem(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+PhsSystem::PhsSystem(PhsSystem&&) noexcept = default;
+PhsSystem& PhsSystem::operator=(PhsSystem&&) noexcept = default;
+PhsSystem::~PhsSystem() = default;
+
+int PhsSystem::num_cylinders() const { return static_cast<int>(impl_->cylinders.size()); }
+int PhsSystem::num_lines() const { return static_cast<int>(impl_->line_names.size()); }
+int PhsSystem::num_states() const { return impl_->num_states(); }
+const std::vector<std::string>& PhsSystem::cylinder_names() const { return impl_->cylinder_names; }
+const std::vector<std::string>& PhsSystem::line_names() const { return impl_->line_names; }
+const std::vector<std::string>& PhsSystem::state_names() const { return impl_->state_names; }
+const std::string& PhsSystem::name() const { return impl_->params.name; }
+const PhsParams& PhsSystem::params() const { return impl_->params; }
+const InstrumentTerms& PhsSystem::instruments() const { return impl_->instruments; }
+
+Result<PhsSystem> PhsSystem::Load(const std::string& path, const EffectTable* effects) {
+  Result<PhsParams> params = LoadPhsParams(path);
+  if (!params.ok()) return params.error();
+  return Create(params.value(), effects);
+}
+
+double CompiledPhs::Ambient(double time) const {
+  const double T0 = params.temperature_K;
+  if (!temperature.present) return T0;
+  const double ramp =
+      std::clamp(temperature.rate_K_per_s * time, -temperature.limit_K, temperature.limit_K);
+  return T0 + ramp + temperature.amplitude_K * std::sin(2 * M_PI * time / temperature.period_s);
+}
+
+void CompiledPhs::CalcPushed(const double* state, Instant* at) const {
+  const double warm = temperature.expansion_1_per_K * (at->ambient - params.temperature_K);
+  for (size_t n = 0; n < nodes.size(); ++n) at->pushed[n] = nodes[n].oil_volume * warm;
+  for (size_t i = 0; i < cylinders.size(); ++i) {
+    const CompiledCylinder& c = cylinders[i];
+    if (c.bore != kOpen) at->pushed[c.bore] -= c.bore_area * at->piston[i];
+    if (c.rod != kOpen) at->pushed[c.rod] += c.rod_area * at->piston[i];
+  }
+  for (const Path& path : paths) {
+    if (path.from != kOpen) at->pushed[path.from] -= state[path.volume];
+    if (path.to != kOpen) at->pushed[path.to] += state[path.volume];
+  }
+}
+
+void CompiledPhs::SolveNodes(const double* state, Instant* at) const {
+  for (size_t n = 0; n < nodes.size(); ++n) {
+    at->node[n] = SolveNode(nodes[n], at->pushed[n], at->ambient, state);
+  }
+}
+
+FrictionPlace CompiledPhs::Place(const Instant& at, int cylinder, const double* state) const {
+  const CompiledCylinder& c = cylinders[cylinder];
+  FrictionPlace place;
+  place.piston = at.piston[cylinder];
+  if (c.friction.depends_on_pressure()) {
+    place.bore_rise = Pressure(at, c.bore) - c.bore_p0;
+    place.rod_rise = Pressure(at, c.rod) - c.rod_p0;
+  }
+  if (c.dwell >= 0) place.rested = 1 - state[c.dwell];
+  return place;
+}
+
+double CalcPressureForce(const CompiledPhs& sys, const Instant& at, int cylinder) {
+  const CompiledCylinder& c = sys.cylinders[cylinder];
+  if (c.bore == kOpen && c.rod == kOpen) return 0;
+  return sys.Pressure(at, c.rod) * c.rod_area - sys.Pressure(at, c.bore) * c.bore_area;
+}
+
+namespace {
+
+// Forces and energies of one cylinder at an instant whose pressures are known.
+void CalcCylinder(const CompiledPhs& sys, const Instant& at, int i, double piston_speed,
+                  const double* state, PhsOutputs* out) {
+  const CompiledCylinder& c = sys.cylinders[i];
+  const double y = at.piston[i];
+  const EndStopForce stop = CalcEndStop(c.stop, y, piston_speed);
+  const double pressure_force = CalcPressureForce(sys, at, i);
+  const double z = c.bristle >= 0 ? state[c.bristle] : 0;
+  const FrictionForce friction = c.friction.Calc(piston_speed, z, sys.Place(at, i, state));
+  double force = pressure_force + stop.force + friction.force;
+  double friction_force = friction.force;
+  if (out->energy) {
+    out->stored_energy += stop.energy + c.friction.Energy(z);
+    out->lost_power += stop.lost_power + friction.lost_power;
+  }
+  if (c.mount_state >= 0) {
+    const double u = state[c.mount_state], q = c.maxwell >= 0 ? state[c.maxwell] : 0;
+    double slope;
+    force = CalcMountForce(c.mount, u, q, &slope);
+    friction_force = force - pressure_force - stop.force;
+    if (out->energy) out->stored_energy += CalcMountEnergy(c.mount, u, q);
+  }
+  if (out->force) out->force[i] = force;
+  if (out->pressure_force) out->pressure_force[i] = pressure_force;
+  if (out->friction_force) out->friction_force[i] = friction_force;
+  if (out->piston) out->piston[i] = y;
+  if (out->p_bore) out->p_bore[i] = sys.Pressure(at, c.bore);
+  if (out->p_rod) out->p_rod[i] = sys.Pressure(at, c.rod);
+}
+
+void PlacePistons(const CompiledPhs& sys, const double* x, const double* state, Instant* at) {
+  for (size_t i = 0; i < sys.cylinders.size(); ++i) {
+    const int mount = sys.cylinders[i].mount_state;
+    at->piston[i] = mount >= 0 ? x[i] - state[mount] : x[i];
+  }
+}
+
+}  // namespace
+
+void PhsSystem::Calc(double time, const double* x, const double* v, const double* state,
+                     PhsOutputs* out) const noexcept {
+  const CompiledPhs& sys = *impl_;
+  Instant at;
+  at.ambient = sys.Ambient(time);
+  PlacePistons(sys, x, state, &at);
+  sys.CalcPushed(state, &at);
+  sys.SolveNodes(state, &at);
+  out->stored_energy = out->lost_power = 0;
+  double speed[kMaxCylinders];
+  double rate[kMaxStates];
+  std::copy(v, v + sys.cylinders.size(), speed);
+  if (sys.has_mounts && out->energy) {
+    CalcMountRates(sys, time, 0, x, v, state, speed, rate);
+  }
+  for (size_t i = 0; i < sys.cylinders.size(); ++i) {
+    CalcCylinder(sys, at, static_cast<int>(i), speed[i], state, out);
+  }
+  if (out->pressure) {
+    for (size_t n = 0; n < sys.line_names.size(); ++n) out->pressure[n] = at.node[n].p;
+  }
+  if (!out->energy) return;
+  for (size_t n = 0; n < sys.nodes.size(); ++n) {
+    out->stored_energy += CalcNodeEnergy(sys.nodes[n], at.node[n].p, at.ambient, state);
+  }
+  out->stored_energy += CalcPathEnergy(sys, state);
+  out->lost_power += CalcHydraulicLoss(sys, time, at, state);
+  if (sys.has_mounts) out->lost_power += CalcMountLoss(sys, state);
+}
+
+void PhsSystem::CalcStateRate(double time, double h, const double* x, const double* v,
+                              const double* state, double* rate) const noexcept {
+  const CompiledPhs& sys = *impl_;
+  double speed[kMaxCylinders];
+  std::copy(v, v + sys.cylinders.size(), speed);
+  Instant at;
+  at.ambient = sys.Ambient(time);
+  PlacePistons(sys, x, state, &at);
+  const bool hydraulic = sys.num_states() > sys.first_slow;
+  if (sys.friction_needs_pressure || hydraulic) {
+    sys.CalcPushed(state, &at);
+    sys.SolveNodes(state, &at);
+  }
+  if (sys.has_mounts) CalcMountRates(sys, time, h, x, v, state, speed, rate);
+  for (size_t i = 0; i < sys.cylinders.size(); ++i) {
+    const CompiledCylinder& c = sys.cylinders[i];
+    if (c.bristle < 0 && c.dwell < 0) continue;
+    FrictionPlace place = sys.Place(at, static_cast<int>(i), state);
+    place.piston += 0.5 * h * speed[i];
+    if (c.bristle >= 0) {
+      const double z = state[c.bristle];
+      rate[c.bristle] = h > 0 ? (c.friction.Advance(h, speed[i], z, place) - z) / h
+                              : c.friction.Calc(speed[i], z, place).bristle_speed;
+    }
+    if (c.dwell >= 0) {
+      const double eta = state[c.dwell];
+      rate[c.dwell] = h > 0 ? (c.friction.AdvanceDwell(h, speed[i], eta) - eta) / h
+                            : c.friction.DwellRate(speed[i], eta);
+    }
+  }
+  if (hydraulic) CalcHydraulicRates(sys, time, h, at, speed, state, rate);
+}
+
+double PhsSystem::max_stiffness() const {
+  double most = 0;
+  for (const CompiledCylinder& c : impl_->cylinders) {
+    double k = c.friction.stiffness() + c.stop.stiffness_N_per_m;
+    auto chamber = [&](int node, double area) {
+      if (node == kOpen) return 0.0;
+      const Node& at = impl_->nodes[node];
+      // Gas on its stop: the oil alone carries, at the stiffest pressure it may see.
+      const double beta = at.bulk_modulus + at.bulk_slope * 5e7;
+      return area * area * beta / at.oil_volume;
+    };
+    k += chamber(c.bore, c.bore_area) + chamber(c.rod, c.rod_area);
+    most = std::max(most, k);
+  }
+  return most;
+}
+
+double PhsSystem::max_damping() const {
+  double most = 0;
+  for (const CompiledCylinder& c : impl_->cylinders) {
+    most = std::max(most, c.friction.MaxDamping() + c.stop.damping_Ns_per_m);
+  }
+  return most;
+}
+
+}  // namespace phs::hydraulics
