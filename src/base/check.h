@@ -4,10 +4,10 @@
 #include <stdexcept>
 #include <string>
 
-#define PHS_CHECK(condition)                                                               \
-  do {                                                                                     \
-    if (!(condition)) {                                                                    \
+#define PHS_CHECK(condition)                                                                  \
+  do {                                                                                        \
+    if (!(condition)) {                                                                       \
       throw std::logic_error(std::string("broken promise: " #condition " at " __FILE__ ":") + \
-                             std::to_string(__LINE__));                                    \
-    }                                                                                      \
+                             std::to_string(__LINE__));                                       \
+    }                                                                                         \
   } while (false)

@@ -11,11 +11,11 @@ namespace phs {
 
 /// Columns of equal length. Text cells that are not numbers are kept in `text`.
 struct Table {
-  std::string source;                             ///< file it came from, for messages
-  std::vector<std::string> names;                 ///< column names with unit, e.g. "t_s"
-  std::vector<std::vector<double>> columns;       ///< [column][row]; NaN where the cell is no number
-  std::vector<std::vector<std::string>> text;     ///< [column][row] raw cells (CSV only; else empty)
-  std::vector<int> line;                          ///< [row] line in the file
+  std::string source;                          ///< file it came from, for messages
+  std::vector<std::string> names;              ///< column names with unit, e.g. "t_s"
+  std::vector<std::vector<double>> columns;    ///< [column][row]; NaN where the cell is no number
+  std::vector<std::vector<std::string>> text;  ///< [column][row] raw cells (CSV only; else empty)
+  std::vector<int> line;                       ///< [row] line in the file
 
   int num_rows() const { return columns.empty() ? 0 : static_cast<int>(columns[0].size()); }
   int num_columns() const { return static_cast<int>(names.size()); }

@@ -1,5 +1,6 @@
-// Reading YAML: typed values with ranges, errors with file:line, unknown keys named with the nearest
-// known one. Quantities carry their unit in the key (`radius_m`), so no unit parsing is needed.
+// Reading YAML: typed values with ranges, errors with file:line, unknown keys named with the
+// nearest known one. Quantities carry their unit in the key (`radius_m`), so no unit parsing is
+// needed.
 //
 // Use:
 //   auto doc = YamlMap::Load(path);               // Result<YamlMap>
@@ -25,8 +26,8 @@ namespace phs {
 struct Range {
   double min = -std::numeric_limits<double>::infinity();
   double max = std::numeric_limits<double>::infinity();
-  bool open_min = false;  ///< true: the value must be > min
-  bool open_max = false;  ///< true: the value must be < max
+  bool open_min = false;              ///< true: the value must be > min
+  bool open_max = false;              ///< true: the value must be < max
   bool Contains(double value) const;  ///< false for NaN
   std::string Text() const;           ///< "0 < x <= 5", "x >= 0", "finite numbers"
 };

@@ -18,6 +18,7 @@ int Main(int argc, char** argv) {
   phs::cli::AddSimulate(&app, &action);
   phs::cli::AddCompare(&app, &action);
   phs::cli::AddContact(&app, &action);
+  phs::cli::AddModes(&app, &action);
   phs::cli::AddReport(&app, &action);
   try {
     app.parse(argc, argv);

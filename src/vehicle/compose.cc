@@ -1,7 +1,8 @@
 #include "vehicle/compose.h"
 
 #include <cstring>
-#include <filesystem>
+#include <string>
+#include <vector>
 
 #include "base/data_path.h"
 #include "effects/catalogue.h"
@@ -93,71 +94,83 @@ void MoveStatefulActuatorsLast(XMLElement* root) {
   }
 }
 
+/// Calls `visit` for every element `tag` in every top-level `section` until it returns true.
+template <typename Visit>
+void ForEach(XMLElement* root, const char* section, const char* tag, Visit visit) {
+  for (XMLElement* s = root->FirstChildElement(section); s != nullptr;
+       s = s->NextSiblingElement(section)) {
+    for (XMLElement* e = s->FirstChildElement(tag); e != nullptr; e = e->NextSiblingElement(tag)) {
+      visit(e);
+    }
+  }
+}
+
+std::string AttributeOf(const XMLElement& element, const char* name) {
+  const char* value = element.Attribute(name);
+  return value == nullptr ? std::string() : std::string(value);
+}
+
+/// States of the PHS that the tuple `name` stands for: the scenario's model or the file's.
+Result<int> CountStates(const Scenario& scenario, const std::string& name, XMLElement* root) {
+  std::string model = scenario.phs;
+  ForEach(root, "custom", "text", [&](XMLElement* text) {
+    if (model.empty() && AttributeOf(*text, "name") == name) model = AttributeOf(*text, "data");
+  });
+  auto path = FindData("PHS model", "models/phs", model.empty() ? "bo_bo" : model, {".yaml"});
+  if (!path.ok()) return path.error();
+  auto system = effects::LoadPhsSystem(path.value());
+  if (!system.ok()) return system.error();
+  return system.value().num_states();
+}
+
+/// Appends one force-free actuator with a state to the document and to the PHS tuple.
+void AddCarrier(const std::string& name, const std::string& tendon, XMLElement* carriers,
+                XMLElement* tuple) {
+  XMLElement* actuator = carriers->InsertNewChildElement("general");
+  actuator->SetAttribute("name", name.c_str());
+  actuator->SetAttribute("tendon", tendon.c_str());
+  actuator->SetAttribute("dyntype", "user");
+  actuator->SetAttribute("gaintype", "fixed");
+  actuator->SetAttribute("gainprm", "0");
+  actuator->SetAttribute("biastype", "none");
+  XMLElement* element = tuple->InsertNewChildElement("element");
+  element->SetAttribute("objtype", "actuator");
+  element->SetAttribute("objname", name.c_str());
+}
+
 /// One force-free user actuator per state beyond those the file carries. True if any was added.
 Result<bool> AddStateCarriers(const Scenario& scenario, const std::string& bogie_path,
                               XMLElement* root) {
-  bool added = false;
+  std::vector<XMLElement*> tuples;
+  ForEach(root, "custom", "tuple", [&](XMLElement* tuple) {
+    if (AttributeOf(*tuple, "name").starts_with("phs:")) tuples.push_back(tuple);
+  });
   XMLElement* carriers = nullptr;
-  for (XMLElement* custom = root->FirstChildElement("custom"); custom != nullptr;
-       custom = custom->NextSiblingElement("custom")) {
-    for (XMLElement* tuple = custom->FirstChildElement("tuple"); tuple != nullptr;
-         tuple = tuple->NextSiblingElement("tuple")) {
-      const std::string name = tuple->Attribute("name") == nullptr ? "" : tuple->Attribute("name");
-      if (!name.starts_with("phs:")) continue;
-      std::string model = scenario.phs;
-      for (XMLElement* section = root->FirstChildElement("custom");
-           section != nullptr && model.empty(); section = section->NextSiblingElement("custom")) {
-        for (XMLElement* text = section->FirstChildElement("text"); text != nullptr;
-             text = text->NextSiblingElement("text")) {
-          if (text->Attribute("name", name.c_str()) != nullptr) model = text->Attribute("data");
-        }
-      }
-      auto path = FindData("PHS model", "models/phs", model.empty() ? "bo_bo" : model, {".yaml"});
-      if (!path.ok()) return path.error();
-      auto system = effects::LoadPhsSystem(path.value());
-      if (!system.ok()) return system.error();
-      int listed = 0;
-      const XMLElement* last = nullptr;
-      for (XMLElement* e = tuple->FirstChildElement("element"); e != nullptr;
-           e = e->NextSiblingElement("element")) {
-        last = e;
-        ++listed;
-      }
-      if (last == nullptr) {
-        return Error{bogie_path + ": tuple '" + name + "'", "is empty", "one actuator per cylinder",
-                     ""};
-      }
-      for (int i = listed; i < system.value().num_states(); ++i) {
-        if (carriers == nullptr) carriers = root->InsertNewChildElement("actuator");
-        const std::string carrier = name.substr(4) + "_state_" + std::to_string(i + 1);
-        XMLElement* actuator = carriers->InsertNewChildElement("general");
-        actuator->SetAttribute("name", carrier.c_str());
-        XMLElement* element = tuple->InsertNewChildElement("element");
-        element->SetAttribute("objtype", "actuator");
-        element->SetAttribute("objname", carrier.c_str());
-        // Any transmission serves: gain and bias are zero. The first cylinder's tendon is at hand.
-        std::string tendon;
-        for (XMLElement* section = root->FirstChildElement("actuator"); section != nullptr;
-             section = section->NextSiblingElement("actuator")) {
-          for (XMLElement* e = section->FirstChildElement(); e != nullptr;
-               e = e->NextSiblingElement()) {
-            const char* own = e->Attribute("name");
-            if (own != nullptr && e->Attribute("tendon") != nullptr &&
-                last->Attribute("objname", own) != nullptr) {
-              tendon = e->Attribute("tendon");
-            }
-          }
-        }
-        actuator->SetAttribute("tendon", tendon.c_str());
-        actuator->SetAttribute("dyntype", "user");
-        actuator->SetAttribute("gaintype", "fixed");
-        actuator->SetAttribute("gainprm", "0");
-        actuator->SetAttribute("biastype", "none");
-        added = true;
-      }
+  for (XMLElement* tuple : tuples) {
+    const std::string name = AttributeOf(*tuple, "name");
+    auto states = CountStates(scenario, name, root);
+    if (!states.ok()) return states.error();
+    int listed = 0;
+    std::string first;
+    for (const XMLElement* e = tuple->FirstChildElement("element"); e != nullptr;
+         e = e->NextSiblingElement("element")) {
+      if (listed++ == 0) first = AttributeOf(*e, "objname");
+    }
+    // Any transmission serves, since gain and bias are zero: the first cylinder's is at hand.
+    std::string tendon;
+    ForEach(root, "actuator", "general", [&](XMLElement* actuator) {
+      if (AttributeOf(*actuator, "name") == first) tendon = AttributeOf(*actuator, "tendon");
+    });
+    if (tendon.empty()) {
+      return Error{bogie_path + ": tuple '" + name + "'", "names no cylinder on a tendon",
+                   "one general actuator on a tendon per cylinder", ""};
+    }
+    for (int i = listed; i < states.value(); ++i) {
+      if (carriers == nullptr) carriers = root->InsertNewChildElement("actuator");
+      AddCarrier(name.substr(4) + "_state_" + std::to_string(i + 1), tendon, carriers, tuple);
     }
   }
-  return added;
+  return carriers != nullptr;
 }
 
 /// userdata large enough for every PHS.

@@ -1,0 +1,25 @@
+// phs report: the HTML of a result directory made anew, without simulating.
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "cli/verbs.h"
+#include "report/curving_report.h"
+
+namespace phs::cli {
+
+void AddReport(CLI::App* app, Action* action) {
+  CLI::App* verb = app->add_subcommand("report", "Remake report.html of a simulate or compare result");
+  auto dir = std::make_shared<std::string>();
+  verb->add_option("dir", *dir, "Result directory")->required();
+  verb->callback([=] {
+    *action = [=]() -> int {
+      const std::string file = *dir + "/report.html";
+      if (Status s = report::WriteCurvingReport(*dir, file); !s.ok()) return BadInput(s.error());
+      fmt::print("Report: {}\n", file);
+      return kDone;
+    };
+  });
+}
+
+}  // namespace phs::cli
