@@ -21,9 +21,11 @@ void AddInputs(const CurvingResults& results, ReportPage* page);
 void AddSteeringWords(const CurvingResults& results, ReportPage* page);
 void AddNextSteps(const CurvingResults& results, ReportPage* page);
 
-// curving_plots.cc
+// curving_plan.cc
 void AddPlanView(const CurvingResults& results, ReportPage* page);
 void AddMomentBudget(const CurvingResults& results, ReportPage* page);
+
+// curving_plots.cc
 void AddTrackPlots(const CurvingResults& results, ReportPage* page);
 void AddHydraulicPlots(const CurvingResults& results, ReportPage* page);
 

@@ -42,9 +42,12 @@ Status WriteCurvingReport(const CurvingReportInput& input, const std::string& pa
   AddStatus(results, &page);
   page.Section("At a glance");
   AddKeyFigures(results, &page);
+  page.BeginBeside();
   AddSteeringWords(results, &page);
-  AddHeadlineTable(results, &page);
   AddComparisonBars(results, &page);
+  page.Next();
+  AddHeadlineTable(results, &page);
+  page.EndBeside();
   page.Section("Seen from above");
   AddPlanView(results, &page);
   page.Section("What steers, what holds back");

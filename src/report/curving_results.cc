@@ -1,5 +1,7 @@
 #include "report/curving_results.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -165,6 +167,12 @@ std::string CurvingResults::Side(bool outer) const {
 
 std::string BogieWords(const std::string& prefix) {
   return prefix.empty() ? "" : prefix.substr(0, prefix.size() - 1) + " bogie, ";
+}
+
+std::string SectionLabel(const Section& section) {
+  return section.kind == "curve"        ? fmt::format("R {:.0f} m", section.radius)
+         : section.kind == "transition" ? "transition"
+                                        : "";
 }
 
 Result<CurvingResults> ReadCurvingResults(const CurvingReportInput& input) {

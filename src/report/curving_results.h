@@ -58,6 +58,8 @@ struct CurvingResults {
 
 Result<CurvingResults> ReadCurvingResults(const CurvingReportInput& input);
 
+/// "R 550 m" of a curve, "transition"; empty for a tangent.
+std::string SectionLabel(const Section& section);
 /// "front bogie, " for the prefix "front_"; empty for a single bogie.
 std::string BogieWords(const std::string& prefix);
 

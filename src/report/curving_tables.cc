@@ -210,7 +210,7 @@ void AddComparisonBars(const CurvingResults& results, ReportPage* page) {
   page->Heading(
       "Side by side, steady curve" +
       (prefix.empty() ? std::string() : ", " + prefix.substr(0, prefix.size() - 1) + " bogie"));
-  page->BeginGrid(3);
+  page->BeginGrid(1);
   // Angles, sum of Y, guiding force, Y/Q and wear: the numbers that decide about wheel and rail.
   for (int index : {0, 1, 4, 6, 8, 10}) {
     BarChart chart{.title = metrics[index].label, .categories = {""}};

@@ -1,6 +1,7 @@
 // What the numbers say, in words made from the numbers.
 #include <fmt/format.h>
 
+#include <cctype>
 #include <cmath>
 #include <limits>
 
@@ -13,6 +14,21 @@ using json = nlohmann::ordered_json;
 
 /// "2.4 kN m" of moment.
 std::string Moment(double moment) { return FormatNumber(1e-3 * std::abs(moment)) + " kN m"; }
+
+std::string Capital(std::string words) {
+  if (!words.empty()) words[0] = static_cast<char>(std::toupper(words[0]));
+  return words;
+}
+
+/// "a, b and c".
+std::string JoinWords(const std::vector<std::string>& words) {
+  std::string text;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (i > 0) text += i + 1 == words.size() ? " and " : ", ";
+    text += words[i];
+  }
+  return text;
+}
 
 struct Part {
   const char* name;
@@ -36,12 +52,7 @@ std::string ListParts(const MomentBudget& budget, int sign) {
     if (part.moment * sign <= 0 || std::abs(part.moment) < 0.01 * total) continue;
     words.push_back(fmt::format("{} ({})", part.name, Moment(part.moment)));
   }
-  std::string text;
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    if (i > 0) text += i + 1 == words.size() ? " and " : ", ";
-    text += words[i];
-  }
-  return text.empty() ? "nothing of weight" : text;
+  return words.empty() ? "nothing of weight" : JoinWords(words);
 }
 
 std::string DescribeAxle(const BogieRun& run, const CurvingResults& results,
@@ -63,13 +74,12 @@ std::string DescribeAxle(const BogieRun& run, const CurvingResults& results,
                      ListParts(budget, 1), ListParts(budget, -1));
 }
 
-/// Compares one number of two bogies: "the leading angle of attack is 2.1 times as large".
+/// "2.1 times the angle of attack".
 std::string Compare(const std::string& what, double other, double own) {
   const double ratio = std::abs(other / own);
   if (!std::isfinite(ratio)) return "";
-  if (ratio > 0.97 && ratio < 1.03) return what + " is the same within 3 %";
-  if (ratio >= 1) return fmt::format("{} is {} times as large", what, FormatNumber(ratio, 2));
-  return fmt::format("{} is smaller, {} of it", what, FormatNumber(ratio, 2));
+  if (ratio > 0.97 && ratio < 1.03) return "the same (within 3 %) " + what;
+  return fmt::format("{} times the {}", FormatNumber(ratio, 2), what);
 }
 
 std::string CompareRuns(const CurvingResults& results, const BogieRun& other) {
@@ -82,18 +92,18 @@ std::string CompareRuns(const CurvingResults& results, const BogieRun& other) {
     }
     return sum;
   };
-  std::string text;
-  for (const std::string& part :
-       {Compare("its leading angle of attack",
+  std::vector<std::string> parts;
+  for (std::string part :
+       {Compare("angle of attack of the leading axle",
                 other.Steady("wheelsets", prefix + "lead", "angle_of_attack_rad"),
                 own.Steady("wheelsets", prefix + "lead", "angle_of_attack_rad")),
-        Compare("its guiding force on the leading outer wheel",
+        Compare("guiding force on the leading outer wheel",
                 other.Steady("wheels", prefix + "lead_outer", "Y_N"),
                 own.Steady("wheels", prefix + "lead_outer", "Y_N")),
-        Compare("its wear number Tγ of the four wheels", wear(other), wear(own))}) {
-    if (!part.empty()) text += (text.empty() ? "" : ", ") + part;
+        Compare("wear number Tγ of the four wheels", wear(other), wear(own))}) {
+    if (!part.empty()) parts.push_back(std::move(part));
   }
-  return text;
+  return JoinWords(parts);
 }
 
 /// Advice that follows from the steering budget of the reference bogie.
@@ -156,15 +166,15 @@ void AddSteeringWords(const CurvingResults& results, ReportPage* page) {
   for (const BogieRun& run : results.runs) {
     for (const std::string& prefix : results.prefixes) {
       const std::string text = DescribeAxle(run, results, prefix);
-      if (!text.empty()) page->Paragraph(text, run.label + ".");
+      if (!text.empty()) page->Paragraph(text, Capital(run.label) + " bogie.");
     }
   }
   for (std::size_t i = 1; i < results.runs.size(); ++i) {
     const std::string text = CompareRuns(results, results.runs[i]);
     if (text.empty()) continue;
-    page->Paragraph(fmt::format("Of the {} bogie, measured by the {} bogie: {}.",
-                                results.runs[i].label, results.reference().label, text),
-                    "Compared.");
+    page->Paragraph(fmt::format("it has {}.", text),
+                    fmt::format("{} bogie against {} bogie:", Capital(results.runs[i].label),
+                                results.reference().label));
   }
 }
 

@@ -98,6 +98,16 @@ std::string Fill(std::string text, const std::string& mark, const std::string& f
   return text.replace(at, mark.size(), filling);
 }
 
+/// "2.0e-04" as "2.0·10⁻⁴".
+std::string PowerOfTen(const std::string& text) {
+  static constexpr const char* kRaised[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  const std::size_t at = text.find('e');
+  const int power = std::stoi(text.substr(at + 1));
+  std::string raised = power < 0 ? "⁻" : "";
+  for (char digit : std::to_string(std::abs(power))) raised += kRaised[digit - '0'];
+  return text.substr(0, at) + "·10" + raised;
+}
+
 }  // namespace
 
 std::string EscapeHtml(const std::string& text) {
@@ -131,6 +141,7 @@ std::string FormatNumber(double value, int significant) {
   char buffer[40];
   if (size < 1e-3 || size >= 1e6) {
     std::snprintf(buffer, sizeof buffer, "%.*e", significant - 1, size);
+    return (value < 0 ? "−" : "") + PowerOfTen(buffer);
   } else {
     // The decimals that leave `significant` digits after rounding (9.996 → 10.0 with three).
     const double rounded_up = size * (1 + 0.5 * std::pow(10.0, -significant));
@@ -208,6 +219,10 @@ void ReportPage::BeginGrid(int columns) {
 }
 void ReportPage::EndGrid() { body_ += "</div>\n"; }
 
+void ReportPage::BeginBeside() { body_ += "<div class=\"beside\"><div>\n"; }
+void ReportPage::Next() { body_ += "</div><div>\n"; }
+void ReportPage::EndBeside() { body_ += "</div></div>\n"; }
+
 void ReportPage::BeginDetails(const std::string& summary) {
   body_ += "<details>" + Tag("summary", summary) + "\n";
 }
@@ -251,7 +266,7 @@ void ReportPage::Add(const BarChart& chart) {
   const auto percent = [](double part) { return FormatNumber(100 * part, 5) + "%"; };
   body_ += "<figure class=\"bars\">" +
            Tag("figcaption", chart.title + (chart.unit.empty() ? "" : " [" + chart.unit + "]")) +
-           "\n<table>\n";
+           "\n<table><colgroup><col class=\"name\"><col><col class=\"value\"></colgroup>\n";
   for (std::size_t row = 0; row < chart.categories.size(); ++row) {
     if (!chart.categories[row].empty()) {
       body_ += "<tr><th class=\"category\" colspan=\"3\">" + EscapeHtml(chart.categories[row]) +
@@ -281,6 +296,9 @@ void ReportPage::Add(const SeriesPlot& plot) {
                {"least_span", plot.least_span},
                {"from_zero", plot.from_zero},
                {"steps", plot.steps},
+               {"ordinate", plot.ordinate_greatest > plot.ordinate_least
+                                ? json{plot.ordinate_least, plot.ordinate_greatest}
+                                : json()},
                {"height", plot.height_px},
                {"bands", BandsJson(plot.bands)},
                {"levels", LevelsJson(plot.levels)},

@@ -52,7 +52,9 @@ struct SeriesPlot {
   std::vector<Band> bands = {};
   std::vector<Level> levels = {};
   std::string group = "x";
-  double least_span = 0;  ///< the ordinate never shows less than this, so noise stays small
+  double ordinate_least = 0;     ///< with ordinate_greatest > ordinate_least: the ordinate's range
+  double ordinate_greatest = 0;  ///< while nothing is zoomed, e.g. equal for plots to be compared
+  double least_span = 0;         ///< the ordinate never shows less than this, so noise stays small
   bool from_zero = false;
   bool steps = false;  ///< values hold until the next one (counts)
   int max_points = 2000;
@@ -89,7 +91,7 @@ struct BarChart {
   struct Bars {
     std::string label;
     int colour = 0;
-    std::vector<double> values;  ///< one per category, NaN = none
+    std::vector<double> values = {};  ///< one per category, NaN = none
   };
   std::vector<Bars> bars = {};
   int significant = 3;
@@ -138,6 +140,10 @@ class ReportPage {
   /// Figures, tables and charts between these two stand side by side where there is room.
   void BeginGrid(int columns);
   void EndGrid();
+  /// A narrower and a wider part side by side where there is room; Next() goes to the wider one.
+  void BeginBeside();
+  void Next();
+  void EndBeside();
   /// Folded content.
   void BeginDetails(const std::string& summary);
   void EndDetails();

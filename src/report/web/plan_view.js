@@ -16,20 +16,36 @@
     heading: place.heading,
   });
 
-  /** An SVG in metres, x to the right = direction of travel, y up = left. */
-  function canvas(width, length, height, label) {
+  /** An SVG in metres, x to the right = direction of travel, y up = left; as high as its content. */
+  function canvas(width, length, label) {
     const scale = width / length;
-    const picture = phs.svg("svg", {width, height: Math.round(height * scale), role: "img",
-      "aria-label": label, viewBox: `0 0 ${width} ${Math.round(height * scale)}`, "font-size": 12});
-    const px = (p) => [round((p.x + length / 2) * scale), round((height / 2 - p.y) * scale)];
-    const path = (points, style, closed = false) => picture.append(phs.svg("path", {
-      d: points.map((p, i) => (i ? "L" : "M") + px(p).join(" ")).join("") + (closed ? "Z" : ""),
-      style: `fill: none; ${style}`}));
+    const picture = phs.svg("svg", {width, role: "img", "aria-label": label, "font-size": 12});
+    const reach = {least: Infinity, most: -Infinity};
+    const px = (p) => [round((p.x + length / 2) * scale), round(-p.y * scale)];
+    const path = (points, style, closed = false) => {
+      for (const p of points) {
+        if (Math.abs(p.x) > 0.52 * length) continue;
+        reach.least = Math.min(reach.least, p.y);
+        reach.most = Math.max(reach.most, p.y);
+      }
+      picture.append(phs.svg("path", {
+        d: points.map((p, i) => (i ? "L" : "M") + px(p).join(" ")).join("") + (closed ? "Z" : ""),
+        style: `fill: none; ${style}`}));
+    };
     const text = (p, words, anchor = "middle", style = "") => {
       const [x, y] = px(p);
       picture.append(phs.svg("text", {x, y, "text-anchor": anchor, style}, words));
     };
-    return {picture, px, path, text};
+    const finish = () => {
+      const top = round(-reach.most * scale - 20);
+      const height = round((reach.most - reach.least) * scale + 40);
+      picture.setAttribute("viewBox", `0 ${top} ${width} ${height}`);
+      picture.setAttribute("height", height);
+      picture.append(phs.svg("text", {x: width - 2, y: top + height - 4, "text-anchor": "end",
+        style: "fill: var(--faint)"}, "travel →"));
+      return picture;
+    };
+    return {path, text, finish};
   }
 
   /** Corners of a rectangle centred at `at`, `length` along its heading. */
@@ -42,52 +58,73 @@
     }));
   }
 
+  /** "1.04 mrad to the outer rail"; without a curve "… to the left". */
+  function describeAttack(attack, curvature) {
+    const size = `${phs.number(Math.abs(1e3 * attack), 3)} mrad to the `;
+    if (Math.abs(curvature) < 1e-6) return size + (attack >= 0 ? "left" : "right");
+    return size + (attack * curvature < 0 ? "outer rail" : "inner rail");
+  }
+
+  /** Rails, and each axle's place, heading and that of the frame it stands in. */
+  function placeAxles(spec, bogie, row) {
+    const k = (spec.curvature[row] ?? 0) * spec.magnification;
+    return [["lead", 1], ["trail", -1]].map(([name, end]) => {
+      const foot = onCircle(k, end * spec.wheelbase / 2);
+      const axle = aside(foot, (bogie[name].lateral[row] ?? 0) * spec.lateral_magnification);
+      axle.foot = foot;
+      axle.heading = foot.heading + (bogie[name].attack[row] ?? 0) * spec.magnification;
+      axle.frame = axle.heading - (bogie[name].yaw[row] ?? 0) * spec.magnification;
+      axle.label = phs.number(Math.abs(1e3 * bogie[name].attack[row]), 3) + " mrad";
+      return axle;
+    });
+  }
+
+  function drawFrame(view, spec, axles) {
+    const frame = {x: (axles[0].x + axles[1].x) / 2, y: (axles[0].y + axles[1].y) / 2,
+      heading: (axles[0].frame + axles[1].frame) / 2};
+    const style = "stroke: var(--faint); stroke-width: 1; fill: var(--card)";
+    for (const side of [-1, 1]) {
+      view.path(rectangle(aside(frame, side * spec.gauge * 0.8), spec.wheelbase * 1.2, 0.13), style, true);
+    }
+    view.path(rectangle(frame, 0.4, spec.gauge * 1.47), style, true);
+  }
+
+  function drawAxle(view, spec, axle, colour) {
+    for (const side of [-1, 1]) {
+      view.path([axle, aside({...axle, heading: axle.foot.heading}, side * spec.gauge), aside(axle, side * spec.gauge)],
+        `stroke: none; fill: ${colour}; fill-opacity: .35`, true);
+    }
+    view.path([aside(axle.foot, 1.12 * spec.gauge), aside(axle.foot, -1.12 * spec.gauge)],
+      "stroke: var(--text); stroke-width: 1; stroke-dasharray: 5 4");
+    view.path([aside(axle, spec.gauge), aside(axle, -spec.gauge)], `stroke: ${colour}; stroke-width: 5`);
+    for (const side of [-1, 1]) {
+      view.path(rectangle(aside(axle, side * (spec.gauge / 2 + 0.035)), 2 * spec.wheel_radius, 0.15),
+        `stroke: ${colour}; stroke-width: 2; fill: var(--ground); fill-opacity: .6`, true);
+    }
+    const end = aside(axle.foot, 1.16 * spec.gauge);
+    view.text(end, axle.label);
+  }
+
   function drawBogie(spec, bogie, row, width) {
-    const {magnification: angles, lateral_magnification: offsets} = spec;
-    const half = spec.wheelbase / 2;
-    const k = (spec.curvature[row] ?? 0) * angles;
-    const length = spec.wheelbase * 1.95;
-    const view = canvas(width, length, length * 0.62,
-      `${bogie.label}: leading axle ${phs.number(1e3 * bogie.lead.attack[row], 3)} mrad from radial, ` +
-      `trailing axle ${phs.number(1e3 * bogie.trail.attack[row], 3)} mrad`);
-    const colour = `var(--c${bogie.colour})`;
+    const curvature = spec.curvature[row] ?? 0;
+    const length = spec.wheelbase * 1.9;
+    const words = ["lead", "trail"].map((name, i) => `${i ? "trailing" : "Leading"} axle points ` +
+      `${describeAttack(bogie[name].attack[row] ?? 0, curvature)}, stands ` +
+      `${phs.number(Math.abs(1e3 * bogie[name].lateral[row]), 3)} mm to the ` +
+      `${bogie[name].lateral[row] >= 0 ? "left" : "right"}`).join("; ") + ".";
+    const view = canvas(width, length, `${bogie.label}: ${words}`);
     for (const side of [-1, 1]) {
       const rail = [];
       for (let along = -0.56 * length; along <= 0.56 * length; along += length / 60) {
-        rail.push(aside(onCircle(k, along), side * spec.gauge / 2));
+        rail.push(aside(onCircle(curvature * spec.magnification, along), side * spec.gauge / 2));
       }
-      view.path(rail, "stroke: var(--faint); stroke-width: 3");
+      view.path(rail, "stroke: var(--faint); stroke-width: 4");
     }
-    const axles = [["lead", half], ["trail", -half]].map(([name, along]) => {
-      const foot = onCircle(k, along);
-      view.path([aside(foot, 0.95 * spec.gauge), aside(foot, -0.95 * spec.gauge)],
-        "stroke: var(--faint); stroke-width: 1; stroke-dasharray: 5 4");
-      const axle = aside(foot, (bogie[name].lateral[row] ?? 0) * offsets);
-      axle.heading = foot.heading + (bogie[name].attack[row] ?? 0) * angles;
-      axle.frame = axle.heading - (bogie[name].yaw[row] ?? 0) * angles;
-      return axle;
-    });
-    const frame = {x: (axles[0].x + axles[1].x) / 2, y: (axles[0].y + axles[1].y) / 2,
-      heading: (axles[0].frame + axles[1].frame) / 2};
-    for (const side of [-1, 1]) {
-      view.path(rectangle(aside(frame, side * spec.gauge * 0.76), spec.wheelbase * 1.16, 0.1),
-        "stroke: var(--text); stroke-width: 1; fill: var(--card)", true);
-    }
-    view.path(rectangle(frame, 0.36, spec.gauge * 1.42),
-      "stroke: var(--text); stroke-width: 1; fill: var(--card)", true);
-    for (const axle of axles) {
-      view.path([aside(axle, spec.gauge * 0.82), aside(axle, -spec.gauge * 0.82)],
-        `stroke: ${colour}; stroke-width: 5`);
-      for (const side of [-1, 1]) {
-        view.path(rectangle(aside(axle, side * (spec.gauge / 2 + 0.035)), 2 * spec.wheel_radius, 0.13),
-          `stroke: ${colour}; stroke-width: 1.5; fill: var(--ground); fill-opacity: .55`, true);
-      }
-    }
-    view.text({x: length * 0.47, y: -length * 0.28}, "travel →", "end", "fill: var(--faint)");
-    const words = (name, title) => `${title} ${phs.number(1e3 * bogie[name].attack[row], 3)} mrad from ` +
-      `radial, ${phs.number(1e3 * bogie[name].lateral[row], 3)} mm aside`;
-    return phs.html("div", {}, phs.html("strong", {}, bogie.label), view.picture,
-      phs.html("p", {}, `${words("lead", "Leading axle")}; ${words("trail", "trailing axle")}.`));
+    const axles = placeAxles(spec, bogie, row);
+    drawFrame(view, spec, axles);
+    for (const axle of axles) drawAxle(view, spec, axle, `var(--c${bogie.colour})`);
+    return phs.html("div", {}, phs.html("strong", {}, bogie.label), view.finish(),
+      phs.html("p", {}, words));
   }
 
   /** The map: centre line coloured by section, with a mark at arc length s. */
@@ -98,7 +135,7 @@
     const margin = 26;
     const across = most.x - least.x || 1;
     const up = most.y - least.y;
-    const scale = Math.min((width - 2 * margin) / across, 300 / Math.max(up, 1e-9));
+    const scale = Math.min((width - 2 * margin) / across, 210 / Math.max(up, 1e-9));
     const height = Math.round(up * scale + 2 * margin + 24);
     const picture = phs.svg("svg", {width, height, viewBox: `0 0 ${width} ${height}`, role: "img",
       "font-size": 12, "aria-label": `Map of the track ${spec.track.name}`});
@@ -127,7 +164,8 @@
     }
     const [mx, my] = px(nearest(s));
     picture.append(phs.svg("circle", {cx: mx, cy: my, r: 7, style: "fill: var(--c1); stroke: var(--ground); stroke-width: 2"}));
-    const bar = phs.ticks(0, across / 4, 1).pop() || across / 4;
+    const power = 10 ** Math.floor(Math.log10(across / 4));
+    const bar = [5, 2, 1].map((k) => k * power).find((length) => length <= across / 4);
     const [bx, by] = [shift, height - 8];
     picture.append(phs.svg("path", {d: `M${bx} ${by - 5}v5h${round(bar * scale)}v-5`, style: "fill: none; stroke: var(--text)"}),
       phs.svg("text", {x: round(bx + bar * scale + 6), y: by}, `${phs.number(bar)} m`));

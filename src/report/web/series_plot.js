@@ -38,7 +38,7 @@
     const ratio = devicePixelRatio;
     ctx.save();
     ctx.beginPath();
-    ctx.rect(bbox.left, bbox.top, bbox.width, bbox.height);
+    ctx.rect(bbox.left, 0, bbox.width, bbox.top + bbox.height);
     ctx.clip();
     ctx.font = `${11 * ratio}px system-ui, sans-serif`;
     ctx.textAlign = "center";
@@ -51,7 +51,7 @@
       const to = Math.min(right, bbox.left + bbox.width);
       if (band.label && to - from > ctx.measureText(band.label).width + 6 * ratio) {
         ctx.fillStyle = phs.theme("faint");
-        ctx.fillText(band.label, (from + to) / 2, bbox.top + 12 * ratio);
+        ctx.fillText(band.label, (from + to) / 2, bbox.top - 4 * ratio);
       }
     }
     ctx.restore();
@@ -80,6 +80,9 @@
   function ordinateRange(spec) {
     return (plot, least, greatest) => {
       if (least === null || greatest === null) return [0, 1];
+      const {min, max} = plot.scales.x;
+      const whole = !plot.whole || (min <= plot.whole[0] && max >= plot.whole[1]);
+      if (spec.ordinate && whole) [least, greatest] = spec.ordinate;
       if (spec.from_zero) least = Math.min(least, 0);
       const lack = spec.least_span - (greatest - least);
       if (lack > 0) {
@@ -125,6 +128,7 @@
     return {
       width,
       height: spec.height,
+      padding: [spec.bands.length > 0 ? 18 : 8, 8, 0, 0],
       scales: {x: {time: false}, y: {range: ordinateRange(spec)}},
       axes: [phs.plotAxis(spec.x_label, false), phs.plotAxis(spec.y_label, true)],
       series: [{label: spec.x_label, value: (plot, value) => phs.number(value)},
@@ -169,6 +173,7 @@
       (_, i) => grid.begin + (i + 0.5) * (grid.end - grid.begin) / grid.points);
     const ys = spec.curves.map((curve) => phs.unpack(curve.y));
     const group = groupOf(spec.group);
+    figure.dataset.group = spec.group;
     let plot = null;
     phs.onWidth(place, (width) => {
       if (plot) {

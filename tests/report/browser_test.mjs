@@ -1,0 +1,224 @@
+// Opens reports in a real headless Chromium and looks at them as a reader would.
+//
+//   node browser_test.mjs NODE_MODULES_DIR PICTURES_DIR REPORT.html…
+//
+// For each report, at 1400 px and 390 px width, light and dark: no console message, nothing asked
+// from the network, every figure drawn (pixels or shapes that differ from the ground), no text
+// beyond the page; zoom, legend and slider work. Exit 0 if all holds; screenshots stay in
+// PICTURES_DIR.
+import {createRequire} from "node:module";
+import {existsSync, mkdirSync, mkdtempSync, rmSync} from "node:fs";
+import {tmpdir} from "node:os";
+import path from "node:path";
+import {pathToFileURL} from "node:url";
+
+const [modules, pictures, ...reports] = process.argv.slice(2);
+if (!modules || !pictures || reports.length === 0) {
+  console.error("usage: browser_test.mjs NODE_MODULES_DIR PICTURES_DIR REPORT.html…");
+  process.exit(2);
+}
+const puppeteer = createRequire(path.join(path.resolve(modules), "from.cjs"))("puppeteer-core");
+const browserPath = [process.env.PHS_CHROMIUM, "/usr/bin/chromium", "/usr/bin/chromium-browser",
+  "/usr/bin/google-chrome"].find((file) => file && existsSync(file));
+if (!browserPath) {
+  console.error("no Chromium found: install the package chromium or set PHS_CHROMIUM");
+  process.exit(2);
+}
+
+let checks = 0;
+const failures = [];
+function check(holds, words) {
+  ++checks;
+  if (!holds) {
+    failures.push(words);
+    console.error("FAILED: " + words);
+  }
+}
+
+/** Opens a report and waits until every figure is drawn. */
+async function open(browser, file, width, scheme, watch) {
+  const page = await browser.newPage();
+  page.on("console", (message) => watch.messages.push(message.text()));
+  page.on("pageerror", (error) => watch.messages.push(String(error)));
+  page.on("request", (request) => {
+    const url = request.url();
+    if (!url.startsWith("file:") && !url.startsWith("data:")) watch.requests.push(url);
+  });
+  await page.setViewport({width, height: width < 500 ? 844 : 900,
+    deviceScaleFactor: width < 500 ? 2 : 1});
+  await page.emulateMediaFeatures([{name: "prefers-color-scheme", value: scheme}]);
+  await page.goto(pathToFileURL(path.resolve(file)).href);
+  await page.waitForFunction(() => document.documentElement.dataset.ready === "yes",
+    {timeout: 30000});
+  return page;
+}
+
+/** Figures that are empty: no figure body, or a canvas on which no curve has been drawn. */
+const findEmptyFigures = () => [...document.querySelectorAll("figure.plot")].filter((figure) => {
+  if (figure.closest("details:not([open])")) return false;
+  if (figure.dataset.kind === "plan" || figure.dataset.kind === "heat") {
+    return figure.querySelectorAll("svg path, svg rect").length < 4;
+  }
+  const canvas = figure.querySelector("canvas");
+  if (!canvas || canvas.width < 100) return true;
+  const copy = new OffscreenCanvas(canvas.width, canvas.height)
+    .getContext("2d", {willReadFrequently: true});
+  copy.drawImage(canvas, 0, 0);
+  const {data} = copy.getImageData(0, 0, canvas.width, canvas.height);
+  let coloured = 0;  // pixels whose channels differ clearly: only curves are coloured
+  for (let i = 0; i < data.length; i += 4) {
+    const spread = Math.max(data[i], data[i + 1], data[i + 2]) -
+      Math.min(data[i], data[i + 1], data[i + 2]);
+    if (data[i + 3] > 100 && spread > 40) ++coloured;
+  }
+  return coloured < 40;
+}).map((figure) => figure.querySelector("figcaption").textContent);
+
+/** Elements that stick out of the page to the right, outside of boxes that scroll. */
+const findOverflow = () => {
+  const limit = document.documentElement.clientWidth;
+  const found = [...document.querySelectorAll("body *")].filter((element) => {
+    const box = element.getBoundingClientRect();
+    if (box.width === 0 || box.right <= limit + 1) return false;
+    return !element.closest(".scroll, pre, .u-over, .u-under, svg");
+  }).map((element) => element.tagName + "." + element.className + ": " +
+    element.textContent.trim().slice(0, 40));
+  if (document.scrollingElement.scrollWidth > limit + 1) found.push("the page scrolls sideways");
+  return found;
+};
+
+/** Texts of drawings that lie over the edge of their drawing. */
+const findCutTexts = () => [...document.querySelectorAll(".drawing svg")].flatMap((svg) => {
+  const frame = svg.getBoundingClientRect();
+  return [...svg.querySelectorAll("text")].filter((text) => {
+    const box = text.getBoundingClientRect();
+    return box.width > 0 && (box.left < frame.left - 1 || box.right > frame.right + 1 ||
+      box.top < frame.top - 2 || box.bottom > frame.bottom + 2);
+  }).map((text) => text.textContent);
+});
+
+/** Text and ground colours whose contrast is below 4.5. */
+const findWeakContrast = () => {
+  const light = (text) => {
+    const parts = text.match(/[\d.]+/g).map(Number);
+    const [r, g, b] = parts.slice(0, 3).map((v) => {
+      const c = v / 255;
+      return c <= 0.03928 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4;
+    });
+    return {level: 0.2126 * r + 0.7152 * g + 0.0722 * b, alpha: parts[3] ?? 1};
+  };
+  const groundOf = (element) => {
+    for (let e = element; e; e = e.parentElement) {
+      const ground = light(getComputedStyle(e).backgroundColor);
+      if (ground.alpha === 1) return ground.level;
+    }
+    return 1;
+  };
+  return [...document.querySelectorAll("p, td, th, dt, dd, li, button, figcaption, summary")]
+    .filter((element) => {
+      if (!element.textContent.trim() || element.closest("[aria-pressed=false], .u-off")) return false;
+      const a = light(getComputedStyle(element).color).level;
+      const b = groundOf(element);
+      return (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05) < 4.5;
+    }).map((element) => element.tagName + ": " + element.textContent.trim().slice(0, 40));
+};
+
+const abscissae = (page, group) => page.evaluate((name) =>
+  [...document.querySelectorAll("figure.series")].filter((f) => f.plot && f.dataset.group === name)
+    .map((f) => [f.plot.scales.x.min, f.plot.scales.x.max]), group);
+
+async function tryControls(page, name) {
+  const first = await page.$("figure.series");
+  if (!first) return;
+  const group = await first.evaluate((figure) => figure.dataset.group);
+  const over = await first.$(".u-over");
+  await over.scrollIntoView();
+  const box = await over.boundingBox();
+  const before = await abscissae(page, group);
+  await page.mouse.move(box.x + 0.3 * box.width, box.y + 0.5 * box.height);
+  await page.mouse.down();
+  await page.mouse.move(box.x + 0.6 * box.width, box.y + 0.5 * box.height, {steps: 5});
+  await page.mouse.up();
+  const zoomed = await abscissae(page, group);
+  const wanted = [0.3, 0.6].map((part) => before[0][0] + part * (before[0][1] - before[0][0]));
+  const span = before[0][1] - before[0][0];
+  check(zoomed.every((x) => Math.abs(x[0] - wanted[0]) < 0.02 * span &&
+    Math.abs(x[1] - wanted[1]) < 0.02 * span), `${name}: dragging zooms every plot of the group`);
+  await page.mouse.click(box.x + 0.5 * box.width, box.y + 0.5 * box.height, {clickCount: 2});
+  const back = await abscissae(page, group);
+  check(back.every((x) => Math.abs(x[0] - before[0][0]) < 1e-6 * span &&
+    Math.abs(x[1] - before[0][1]) < 1e-6 * span), `${name}: double click shows the whole run`);
+  const legend = await first.$(".u-legend .u-series:nth-child(2) th");
+  await legend.click();
+  const hidden = await page.evaluate((f) => {
+    const label = f.plot.series[1].label;
+    return [...document.querySelectorAll("figure.series")]
+      .filter((other) => other.dataset.group === f.dataset.group)
+      .flatMap((other) => other.plot.series.filter((s) => s.label === label).map((s) => s.show));
+  }, first);
+  check(hidden.length > 0 && hidden.every((shown) => !shown),
+    `${name}: a click on a name hides the curve everywhere`);
+  await legend.click();
+  const button = await page.$(".zoom button[data-begin]");
+  if (button) {
+    await button.click();
+    const wantedRange = await button.evaluate((b) => [Number(b.dataset.begin), Number(b.dataset.end)]);
+    const shown = await abscissae(page, group);
+    check(shown.every((x) => Math.abs(x[0] - wantedRange[0]) < 1 && Math.abs(x[1] - wantedRange[1]) < 1),
+      `${name}: zoom button shows its part`);
+    await (await page.$(".zoom button:not([data-begin])")).click();
+  }
+  const slider = await page.$(".plan input[type=range]");
+  if (slider) {
+    const words = () => page.$eval(".plan .views", (views) => views.innerHTML);
+    const old = await words();
+    await slider.focus();
+    await page.keyboard.press("Home");
+    check(await words() !== old, `${name}: the slider moves the bogies`);
+  }
+}
+
+async function lookAt(browser, file) {
+  const name = path.basename(path.dirname(path.resolve(file)));
+  for (const [width, scheme] of [[1400, "light"], [390, "light"], [1400, "dark"], [390, "dark"]]) {
+    const watch = {messages: [], requests: []};
+    const label = `${name} at ${width} px, ${scheme}`;
+    const page = await open(browser, file, width, scheme, watch);
+    const empty = await page.evaluate(findEmptyFigures);
+    check(empty.length === 0, `${label}: empty figures: ${empty.join(" | ")}`);
+    const wide = await page.evaluate(findOverflow);
+    check(wide.length === 0, `${label}: beyond the page: ${wide.slice(0, 5).join(" | ")}`);
+    const cut = await page.evaluate(findCutTexts);
+    check(cut.length === 0, `${label}: texts cut off: ${cut.slice(0, 5).join(" | ")}`);
+    const weak = await page.evaluate(findWeakContrast);
+    check(weak.length === 0, `${label}: weak contrast: ${weak.slice(0, 5).join(" | ")}`);
+    await page.screenshot({path: path.join(pictures, `${name}-${width}-${scheme}.png`), fullPage: true});
+    if (width === 1400 && scheme === "light") {
+      await tryControls(page, name);
+      await page.evaluate(() => document.querySelectorAll("details").forEach((d) => { d.open = true; }));
+      await new Promise((resolve) => setTimeout(resolve, 300));
+      const unfolded = await page.evaluate(findEmptyFigures);
+      check(unfolded.length === 0, `${label}: empty when unfolded: ${unfolded.join(" | ")}`);
+    }
+    check(watch.messages.length === 0, `${label}: console: ${watch.messages.join(" | ")}`);
+    check(watch.requests.length === 0, `${label}: asks the network: ${watch.requests.join(" | ")}`);
+    await page.close();
+  }
+}
+
+mkdirSync(pictures, {recursive: true});
+const profile = mkdtempSync(path.join(tmpdir(), "phs-browser-"));
+const browser = await puppeteer.launch({
+  executablePath: browserPath,
+  userDataDir: profile,
+  args: ["--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
+    "--disable-background-networking", "--disable-component-update", "--disable-sync"],
+});
+try {
+  for (const report of reports) await lookAt(browser, report);
+} finally {
+  await browser.close();
+  rmSync(profile, {recursive: true, force: true});
+}
+console.log(`${checks - failures.length} passed, ${failures.length} failed`);
+process.exit(failures.length === 0 && checks > 0 ? 0 : 1);

@@ -1,0 +1,34 @@
+// Writes example reports for the browser test: make_example_reports DIR.
+#include <cstdio>
+#include <filesystem>
+
+#include "example_results.h"
+#include "report/curving_report.h"
+
+namespace {
+
+int Make(const std::filesystem::path& directory,
+         const phs::report::testing::ExampleOptions& options) {
+  std::filesystem::remove_all(directory);
+  std::filesystem::create_directories(directory);
+  phs::report::testing::WriteExampleResults(directory.string(), options);
+  const phs::Status status =
+      phs::report::WriteCurvingReport(directory.string(), (directory / "report.html").string());
+  if (!status.ok()) std::fprintf(stderr, "%s\n", status.error().Line().c_str());
+  return status.ok() ? 0 : 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 2) {
+    std::fprintf(stderr, "usage: make_example_reports DIR\n");
+    return 2;
+  }
+  const std::filesystem::path root = argv[1];
+  int failed = Make(root / "compare", {});
+  failed += Make(root / "single", {.bogies = {"phs"}, .hand = -1, .single = true});
+  failed += Make(root / "locomotive", {.bogies = {"phs", "rigid_link"}, .locomotive = true});
+  failed += Make(root / "derailed", {.derailed = true});
+  return failed > 0 ? 1 : 0;
+}
