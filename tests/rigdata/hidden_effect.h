@@ -28,8 +28,10 @@ struct HiddenEffect {
   bool listed = true;       // one of the effects that an identification can name
   bool wants_deep = false;  // needs low pressure on the bore line
   double smallest = 0.02, largest = 20;
-  // Size over noise that "strong" aims at, when it must differ from the usual.
-  double strong_low = 5, strong_high = 12;
+  // Size over noise that "strong" aims at. Where the natural size of an effect is far above the
+  // noise, the range is high; `largest` then decides.
+  double strong_low = 4, strong_high = 20;
+  double calibration_step = 1e-3;  // s
   // Puts the effect into the rig and returns its numbers.
   std::function<NumberList(double size, TrueRig* rig)> apply;
 };

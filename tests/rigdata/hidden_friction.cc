@@ -12,7 +12,9 @@ HiddenEffect Stribeck(RandomSource& random) {
   const double speed = random.LogUniform(0.8e-3, 4e-3);
   HiddenEffect effect;
   effect.form = kNames[form];
-  effect.largest = 6;
+  effect.largest = 3;
+  effect.strong_low = 3;
+  effect.strong_high = 8;
   effect.apply = [=](double size, TrueRig* r) -> NumberList {
     FrictionParams& f = r->rig.friction;
     f.stribeck = kForms[form];
@@ -54,6 +56,9 @@ HiddenEffect PressureFriction(RandomSource& random) {
   const int form = random.Integer(3);
   HiddenEffect effect;
   effect.form = kNames[form];
+  effect.largest = 4;
+  effect.strong_low = 3;
+  effect.strong_high = 10;
   effect.apply = [=](double size, TrueRig* r) -> NumberList {
     r->rig.friction.pressure = kForms[form];
     r->rig.friction.pressure_area = 3e-5 * size;
@@ -71,7 +76,9 @@ HiddenEffect PositionFriction(RandomSource& random) {
   const double length = form == 0 ? 3e-3 * random.Sign() : random.Uniform(0.8e-3, 2.5e-3);
   HiddenEffect effect;
   effect.form = kNames[form];
-  effect.largest = 3;
+  effect.largest = 2;
+  effect.strong_low = 3;
+  effect.strong_high = 10;
   effect.apply = [=](double size, TrueRig* r) -> NumberList {
     FrictionParams& f = r->rig.friction;
     f.position = kForms[form];
@@ -86,10 +93,12 @@ HiddenEffect PositionFriction(RandomSource& random) {
 HiddenEffect DwellFriction(RandomSource& random) {
   const bool saturating = random.Coin();
   const double time = saturating ? random.Uniform(0.5, 3.0) : random.Uniform(0.2, 1.0);
-  const double distance = random.LogUniform(40e-6, 300e-6);
+  const double distance = random.LogUniform(100e-6, 600e-6);
   HiddenEffect effect;
   effect.form = saturating ? "saturating" : "ageing";
-  effect.largest = 15;
+  effect.largest = 5;
+  effect.strong_low = 2;
+  effect.strong_high = 5;
   effect.apply = [=](double size, TrueRig* r) -> NumberList {
     FrictionParams& f = r->rig.friction;
     f.dwell = saturating ? DwellForm::kSaturating : DwellForm::kAgeing;
@@ -107,6 +116,9 @@ HiddenEffect ViscousFriction(RandomSource& random) {
   const int form = random.Integer(3);
   HiddenEffect effect;
   effect.form = kNames[form];
+  effect.largest = 8;
+  effect.strong_low = 3;
+  effect.strong_high = 10;
   effect.apply = [=](double size, TrueRig* r) -> NumberList {
     r->rig.friction.viscous = kForms[form];
     r->rig.friction.viscous_force = 250 * size;

@@ -86,6 +86,7 @@ HiddenEffect Inertance(RandomSource& random) {
   const double ratio = random.Uniform(0.7, 1.4), damping = random.Uniform(0.003, 0.006);
   HiddenEffect effect;
   effect.form = "column";
+  effect.calibration_step = 2e-4;  // the column rings
   effect.apply = [=](double size, TrueRig* r) -> NumberList {
     const double inertance = 1.5e7 * size;
     double scale = 1;
@@ -156,16 +157,23 @@ HiddenEffect HoseExpansion(RandomSource& random) {
 HiddenEffect GasThermal(RandomSource& random) {
   const double ratio = random.Uniform(0.8, 1.25);
   const double wall = random.Coin() ? 0 : random.Uniform(20, 70);
+  const double tau = random.LogUniform(0.4, 12.0);
+  constexpr double kNitrogen = 296.8 / 743.0;
   HiddenEffect effect;
   effect.form = wall > 0 ? "gas_and_wall" : "gas_to_constant_wall";
   effect.smallest = 0.005;
-  effect.largest = 12;
-  effect.strong_high = 25;
+  effect.largest = 1;
+  effect.strong_low = 40;  // plain nitrogen in most cases; with a heat-storing filler in the rest
+  effect.strong_high = 400;
   effect.apply = [=](double size, TrueRig* r) -> NumberList {
-    r->rig.bore.gas_tau = size;
-    r->rig.rod.gas_tau = ratio * size;
+    r->rig.bore.gas_tau = tau;
+    r->rig.rod.gas_tau = ratio * tau;
+    r->rig.bore.gas_coupling = r->rig.rod.gas_coupling = kNitrogen * size;
     r->rig.bore.wall_tau = r->rig.rod.wall_tau = wall;
-    return {{"tau_bore_s", size}, {"tau_rod_s", ratio * size}, {"wall_tau_s", wall}};
+    return {{"tau_bore_s", tau},
+            {"tau_rod_s", ratio * tau},
+            {"R_over_cv", kNitrogen * size},
+            {"wall_tau_s", wall}};
   };
   return effect;
 }
@@ -174,6 +182,8 @@ HiddenEffect Precharge(RandomSource& random) {
   const double sign = random.Uniform() < 0.7 ? -1 : 1;
   HiddenEffect effect;
   effect.form = sign < 0 ? "lower" : "higher";
+  effect.strong_low = 8;
+  effect.strong_high = 60;
   effect.smallest = 0.02;
   effect.largest = sign < 0 ? 2.6 : 1.5;
   effect.apply = [=](double size, TrueRig* r) -> NumberList {
@@ -209,6 +219,7 @@ HiddenEffect Warming(RandomSource& random) {
   HiddenEffect effect;
   effect.form = kNames[form];
   effect.smallest = 0.01;
+  effect.strong_high = 40;
   effect.apply = [=](double size, TrueRig* r) -> NumberList {
     r->rig.environment = {kForms[form], sign * size, tau, gas};
     return {{"warming_K", sign * size}, {"tau_s", tau}, {"gas_share", gas}};

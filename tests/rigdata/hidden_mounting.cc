@@ -20,6 +20,8 @@ HiddenEffect Backlash(RandomSource& random) {
   effect.form = hertz ? "gap_hertz_contact" : "gap_stiff_contact";
   effect.smallest = 0.05;
   effect.largest = 12;
+  effect.strong_low = 8;
+  effect.strong_high = 80;
   effect.apply = [=](double size, TrueRig* r) -> NumberList {
     MountParams& mount = r->rig.mount;
     if (mount.rigid && hertz) mount.form = SpringForm::kContact;
@@ -40,6 +42,8 @@ HiddenEffect MountCompliance(RandomSource& random) {
   effect.form = kNames[form];
   effect.smallest = 0.02;
   effect.largest = 20;
+  effect.strong_low = 8;
+  effect.strong_high = 150;
   effect.apply = [=](double size, TrueRig* r) -> NumberList {
     MountParams& mount = r->rig.mount;
     MakeElastic(&mount, 4e8 / size);
@@ -81,6 +85,8 @@ HiddenEffect ViscoelasticBush(RandomSource& random) {
   effect.form = kNames[form];
   effect.smallest = 0.02;
   effect.largest = 20;
+  effect.strong_low = 8;
+  effect.strong_high = 150;
   effect.apply = [=](double size, TrueRig* r) -> NumberList {
     MountParams& mount = r->rig.mount;
     MakeElastic(&mount, 3e8 / size);

@@ -40,7 +40,7 @@ HiddenEffect DrawForceEffect(const std::string& name, RandomSource& random) {
     });
   }
   if (name == "moving_mass") {
-    return Make("inertia", 40, [=](double size, TrueRig* r) -> NumberList {
+    return Make("inertia", 16, [=](double size, TrueRig* r) -> NumberList {
       r->rig.moving_mass = 50 * size;
       return {{"mass_kg", 50 * size}};
     });

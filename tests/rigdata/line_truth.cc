@@ -6,10 +6,9 @@
 namespace rigdata {
 namespace {
 
-constexpr double kT0 = 293.15;                  // K
-constexpr double kGasOverHeat = 296.8 / 743.0;  // R/c_v of nitrogen near room temperature
-constexpr double kAtmosphere = 1.0e5;           // Pa
-constexpr double kLowest = 1.0e3;               // Pa, the solver's floor
+constexpr double kT0 = 293.15;         // K
+constexpr double kAtmosphere = 1.0e5;  // Pa
+constexpr double kLowest = 1.0e3;      // Pa, the solver's floor
 
 }  // namespace
 
@@ -170,7 +169,7 @@ void LineTruth::Advance(LineState& solved, const LineState& before, double h, do
   if (q.gas_tau > 0) {
     // m c_v Ṫ = −p V̇ + heat; the adiabatic part in closed form, T ∝ V^(−R/c_v), then the wall.
     double t =
-        solved.gas_temperature * std::pow(before.gas_volume / solved.gas_volume, kGasOverHeat);
+        solved.gas_temperature * std::pow(before.gas_volume / solved.gas_volume, q.gas_coupling);
     const double exchanged = (solved.wall_temperature - t) * h / (q.gas_tau + h);
     t += exchanged;
     solved.gas_temperature = t;

@@ -39,9 +39,10 @@ struct LineParams {
   double blow_off_volume = 0;              // m³; 0 = no accumulator
   double blow_off_precharge = 15e6;        // Pa
 
-  double gas_tau = 0;       // s, heat exchange with the wall; 0 = isothermal
-  double wall_tau = 0;      // s, wall with the surroundings; 0 = wall stays at T0
-  double wall_ratio = 0.5;  // gas heat capacity / wall heat capacity
+  double gas_tau = 0;                   // s, heat exchange with the wall; 0 = isothermal
+  double gas_coupling = 296.8 / 743.0;  // R/c_v of nitrogen; less where a filler stores heat too
+  double wall_tau = 0;                  // s, wall with the surroundings; 0 = wall stays at T0
+  double wall_ratio = 0.5;              // gas heat capacity / wall heat capacity
 
   AirForm air_form = AirForm::kDissolving;
   double air_volume = 0;        // m³ of free air at p0 if nothing were dissolved

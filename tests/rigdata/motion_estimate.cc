@@ -66,6 +66,20 @@ MotionEstimate EstimateMotion(const std::vector<double>& samples, double rate, d
   return estimate;
 }
 
+void MotionEstimate::MakeConsistent(double time) {
+  const double h = 1.0 / rate, gain = h / time;
+  std::vector<double> forward = x, backward = x;
+  for (size_t i = 1; i < x.size(); ++i) {
+    const double moved = forward[i - 1] + 0.5 * h * (v[i - 1] + v[i]);
+    forward[i] = moved + gain * (x[i] - moved);
+  }
+  for (size_t i = x.size() - 1; i > 0; --i) {
+    const double moved = backward[i] - 0.5 * h * (v[i - 1] + v[i]);
+    backward[i - 1] = moved + gain * (x[i - 1] - moved);
+  }
+  for (size_t i = 0; i < x.size(); ++i) x[i] = 0.5 * (forward[i] + backward[i]);
+}
+
 ActuatorInput MotionEstimate::Input() const {
   const auto locate = [this](double t, size_t* k) {
     const double at = std::clamp(t * rate, 0.0, static_cast<double>(x.size() - 1));

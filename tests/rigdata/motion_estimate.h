@@ -11,8 +11,11 @@
 namespace rigdata {
 
 struct MotionEstimate {
-  double rate = 200;            // Hz
-  std::vector<double> x, v;     // m, m/s
+  double rate = 200;         // Hz
+  std::vector<double> x, v;  // m, m/s
+  // Makes the positions follow the speeds: the integral of v, drawn to x over `time` seconds from
+  // both sides. For models whose piston speed comes out of the position.
+  void MakeConsistent(double time);
   ActuatorInput Input() const;  // cubic Hermite position, linear speed; refers to this object
 };
 

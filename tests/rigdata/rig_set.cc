@@ -6,7 +6,7 @@
 namespace rigdata {
 namespace {
 
-constexpr double kCoarseStep = 1e-3;  // s, for calibration only
+constexpr double kLevelStep = 1e-3;   // s, for the noise levels only
 constexpr double kRecordRate = 2000;  // Hz, before the measuring chain
 constexpr double kFloorStep = 5e-4;   // s
 
@@ -42,7 +42,7 @@ class SetBuilder {
 
  private:
   // RMS that the refitted declared model leaves, over the floor, in the worst channel.
-  double SizeOverNoise(const TrueRig& rig) const;
+  double SizeOverNoise(const TrueRig& rig, double step) const;
   double Calibrate(const HiddenEffect& effect, double target) const;
   void EstimateLevels();
   Record Readings(const TrueRig& rig, const ActuatorInput& input, double step, double rate) const;
@@ -102,7 +102,7 @@ ChannelNumbers SetBuilder::Rmse(const Record& a, const Record& b) const {
 
 // The floor before anything is hidden: noise, and what noise on the actuator does to the rest.
 void SetBuilder::EstimateLevels() {
-  const Record readings = Readings(base_, input_, kCoarseStep, 1.0 / kCoarseStep);
+  const Record readings = Readings(base_, input_, kLevelStep, 1.0 / kLevelStep);
   const Record noisy =
       AddNoise(readings, set_.noise, RandomSource(set_.wish.seed, "noise for levels"));
   const MotionEstimate motion =
@@ -110,9 +110,9 @@ void SetBuilder::EstimateLevels() {
   level_ = DeclaredError(set_.base, noisy, motion, set_.validation);
 }
 
-double SetBuilder::SizeOverNoise(const TrueRig& rig) const {
-  const double rate = 1.0 / kCoarseStep;
-  const RigSignals signals = Simulate(rig.rig, input_, {kCoarseStep, rate, drawn_.duration});
+double SetBuilder::SizeOverNoise(const TrueRig& rig, double step) const {
+  const double rate = 1000;
+  const RigSignals signals = Simulate(rig.rig, input_, {step, rate, drawn_.duration});
   const Record readings = Read(signals, rig.sensors, rate);
   MotionEstimate motion;
   for (size_t i = 0; i < readings.size(); ++i) {
@@ -135,7 +135,7 @@ double SetBuilder::Calibrate(const HiddenEffect& effect, double target) const {
   const auto measure = [&](double size) {
     TrueRig rig = base_;
     effect.apply(size, &rig);
-    return std::log(std::max(1e-6, SizeOverNoise(rig)) / target);
+    return std::log(std::max(1e-6, SizeOverNoise(rig, effect.calibration_step)) / target);
   };
   const double lowest = std::log(effect.smallest), highest = std::log(effect.largest);
   double a = std::clamp(0.0, lowest, highest), fa = measure(std::exp(a));
@@ -155,8 +155,9 @@ void SetBuilder::MeasureFloors(const TrueRig& rig, const Record& readings) {
   set_.noise_only = Rmse(readings, set_.record);
   bool first = true;
   for (const double confidence : {1.2, 2.0, 3.0}) {
-    const MotionEstimate motion = EstimateMotion(set_.record.channel[kActuator], 200,
-                                                 NoiseLevel(set_.noise[kActuator]), confidence);
+    MotionEstimate motion = EstimateMotion(set_.record.channel[kActuator], 200,
+                                           NoiseLevel(set_.noise[kActuator]), confidence);
+    if (!rig.rig.mount.rigid) motion.MakeConsistent(0.1);
     const Record predicted = Readings(rig, motion.Input(), kFloorStep, 1.0 / kFloorStep);
     const ChannelNumbers error = Rmse(predicted, set_.record);
     for (int c = 0; c < kChannels; ++c) {
@@ -187,7 +188,7 @@ RigSet SetBuilder::Build() {
     const double size = Calibrate(effect, target);
     TrueRig alone = base_;
     effect.apply(size, &alone);
-    truth.size_over_noise = SizeOverNoise(alone);
+    truth.size_over_noise = SizeOverNoise(alone, effect.calibration_step);
     truth.numbers = effect.apply(size, &rig);
     set_.hidden.push_back(truth);
   }

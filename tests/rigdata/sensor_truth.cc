@@ -121,11 +121,12 @@ Record AddNoise(const Record& readings, const NoiseSet& noise, RandomSource rand
 }
 
 NoiseSet DrawNoise(RandomSource random) {
+  const double quality = random.LogUniform(0.8, 2.2);  // of the whole instrumentation
   const auto draw = [&](double white, double coloured, double tau_low, double tau_high, double hum,
                         double quantum) {
     NoiseParams n;
-    n.white = white * random.LogUniform(0.65, 1.6);
-    n.coloured = coloured * random.LogUniform(0.5, 1.8);
+    n.white = quality * white * random.LogUniform(0.65, 1.6);
+    n.coloured = quality * coloured * random.LogUniform(0.5, 1.8);
     n.tau = random.LogUniform(tau_low, tau_high);
     n.hum = hum * random.Uniform();
     n.hum_phase = random.Uniform(0, kTwoPi);
