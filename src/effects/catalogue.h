@@ -15,7 +15,8 @@ namespace phs::effects {
 /// The table itself: hydraulics knows it only as hydraulics::EffectTable.
 const hydraulics::EffectTable& Catalogue();
 
-/// Reads, checks and compiles a model file with its effects: the entry for rig, plugin and programs.
+/// Reads, checks and compiles a model file with its effects: the entry for rig, plugin and
+/// programs.
 Result<hydraulics::PhsSystem> LoadPhsSystem(const std::string& path);
 /// The same from a name looked up in the data folders (models/phs) or a path.
 Result<hydraulics::PhsParams> FindPhsParams(const std::string& name_or_path);

@@ -1,5 +1,5 @@
-// The rigs of the thesis as models: a PHS driven by measured or generated motion on a uniform clock.
-// `phs rig` and the identification call the same object; thousands of runs are made per fit.
+// The rigs of the thesis as models: a PHS driven by measured or generated motion on a uniform
+// clock. `phs rig` and the identification call the same object; thousands of runs are made per fit.
 //
 //   cylinder  one cylinder, bore chamber closed, driven
 //   quarter   cylinder "1", lines of its bore and rod side
@@ -29,26 +29,28 @@ Result<RigKind> ParseRigKind(const std::string& word);
 
 /// The hinged beam that carries cylinders 3 and 4 of the full rig: y = ±lever * angle.
 struct BeamParams {
-  double lever_m = 1.0;                   ///< hinge to cylinder, > 0
-  double inertia_kg_m2 = 60;              ///< about the hinge, > 0
-  double damping_Nms_per_rad = 2000;      ///< >= 0
-  double hinge_friction_Nm = 0;           ///< >= 0, regularised over 1e-4 rad/s
+  double lever_m = 1.0;               ///< hinge to cylinder, > 0
+  double inertia_kg_m2 = 60;          ///< about the hinge, > 0
+  double damping_Nms_per_rad = 2000;  ///< >= 0
+  double hinge_friction_Nm = 0;       ///< >= 0, regularised over 1e-4 rad/s
 };
 
 struct RigOptions {
-  int substeps = 1;        ///< integration steps per sample (1 … 1000)
-  bool settle = true;      ///< states start settled at the first position (friction unloaded)
-  BeamParams beam;         ///< full rig only
+  int substeps = 1;    ///< integration steps per sample (1 … 1000)
+  bool settle = true;  ///< states start settled at the first position (friction unloaded)
+  BeamParams beam;     ///< full rig only
 };
 
 /// What drives the rig: one row per driven actuator, samples at t0 + i step.
 struct RigMotion {
   double t0_s = 0;
-  double step_s = 0;                                 ///< > 0
-  std::vector<std::vector<double>> position_m;       ///< [actuator][sample]
-  std::vector<std::vector<double>> speed_m_s;        ///< same shape; empty: central differences
-  std::vector<double> pressure_Pa;                   ///< element rig: side channel; else empty
-  int num_samples() const { return position_m.empty() ? 0 : static_cast<int>(position_m[0].size()); }
+  double step_s = 0;                            ///< > 0
+  std::vector<std::vector<double>> position_m;  ///< [actuator][sample]
+  std::vector<std::vector<double>> speed_m_s;   ///< same shape; empty: central differences
+  std::vector<double> pressure_Pa;              ///< element rig: side channel; else empty
+  int num_samples() const {
+    return position_m.empty() ? 0 : static_cast<int>(position_m[0].size());
+  }
 };
 
 /// Predicted channels; [channel][sample]. Reused between runs without reallocation.

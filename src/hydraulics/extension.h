@@ -47,13 +47,15 @@ enum class Port { kBore, kRod, kLine, kAtmosphere };
 
 /// Friction level of one cylinder beyond its curve. level(v, …) = curve(v)
 ///   * (1 + position_slope y + position_curvature y²)     (kept >= 0)
-///   + stribeck_extra exp(-(|v|/stribeck_speed)) + dwell_extra * phi + pressure terms,
+///   + stribeck_extra exp(-(|v|/stribeck_speed)) + dwell_extra * phi + pressure terms
+///   + level_shift (extension) or - level_shift (retraction),
 /// plus viscous force c v. phi: dwell state, dphi/dt = (1 - phi)/dwell_time - phi |v|/dwell_length.
 struct FrictionTerms {
   double stribeck_extra_extension_N = 0, stribeck_extra_retraction_N = 0;
   double stribeck_speed_m_s = 1e-3;
   double viscous_extension_Ns_per_m = 0, viscous_retraction_Ns_per_m = 0;
   double pressure_bore_N_per_Pa = 0, pressure_rod_N_per_Pa = 0;  ///< times p - p0 of the chamber
+  double level_shift_N = 0;
   double position_slope_1_per_m = 0, position_curvature_1_per_m2 = 0;
   double dwell_extra_N = 0, dwell_time_s = 1, dwell_length_m = 1e-4;
   bool presliding = false;  ///< forces the presliding model with the two numbers below
@@ -71,12 +73,12 @@ struct MountTerms {
 /// Stiffness used for a mounting that only has play [N/m].
 inline constexpr double kContactStiffness = 2e9;
 
-/// Error of one instrument: shown = gain * true(t - delay) + offset + drift * t.
+/// Error of the instruments of one cylinder: shown = gain * true(t - delay) + offset + drift * t.
 struct InstrumentTerms {
-  double load_offset_N = 0, load_drift_N_per_s = 0, load_gain = 1;
-  double pressure_offset_Pa = 0, pressure_drift_Pa_per_s = 0, pressure_gain = 1;
-  double piston_offset_m = 0, piston_drift_m_per_s = 0, piston_gain = 1;
-  double load_delay_s = 0, pressure_delay_s = 0, piston_delay_s = 0;
+  struct Channel {
+    double gain = 1, offset = 0, drift_per_s = 0, delay_s = 0;
+  };
+  Channel load, p_bore, p_rod, piston;
   bool present = false;
 };
 
@@ -105,7 +107,7 @@ class Extension {
                             std::unique_ptr<FlowLaw> law) = 0;
   virtual FrictionTerms& friction(int cylinder) = 0;
   virtual MountTerms& mount(int cylinder) = 0;
-  virtual InstrumentTerms& instrument() = 0;
+  virtual InstrumentTerms& instrument(int cylinder) = 0;
   virtual TemperatureTerms& temperature() = 0;
   /// Line parameters may still be changed (precharge, gas law): laws are compiled afterwards.
   virtual LineParams& line(int index) = 0;

@@ -70,6 +70,7 @@ double Friction::Level(int sign, double speed, const FrictionPlace& place) const
               place.piston;
   level *= std::max(shape, 0.0);
   if (extra_[side] != 0) level += extra_[side] * std::exp(-speed / terms_.stribeck_speed_m_s);
+  level += sign > 0 ? terms_.level_shift_N : -terms_.level_shift_N;
   level += terms_.dwell_extra_N * place.rested;
   level += terms_.pressure_bore_N_per_Pa * place.bore_rise;
   level += terms_.pressure_rod_N_per_Pa * place.rod_rise;

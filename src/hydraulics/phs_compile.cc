@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "hydraulics/phs_impl.h"
+#include "hydraulics/pipe.h"
 
 namespace phs::hydraulics {
 namespace {
@@ -27,6 +28,7 @@ class Builder final : public Extension {
   explicit Builder(const PhsParams& params) : params_(params), lines_(params.lines) {
     friction_.resize(params.cylinders.size());
     mount_.resize(params.cylinders.size());
+    instrument_.resize(params.cylinders.size());
   }
   const PhsParams& params() const override { return params_; }
   void AddVolume(int line, std::unique_ptr<VolumeLaw> law) override {
@@ -42,7 +44,7 @@ class Builder final : public Extension {
   }
   FrictionTerms& friction(int cylinder) override { return friction_[cylinder]; }
   MountTerms& mount(int cylinder) override { return mount_[cylinder]; }
-  InstrumentTerms& instrument() override { return instrument_; }
+  InstrumentTerms& instrument(int cylinder) override { return instrument_[cylinder]; }
   TemperatureTerms& temperature() override { return temperature_; }
   LineParams& line(int index) override { return lines_[index]; }
 
@@ -65,7 +67,7 @@ class Builder final : public Extension {
   std::vector<PendingSplit> splits_;
   std::vector<FrictionTerms> friction_;
   std::vector<MountTerms> mount_;
-  InstrumentTerms instrument_;
+  std::vector<InstrumentTerms> instrument_;
   TemperatureTerms temperature_;
   std::vector<std::string> path_names_;
   Status status_;
@@ -130,6 +132,7 @@ void Builder::CompileCylinders(CompiledPhs* sys) {
     c.friction = Friction(params_.friction, friction_[i]);
     c.stop = from.end_stop;
     c.mount = mount_[i];
+    c.instruments = instrument_[i];
     if (c.mount.present && c.mount.stiffness_N_per_m <= 0) {
       c.mount.stiffness_N_per_m = kContactStiffness;
     }
@@ -146,10 +149,15 @@ void Builder::CompileSplits(CompiledPhs* sys) {
     int& chamber = split.chamber == Port::kBore ? c.bore : c.rod;
     if (chamber == kOpen) continue;
     const int line = chamber;
-    const bool already = line >= static_cast<int>(lines_.size());
-    if (already || static_cast<int>(sys->nodes.size()) >= kMaxNodes) {
-      status_ = Error{"effects." + split.name, "a chamber can have one resistance to its line only",
-                      "", "switch on one of line_resistance, line_inertance, check_restriction"};
+    if (line >= static_cast<int>(lines_.size())) {
+      for (Path& path : sys->paths) {
+        if (path.from == line) path.law = InSeries(std::move(path.law), std::move(split.law));
+      }
+      continue;
+    }
+    if (static_cast<int>(sys->nodes.size()) >= kMaxNodes) {
+      status_ = Error{"effects." + split.name, "too many chambers with a resistance",
+                      "at most " + std::to_string(kMaxNodes) + " pressures", "name fewer targets"};
       return;
     }
     Node chamber_node;
@@ -241,7 +249,6 @@ CompiledPhs Builder::Compile() {
   CompileFlows(sys);
   CompileStates(sys);
   for (Node& node : sys->nodes) node.Prepare();
-  sys->instruments = instrument_;
   sys->temperature = temperature_;
   if (static_cast<int>(sys->paths.size()) > kMaxPaths || sys->num_states() > kMaxStates) {
     status_ = Error{params_.name, "too many flows or states for one system",

@@ -25,6 +25,7 @@ struct CompiledCylinder {
   Friction friction;
   EndStopParams stop;
   MountTerms mount;
+  InstrumentTerms instruments;
   int bristle = -1, dwell = -1, mount_state = -1, maxwell = -1;  ///< state indices
 };
 
@@ -50,7 +51,6 @@ struct CompiledPhs {
   std::vector<Node> nodes;  ///< the first num_lines are the lines themselves
   std::vector<Path> paths;
   std::vector<std::unique_ptr<VolumeLaw>> volume_laws;
-  InstrumentTerms instruments;
   TemperatureTerms temperature;
   int first_slow = 0;  ///< states below: friction and mounting; from here: hydraulic
   bool friction_needs_pressure = false;

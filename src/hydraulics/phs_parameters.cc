@@ -100,9 +100,8 @@ std::vector<ParameterInfo> ListParameters(const PhsParams& params) {
 }
 
 Result<double> GetParameter(const PhsParams& params, const std::string& name) {
-  PhsParams& open = const_cast<PhsParams&>(params);  // read only below
+  PhsParams copy = params;
   if (name.rfind("effects.", 0) == 0) {
-    PhsParams copy = params;
     const size_t dot = name.find('.', 8);
     for (const EffectParams& effect : copy.effects) {
       if (dot == std::string::npos || effect.name != name.substr(8, dot - 8)) continue;
@@ -111,7 +110,7 @@ Result<double> GetParameter(const PhsParams& params, const std::string& name) {
     }
     return Error{name, "this effect or key is not set", "", "switch the effect on first"};
   }
-  const std::vector<Slot> slots = CollectSlots(&open);
+  const std::vector<Slot> slots = CollectSlots(&copy);
   for (const Slot& slot : slots) {
     if (slot.name == name) return *slot.value;
   }

@@ -21,7 +21,12 @@ const std::vector<std::string>& PhsSystem::line_names() const { return impl_->li
 const std::vector<std::string>& PhsSystem::state_names() const { return impl_->state_names; }
 const std::string& PhsSystem::name() const { return impl_->params.name; }
 const PhsParams& PhsSystem::params() const { return impl_->params; }
-const InstrumentTerms& PhsSystem::instruments() const { return impl_->instruments; }
+const InstrumentTerms& PhsSystem::instruments(int cylinder) const {
+  return impl_->cylinders[cylinder].instruments;
+}
+const Friction& PhsSystem::friction(int cylinder) const {
+  return impl_->cylinders[cylinder].friction;
+}
 
 Result<PhsSystem> PhsSystem::Load(const std::string& path, const EffectTable* effects) {
   Result<PhsParams> params = LoadPhsParams(path);

@@ -9,6 +9,7 @@
 #include "base/result.h"
 #include "base/yaml.h"
 #include "hydraulics/extension.h"
+#include "hydraulics/friction.h"
 #include "hydraulics/phs_params.h"
 
 namespace phs::hydraulics {
@@ -73,8 +74,10 @@ class PhsSystem {
   double max_stiffness() const;
   double max_damping() const;
 
-  /// Errors of the instruments, for rigs.
-  const InstrumentTerms& instruments() const;
+  /// Errors of the instruments of a cylinder, for rigs.
+  const InstrumentTerms& instruments(int cylinder) const;
+  /// Friction of a cylinder alone, for benches without oil.
+  const Friction& friction(int cylinder) const;
 
  private:
   struct Impl;

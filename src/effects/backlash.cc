@@ -1,0 +1,38 @@
+#include "effects/backlash.h"
+
+#include "effects/targets.h"
+
+namespace phs::effects {
+namespace {
+
+using hydraulics::EffectInfo;
+using hydraulics::EffectParams;
+using hydraulics::Extension;
+
+Status Install(const EffectParams& effect, Extension* extension) {
+  for (int i : TargetCylinders(effect, extension->params())) {
+    hydraulics::MountTerms& m = extension->mount(i);
+    m.present = true;
+    m.gap_m += effect.values.at("gap_m");
+    AddInSeries(&m, effect.values.at("contact_N_per_m"));
+  }
+  return {};
+}
+
+}  // namespace
+
+const EffectInfo& BacklashInfo() {
+  static const EffectInfo info = {
+      "backlash",
+      "mounting",
+      "cylinders",
+      "free play g, then a stiff contact",
+      {
+          {"gap_m", "m", 1e-4, 0, 0.05, 1e-5, 2e-3, "total free play"},
+          {"contact_N_per_m", "N/m", 1e9, 1e5, 1e12, 2e8, 1e11, "contact stiffness"},
+      },
+      Install};
+  return info;
+}
+
+}  // namespace phs::effects

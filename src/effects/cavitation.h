@@ -1,0 +1,15 @@
+// Dissolved air comes out of the oil below a release pressure p_c and takes volume (Henry and
+// Boyle):
+//   V(p) = b V_oil p_a (1/p - 1/p_c) for p < p_c, else 0
+// b: solubility, volume of air at atmospheric pressure per oil volume dissolved per full release
+// (Bunsen coefficient of mineral oil 0.09). p_c [Pa] 2e3 … 1e6. Equilibrium, elastic: a pulled line
+// stays near p_c instead of going to zero.
+#pragma once
+
+#include "hydraulics/extension.h"
+
+namespace phs::effects {
+
+const hydraulics::EffectInfo& CavitationInfo();
+
+}  // namespace phs::effects

@@ -1,0 +1,38 @@
+#include "effects/diaphragm_stop.h"
+
+#include <algorithm>
+
+#include "effects/targets.h"
+
+namespace phs::effects {
+namespace {
+
+using hydraulics::EffectInfo;
+using hydraulics::EffectParams;
+using hydraulics::Extension;
+
+Status Install(const EffectParams& effect, Extension* extension) {
+  for (int line : TargetLines(effect, extension->params())) {
+    hydraulics::LineParams& l = extension->line(line);
+    l.reservoir.min_gas_volume_m3 =
+        std::min(effect.values.at("min_gas_volume_m3"), l.gas_volume_m3);
+  }
+  return {};
+}
+
+}  // namespace
+
+const EffectInfo& DiaphragmStopInfo() {
+  static const EffectInfo info = {
+      "diaphragm_stop",
+      "hydraulic",
+      "lines",
+      "gas volume of the reservoir stays above a minimum",
+      {
+          {"min_gas_volume_m3", "m3", 4e-6, 0, 1e-2, 1e-7, 1e-4, "V_min"},
+      },
+      Install};
+  return info;
+}
+
+}  // namespace phs::effects

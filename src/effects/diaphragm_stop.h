@@ -1,0 +1,11 @@
+// The diaphragm of the reservoir bottoms before its gas is compressed to nothing: gas volume stays
+// at or above V_min [m3], then only the oil yields. Elastic. Table B-1, setup 3, points to it.
+#pragma once
+
+#include "hydraulics/extension.h"
+
+namespace phs::effects {
+
+const hydraulics::EffectInfo& DiaphragmStopInfo();
+
+}  // namespace phs::effects

@@ -1,0 +1,46 @@
+#include "effects/line_inertance.h"
+
+#include <memory>
+
+#include "effects/targets.h"
+#include "hydraulics/pipe.h"
+
+namespace phs::effects {
+namespace {
+
+using hydraulics::EffectInfo;
+using hydraulics::EffectParams;
+using hydraulics::Extension;
+using hydraulics::PipeFlow;
+using hydraulics::Port;
+
+Status Install(const EffectParams& effect, Extension* extension) {
+  const PipeFlow::Resistance r{effect.values.at("laminar_Pas_per_m3"), 0};
+  for (int i : TargetCylinders(effect, extension->params())) {
+    for (Port chamber : {Port::kBore, Port::kRod}) {
+      extension->SplitChamber(
+          chamber, i, effect.values.at("oil_share"), "line_inertance",
+          std::make_unique<PipeFlow>(r, r, effect.values.at("inertance_kg_per_m4")));
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+const EffectInfo& LineInertanceInfo() {
+  static const EffectInfo info = {
+      "line_inertance",
+      "hydraulic",
+      "cylinders",
+      "I dq/dt = p_chamber - p_line - R q",
+      {
+          {"inertance_kg_per_m4", "kg/m4", 1.6e7, 1, 1e12, 1e6, 1e9, "I = rho l/A"},
+          {"laminar_Pas_per_m3", "Pa s/m3", 4e8, 1e3, 1e16, 1e7, 1e11, "R"},
+          {"oil_share", "-", 0.2, 0.02, 0.45, 0.1, 0.4, "share of the line's oil at the chamber"},
+      },
+      Install};
+  return info;
+}
+
+}  // namespace phs::effects

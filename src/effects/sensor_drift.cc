@@ -1,0 +1,42 @@
+#include "effects/sensor_drift.h"
+
+#include "effects/targets.h"
+
+namespace phs::effects {
+namespace {
+
+using hydraulics::EffectInfo;
+using hydraulics::EffectParams;
+using hydraulics::Extension;
+
+Status Install(const EffectParams& effect, Extension* extension) {
+  for (int i : TargetCylinders(effect, extension->params())) {
+    hydraulics::InstrumentTerms& t = extension->instrument(i);
+    t.present = true;
+    t.load.drift_per_s += effect.values.at("load_N_per_s");
+    t.p_bore.drift_per_s += effect.values.at("p_bore_Pa_per_s");
+    t.p_rod.drift_per_s += effect.values.at("p_rod_Pa_per_s");
+    t.piston.drift_per_s += effect.values.at("piston_m_per_s");
+  }
+  return {};
+}
+
+}  // namespace
+
+const EffectInfo& SensorDriftInfo() {
+  static const EffectInfo info = {
+      "sensor_drift",
+      "instrument",
+      "cylinders",
+      "shown = true + drift t",
+      {
+          {"load_N_per_s", "N/s", 0, -1e6, 1e6, -30, 30, "load cell"},
+          {"p_bore_Pa_per_s", "Pa/s", 0, -1e7, 1e7, -5e3, 5e3, "bore pressure"},
+          {"p_rod_Pa_per_s", "Pa/s", 0, -1e7, 1e7, -5e3, 5e3, "rod pressure"},
+          {"piston_m_per_s", "m/s", 0, -1, 1, -1e-5, 1e-5, "piston"},
+      },
+      Install};
+  return info;
+}
+
+}  // namespace phs::effects

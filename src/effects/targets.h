@@ -1,0 +1,37 @@
+// Which cylinders or lines an effect acts on, and how mountings join.
+#pragma once
+
+#include <vector>
+
+#include "hydraulics/extension.h"
+
+namespace phs::effects {
+
+/// Indices of the targets; all when none is named. Names were checked before.
+inline std::vector<int> TargetCylinders(const hydraulics::EffectParams& effect,
+                                        const hydraulics::PhsParams& params) {
+  std::vector<int> out;
+  for (size_t i = 0; i < params.cylinders.size() && effect.targets.empty(); ++i) {
+    out.push_back(static_cast<int>(i));
+  }
+  for (const std::string& name : effect.targets) out.push_back(params.FindCylinder(name));
+  return out;
+}
+
+inline std::vector<int> TargetLines(const hydraulics::EffectParams& effect,
+                                    const hydraulics::PhsParams& params) {
+  std::vector<int> out;
+  for (size_t i = 0; i < params.lines.size() && effect.targets.empty(); ++i) {
+    out.push_back(static_cast<int>(i));
+  }
+  for (const std::string& name : effect.targets) out.push_back(params.FindLine(name));
+  return out;
+}
+
+/// Puts a spring in series with those already there: 1/k = 1/k1 + 1/k2.
+inline void AddInSeries(hydraulics::MountTerms* mount, double stiffness) {
+  const double old = mount->stiffness_N_per_m;
+  mount->stiffness_N_per_m = old > 0 ? 1 / (1 / old + 1 / stiffness) : stiffness;
+}
+
+}  // namespace phs::effects

@@ -1,0 +1,42 @@
+#include "effects/temperature_drift.h"
+
+#include "effects/targets.h"
+
+namespace phs::effects {
+namespace {
+
+using hydraulics::EffectInfo;
+using hydraulics::EffectParams;
+using hydraulics::Extension;
+
+Status Install(const EffectParams& effect, Extension* extension) {
+  hydraulics::TemperatureTerms& t = extension->temperature();
+  t.present = true;
+  t.rate_K_per_s = effect.values.at("rate_K_per_s");
+  t.limit_K = effect.values.at("limit_K");
+  t.amplitude_K = effect.values.at("amplitude_K");
+  t.period_s = effect.values.at("period_s");
+  t.expansion_1_per_K = effect.values.at("expansion_1_per_K");
+  return {};
+}
+
+}  // namespace
+
+const EffectInfo& TemperatureDriftInfo() {
+  static const EffectInfo info = {
+      "temperature_drift",
+      "environment",
+      "",
+      "T = T_static + rate t (limited) + A sin(2 pi t/period)",
+      {
+          {"rate_K_per_s", "K/s", 0.01, -10, 10, -0.05, 0.05, "r"},
+          {"limit_K", "K", 40, 0, 100, 1, 60, "limit of the ramp"},
+          {"amplitude_K", "K", 0, 0, 60, 0, 30, "A"},
+          {"period_s", "s", 86400, 1e-3, 1e12, 60, 1e5, "period"},
+          {"expansion_1_per_K", "1/K", 6.65e-4, 0, 0.01, 0, 1e-3, "oil less housing"},
+      },
+      Install};
+  return info;
+}
+
+}  // namespace phs::effects

@@ -1,0 +1,81 @@
+#include "hydraulics/pipe.h"
+
+#include <cmath>
+#include <utility>
+
+namespace phs::hydraulics {
+namespace {
+
+class SeriesFlow final : public FlowLaw {
+ public:
+  SeriesFlow(std::unique_ptr<FlowLaw> first, std::unique_ptr<FlowLaw> second)
+      : first_(std::move(first)), second_(std::move(second)) {}
+  double Drop(double time, double flow, double* slope) const noexcept override {
+    double slope2;
+    const double drop = first_->Drop(time, flow, slope) + second_->Drop(time, flow, &slope2);
+    *slope += slope2;
+    return drop;
+  }
+  // Drops rise with flow: Newton from the smaller of the two single flows, inside [0, that].
+  double Flow(double time, double dp, double* slope) const noexcept override {
+    double s1, s2;
+    const double q1 = first_->Flow(time, dp, &s1), q2 = second_->Flow(time, dp, &s2);
+    double outer = std::abs(q1) < std::abs(q2) ? q1 : q2, inner = 0, q = outer;
+    double rise = 1;
+    for (int i = 0; i < 60; ++i) {
+      const double error = Drop(time, q, &rise) - dp;
+      ((error > 0) == (dp > 0) ? outer : inner) = q;
+      double next = q - error / rise;
+      if ((next - inner) * (next - outer) > 0) next = 0.5 * (inner + outer);
+      const double change = std::abs(next - q);
+      q = next;
+      if (change <= 1e-14 * std::abs(q)) break;
+    }
+    Drop(time, q, &rise);
+    *slope = 1 / rise;
+    return q;
+  }
+  double Inertance() const noexcept override { return first_->Inertance() + second_->Inertance(); }
+
+ private:
+  std::unique_ptr<FlowLaw> first_, second_;
+};
+
+}  // namespace
+
+double CalcLaminarResistance(double viscosity_Pas, double length_m, double bore_m) {
+  return 128 * viscosity_Pas * length_m / (M_PI * std::pow(bore_m, 4));
+}
+
+double CalcTurbulentResistance(double density_kg_m3, double length_m, double bore_m) {
+  const double area = M_PI / 4 * bore_m * bore_m;
+  return 0.03164 * density_kg_m3 * length_m / (2 * bore_m * area * area);
+}
+
+double CalcInertance(double density_kg_m3, double length_m, double bore_m) {
+  return density_kg_m3 * length_m / (M_PI / 4 * bore_m * bore_m);
+}
+
+double PipeFlow::Drop(double time, double flow, double* slope) const noexcept {
+  const Resistance& r = flow >= 0 ? forward_ : backward_;
+  const double closed = time < start_ ? 1e12 : 1;
+  *slope = closed * (r.laminar + 2 * r.turbulent * std::abs(flow));
+  return closed * (r.laminar + r.turbulent * std::abs(flow)) * flow;
+}
+
+double PipeFlow::Flow(double time, double dp, double* slope) const noexcept {
+  if (time < start_) {
+    *slope = 0;
+    return 0;
+  }
+  const Resistance& r = dp >= 0 ? forward_ : backward_;
+  const double root = std::sqrt(r.laminar * r.laminar + 4 * r.turbulent * std::abs(dp));
+  *slope = 1 / root;
+  return 2 * dp / (r.laminar + root);
+}
+
+std::unique_ptr<FlowLaw> InSeries(std::unique_ptr<FlowLaw> first, std::unique_ptr<FlowLaw> second) {
+  return std::make_unique<SeriesFlow>(std::move(first), std::move(second));
+}
+
+}  // namespace phs::hydraulics

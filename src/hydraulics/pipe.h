@@ -1,0 +1,39 @@
+// Pipes between a chamber and its line: pressure drop and inertia of the oil in them.
+//   drop(q) = R q + K q |q|,   inertance I dq/dt = dp - drop(q)
+//   R = 128 mu l/(pi d⁴) (Hagen-Poiseuille), I = rho l/A,
+//   K = lambda rho l/(2 d A²) with lambda = 0.0316 at Re = 1e4 (Blasius 0.3164 Re^-1/4), d bore, l
+//   length, A = pi d²/4. Units: R [Pa s/m3], K [Pa s2/m6], I [kg/m4].
+#pragma once
+
+#include <memory>
+
+#include "hydraulics/extension.h"
+
+namespace phs::hydraulics {
+
+double CalcLaminarResistance(double viscosity_Pas, double length_m, double bore_m);
+double CalcTurbulentResistance(double density_kg_m3, double length_m, double bore_m);
+double CalcInertance(double density_kg_m3, double length_m, double bore_m);
+
+/// Resistance that may differ by flow direction, with inertance. Open from `start` on.
+class PipeFlow final : public FlowLaw {
+ public:
+  struct Resistance {
+    double laminar = 0;    ///< R > 0 [Pa s/m3]
+    double turbulent = 0;  ///< K >= 0 [Pa s2/m6]
+  };
+  PipeFlow(Resistance forward, Resistance backward, double inertance, double start_s = -1e300)
+      : forward_(forward), backward_(backward), inertance_(inertance), start_(start_s) {}
+  double Flow(double time, double dp, double* slope) const noexcept override;
+  double Drop(double time, double flow, double* slope) const noexcept override;
+  double Inertance() const noexcept override { return inertance_; }
+
+ private:
+  Resistance forward_, backward_;
+  double inertance_, start_;
+};
+
+/// Two laws one behind the other: drops and inertances add.
+std::unique_ptr<FlowLaw> InSeries(std::unique_ptr<FlowLaw> first, std::unique_ptr<FlowLaw> second);
+
+}  // namespace phs::hydraulics
