@@ -211,8 +211,8 @@ void AddComparisonBars(const CurvingResults& results, ReportPage* page) {
       "Side by side, steady curve" +
       (prefix.empty() ? std::string() : ", " + prefix.substr(0, prefix.size() - 1) + " bogie"));
   page->BeginGrid(1);
-  // Angles, sum of Y, guiding force, Y/Q and wear: the numbers that decide about wheel and rail.
-  for (int index : {0, 1, 4, 6, 8, 10}) {
+  // Angle, track shift, guiding force and wear: the numbers that decide about wheel and rail.
+  for (int index : {0, 4, 6, 10}) {
     BarChart chart{.title = metrics[index].label, .categories = {""}};
     bool any = false;
     for (const BogieRun& run : results.runs) {

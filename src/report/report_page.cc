@@ -127,6 +127,9 @@ std::string EscapeHtml(const std::string& text) {
       case '"':
         safe += "&quot;";
         break;
+      case '\'':
+        safe += "&#39;";
+        break;
       default:
         safe += c;
     }

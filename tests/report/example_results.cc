@@ -69,7 +69,7 @@ void SetWheel(const std::string& wheel, double outward, double load, double atta
 void SetAxle(const std::string& name, double s, double stiffness, int end, int hand, Row* row) {
   const double k = Curvature(s, hand);
   const double radial = end * k * kWheelbase / 2;  // turn in the frame that would be radial
-  const double wave = std::sin(2 * M_PI * s / 17) * std::exp(-std::abs(s - 190) / 60);
+  const double wave = hand * std::sin(2 * M_PI * s / 17) * std::exp(-std::abs(s - 190) / 60);
   const double yaw = (1 - stiffness) * radial + 2e-4 * wave;
   const double attack = yaw - radial - (end > 0 ? 2e-4 : 1e-4) * hand * (k != 0);
   const double lateral = -k * kRadius * (end > 0 ? 7.2e-3 : 2.1e-3) + 1.2e-3 * wave;

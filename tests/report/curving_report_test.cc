@@ -1,0 +1,127 @@
+#include "report/curving_report.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "base/result_dir.h"
+#include "example_results.h"
+
+namespace phs::report {
+namespace {
+
+using testing::ExampleOptions;
+using ::testing::HasSubstr;
+using ::testing::Not;
+namespace fs = std::filesystem;
+
+/// A directory of its own for each test, removed at its end.
+class CurvingReport : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
+    directory_ = fs::temp_directory_path() /
+                 ("phs_report_" + std::string(info->name()) + std::to_string(::getpid()));
+    fs::create_directories(directory_);
+  }
+  void TearDown() override { fs::remove_all(directory_); }
+
+  std::string Make(ExampleOptions options) {
+    options.interval_m = std::max(options.interval_m, 0.5);
+    testing::WriteExampleResults(directory_.string(), options);
+    return Remake();
+  }
+  std::string Remake() {
+    const std::string path = (directory_ / "report.html").string();
+    const Status status = WriteCurvingReport(directory_.string(), path);
+    EXPECT_TRUE(status.ok()) << status.error().Line();
+    return ReadFile(path).value();
+  }
+  fs::path directory_;
+};
+
+TEST_F(CurvingReport, ShowsTheNumbersOfTheResult) {
+  const std::string html = Make({});
+  // Of the example at s = 430 m: 0.3, 1 and 0.6 times a/R, a = 1.55 m, and 0.2 mrad each.
+  EXPECT_THAT(html, HasSubstr("<td class=\"strong\">1.04</td><td>3.01</td><td>1.89</td>"));
+  EXPECT_THAT(html, HasSubstr("R = 550 m to the left"));
+  EXPECT_THAT(html, HasSubstr("rigid link / PHS"));
+}
+
+TEST_F(CurvingReport, SaysWhatSteersAndWhatHoldsBack) {
+  const std::string html = Make({});
+  EXPECT_THAT(html,
+              HasSubstr("it is turned by the creep forces between wheel and rail (7.47 kN m)"));
+  EXPECT_THAT(html,
+              HasSubstr("held back by the oil pressure in the cylinders (0.897 kN m), the seal "
+                        "friction of the cylinders (1.90 kN m) and the primary suspension"));
+}
+
+TEST_F(CurvingReport, LeftAndRightCurvesReadTheSame) {
+  const std::string left = Make({.hand = 1});
+  const std::string right = Make({.hand = -1});
+  for (const char* words :
+       {"points 1.04 mrad to the outer rail", "turned by the creep forces between"}) {
+    EXPECT_THAT(left, HasSubstr(words));
+    EXPECT_THAT(right, HasSubstr(words));
+  }
+  EXPECT_THAT(left, HasSubstr("leading right wheel (outer)"));
+  EXPECT_THAT(right, HasSubstr("leading left wheel (outer)"));
+}
+
+TEST_F(CurvingReport, NamesARunThatDerailed) {
+  const std::string html = Make({.derailed = true});
+  EXPECT_THAT(html, HasSubstr("The run of the soft link bogie ended as &#39;derailed&#39;"));
+  EXPECT_THAT(html, HasSubstr("tip of its flange"));
+}
+
+TEST_F(CurvingReport, ASingleRunHasNoRatios) {
+  const std::string html = Make({.bogies = {"phs"}, .single = true});
+  EXPECT_THAT(html, HasSubstr("Angle of attack, leading axle [mrad]"));
+  EXPECT_THAT(html, Not(HasSubstr("/ PHS</th>")));
+}
+
+TEST_F(CurvingReport, ALocomotiveHasTwoBogies) {
+  const std::string html = Make({.bogies = {"phs", "rigid_link"}, .locomotive = true});
+  EXPECT_THAT(html, HasSubstr("Front bogie"));
+  EXPECT_THAT(html, HasSubstr("Angle of attack, rear bogie, leading axle"));
+}
+
+TEST_F(CurvingReport, WithoutTimeSeriesTheTablesRemain) {
+  const std::string html = Make({.series = false});
+  EXPECT_THAT(html, HasSubstr("No time series was saved"));
+  EXPECT_THAT(html, HasSubstr("Wear number Tγ, four wheels [N]"));
+}
+
+TEST_F(CurvingReport, AMinuteAtAKilohertzStaysBelowSixMegabytes) {
+  testing::WriteExampleResults(
+      directory_.string(),
+      {.bogies = {"phs", "rigid_link"}, .locomotive = true, .interval_m = 0.0167});
+  Remake();
+  EXPECT_LT(fs::file_size(directory_ / "report.html"), 6u << 20);
+}
+
+TEST_F(CurvingReport, TheSameResultGivesTheSameBytes) {
+  const std::string once = Make({});
+  EXPECT_EQ(once, Remake());
+}
+
+TEST_F(CurvingReport, BadInputIsNamed) {
+  const std::string place = directory_.string();
+  const Status empty = WriteCurvingReport(place, place + "/r.html");
+  ASSERT_FALSE(empty.ok());
+  EXPECT_THAT(empty.error().Line(), HasSubstr("holds no result of a curving run"));
+  std::ofstream(directory_ / "compare.json") << "{ broken";
+  const Status broken = WriteCurvingReport(place, place + "/r.html");
+  ASSERT_FALSE(broken.ok());
+  EXPECT_THAT(broken.error().Line(), HasSubstr("compare.json"));
+  std::ofstream(directory_ / "compare.json") << "{\"bogies\":{}}";
+  EXPECT_FALSE(WriteCurvingReport(place, place + "/r.html").ok());
+  EXPECT_FALSE(fs::exists(directory_ / "r.html"));
+}
+
+}  // namespace
+}  // namespace phs::report

@@ -1,0 +1,86 @@
+#include "report/report_page.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace phs::report {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+TEST(FormatNumber, DigitsSignsAndPowers) {
+  EXPECT_EQ(FormatNumber(0), "0");
+  EXPECT_EQ(FormatNumber(1.23456), "1.23");
+  EXPECT_EQ(FormatNumber(-0.00123456), "−0.00123");
+  EXPECT_EQ(FormatNumber(9.996), "10.0");
+  EXPECT_EQ(FormatNumber(99.96), "100");
+  EXPECT_EQ(FormatNumber(12345), "12345");
+  EXPECT_EQ(FormatNumber(0.9994), "0.999");
+  EXPECT_EQ(FormatNumber(0.99951), "1.00");
+  EXPECT_EQ(FormatNumber(2e-4, 2), "2.0·10⁻⁴");
+  EXPECT_EQ(FormatNumber(-3.2e12, 2), "−3.2·10¹²");
+  EXPECT_EQ(FormatNumber(std::nan("")), "–");
+}
+
+TEST(ReportPage, TextsCannotBecomeMarkup) {
+  ReportPage page("a <b> & \"c\"", "<script>x()</script>");
+  page.Section("1 < 2");
+  page.Paragraph("</p><img src=x>", "<i>");
+  page.Add(
+      DataTable{.caption = "<u>", .head = {"<h>"}, .rows = {{TableCell("<td>"), TableCell("&")}}});
+  page.Add(SeriesPlot{.title = "</figure>",
+                      .x_label = "</script><script>bad()</script>",
+                      .curves = {{.label = "</script>", .x = {0, 1}, .y = {0, 1}}}});
+  const std::string html = page.Html();
+  for (const char* bad : {"<b>", "<script>x()", "<img", "<u>", "<h>", "bad()</script>"}) {
+    EXPECT_THAT(html, Not(HasSubstr(bad)));
+  }
+  EXPECT_THAT(html, HasSubstr("a &lt;b&gt; &amp; &quot;c&quot;"));
+}
+
+TEST(ReportPage, AsksNothingFromTheNetwork) {
+  ReportPage page("t", "s");
+  page.Section("x");
+  page.Add(SeriesPlot{.title = "p", .curves = {{.label = "c", .x = {0, 1}, .y = {0, 1}}}});
+  const std::string html = page.Html();
+  for (const char* bad : {"src=\"http", "href=\"http", "@import", "url(http", "src='http"}) {
+    EXPECT_THAT(html, Not(HasSubstr(bad)));
+  }
+  EXPECT_THAT(html, HasSubstr("default-src 'none'"));
+  EXPECT_THAT(html, HasSubstr("uPlot"));
+}
+
+TEST(ReportPage, BarsStandOnACommonZero) {
+  ReportPage page("t", "s");
+  page.Section("x");
+  page.Add(BarChart{.title = "m",
+                    .unit = "kN",
+                    .categories = {""},
+                    .bars = {{.label = "a", .values = {3}}, {.label = "b", .values = {-1}}}});
+  const std::string html = page.Html();
+  EXPECT_THAT(html, HasSubstr("margin-left:25.000%;width:75.000%"));
+  EXPECT_THAT(html, HasSubstr("margin-left:0%;width:25.000%"));
+}
+
+TEST(ReportPage, EveryPlotHasItsData) {
+  ReportPage page("t", "s");
+  page.Section("x");
+  page.Add(XyPlot{.title = "loop", .curves = {{.label = "c", .x = {0, 1, 0}, .y = {0, 1, 2}}}});
+  page.Add(HeatMap{
+      .title = "map", .x_edges = {0, 1, 2}, .y_edges = {0, 1}, .values = {{1, std::nan("")}}});
+  const std::string html = page.Html();
+  EXPECT_THAT(html, HasSubstr("id=\"figure-1\" data-kind=\"xy\""));
+  EXPECT_THAT(html, HasSubstr("id=\"figure-2\" data-kind=\"heat\""));
+  EXPECT_THAT(html, HasSubstr("\"figure-1\":{"));
+  EXPECT_THAT(html, HasSubstr("[[1.0,null]]"));
+}
+
+TEST(ReportPage, UnwritablePlaceIsAnError) {
+  EXPECT_FALSE(ReportPage("t", "s").Write("/proc/no/such/place/report.html").ok());
+}
+
+}  // namespace
+}  // namespace phs::report
