@@ -33,7 +33,7 @@ Alignment::PlanPoint Alignment::Advance(const Knot& knot, double u) noexcept {
   double turn = 0;
   double c = 1;
   double s = 0;
-  if (knot.curvature != 0 || rate != 0) {
+  if (u != 0 && (knot.curvature != 0 || rate != 0)) {
     double sum_cos = 0;
     double sum_sin = 0;
     for (int i = 0; i < 4; ++i) {
@@ -119,7 +119,8 @@ double Alignment::Project(const Vec3& point) const noexcept {
         1 + slope * slope - curvature * across - 2 * knot.height.half_second * dz;
     const double step = f / std::max(derivative, 0.2);
     s += step;
-    if (!(std::abs(step) > 1e-9)) break;  // quadratic convergence: the next step is below rounding
+    // Quadratic convergence: after a step of 1e-7 m the error is below rounding.
+    if (!(std::abs(step) > (derivative > 0.2 ? 1e-7 : 1e-12))) break;
   }
   return s;
 }
