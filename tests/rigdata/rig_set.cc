@@ -157,7 +157,7 @@ void SetBuilder::MeasureFloors(const TrueRig& rig, const Record& readings) {
   for (const double confidence : {1.2, 2.0, 3.0}) {
     MotionEstimate motion = EstimateMotion(set_.record.channel[kActuator], 200,
                                            NoiseLevel(set_.noise[kActuator]), confidence);
-    if (!rig.rig.mount.rigid) motion.MakeConsistent(0.1);
+    if (!rig.rig.mount.rigid && confidence > 1.5) motion.MakeConsistent(0.01 * confidence);
     const Record predicted = Readings(rig, motion.Input(), kFloorStep, 1.0 / kFloorStep);
     const ChannelNumbers error = Rmse(predicted, set_.record);
     for (int c = 0; c < kChannels; ++c) {

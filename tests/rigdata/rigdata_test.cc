@@ -1,0 +1,488 @@
+// The generator against closed formulas, against itself with a finer step, and its promises.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <numbers>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <string>
+
+#include "set_writer.h"
+#include "suite.h"
+
+namespace rigdata {
+namespace {
+
+constexpr double kTwoPi = 2.0 * std::numbers::pi;
+
+// Positive root of C p² + b p − c = 0.
+double PositiveRoot(double a, double b, double c) {
+  return (-b + std::sqrt(b * b + 4.0 * a * c)) / (2.0 * a);
+}
+
+// Isothermal volume balance of a line with gas, oil and (above its precharge) an accumulator is a
+// quadratic in p:  C (p − p0) + Vg (1 − p0/p) + Va (1 − pp/p) = D.
+double StaticPressure(const LineParams& q, double x, bool blow_off) {
+  const double va = blow_off ? q.blow_off_volume : 0, d = q.area * x;
+  return PositiveRoot(q.oil_compliance, q.gas_volume0 + va - q.oil_compliance * q.p0 - d,
+                      q.gas_volume0 * q.p0 + va * q.blow_off_precharge);
+}
+
+double SolvedPressure(const LineParams& q, double x) {
+  const LineTruth line(q);
+  return line.Solve(line.Initial(), x, 1e-3, Surroundings{}).p_chamber;
+}
+
+TEST(LineTruth, StaticPointsAreTheRootsOfTheVolumeBalance) {
+  const RigParams rig = NominalRig();
+  for (const double x : {-3e-3, -1e-3, 0.0, 1e-3, 3e-3}) {
+    const double bore = StaticPressure(rig.bore, x, false);
+    const double rod = StaticPressure(rig.rod, x, false);
+    EXPECT_NEAR(SolvedPressure(rig.bore, x), bore, 1e-6 * bore) << x;
+    EXPECT_NEAR(SolvedPressure(rig.rod, x), rod, 1e-6 * rod) << x;
+  }
+  for (const double x : {4e-3, 6e-3, 9e-3}) {
+    const double rod = StaticPressure(rig.rod, x, true);
+    ASSERT_GT(rod, rig.rod.blow_off_precharge);
+    EXPECT_NEAR(SolvedPressure(rig.rod, x), rod, 1e-6 * rod) << x;
+  }
+}
+
+TEST(LineTruth, DerivativeOfTheVolumeMatchesDifferences) {
+  LineParams q = NominalRig().rod;
+  q.air_volume = 3e-6;
+  q.hose_volume = 2e-6;
+  q.vapour_pressure = 0.6e6;
+  q.vapour_volume = 1e-6;
+  q.oil_stiffening = 2e-8;
+  for (const AirForm air :
+       {AirForm::kDissolving, AirForm::kPolytropicDissolving, AirForm::kLaggingDissolution}) {
+    for (const HoseForm hose : {HoseForm::kStiffening, HoseForm::kViscoelastic}) {
+      for (const VapourForm vapour : {VapourForm::kRelease, VapourForm::kPlateau}) {
+        q.air_form = air;
+        q.air_exponent = 1.3;
+        q.hose_form = hose;
+        q.vapour_form = vapour;
+        const LineTruth line(q);
+        const LineState state = line.Initial();
+        for (const double p : {0.3e6, 1e6, 4e6, 12e6, 16e6}) {
+          double slope = 0;
+          line.Volume(p, state, 1e-3, {}, &slope);
+          const double d = 1e-4 * p;
+          const double difference = (line.Volume(p + d, state, 1e-3, {}, nullptr) -
+                                     line.Volume(p - d, state, 1e-3, {}, nullptr)) /
+                                    (2 * d);
+          EXPECT_NEAR(slope / difference, 1.0, 1e-5) << p;
+        }
+      }
+    }
+  }
+}
+
+RigParams OnlyBoreLine() {
+  RigParams rig = NominalRig();
+  rig.friction.scale = 0;
+  return rig;
+}
+
+// Without heat exchange the gas follows p V^(1 + R/c_v) = const.
+TEST(LineTruth, GasWithoutHeatExchangeIsAdiabatic) {
+  RigParams rig = OnlyBoreLine();
+  rig.bore.gas_tau = 1e9;
+  const auto move = [](double t) { return -2e-3 * SmoothStep(t); };
+  const RigSignals s = Simulate(rig, {move, {}}, {1e-5, 200, 1.2});
+  const double p = s.p_bore.back();
+  const double volume =
+      rig.bore.gas_volume0 + rig.bore.oil_compliance * (p - rig.bore.p0) + rig.bore.area * 2e-3;
+  const double kappa = 1.0 + rig.bore.gas_coupling;
+  const double expected = rig.bore.p0 * std::pow(rig.bore.gas_volume0 / volume, kappa);
+  EXPECT_NEAR(p, expected, 2e-4 * expected);
+}
+
+TEST(LineTruth, FastHeatExchangeIsIsothermal) {
+  RigParams rig = OnlyBoreLine();
+  rig.bore.gas_tau = 1e-5;
+  const auto move = [](double t) { return -2e-3 * SmoothStep(t); };
+  const RigSignals s = Simulate(rig, {move, {}}, {1e-4, 200, 1.5});
+  const double expected = StaticPressure(rig.bore, -2e-3, false);
+  EXPECT_NEAR(s.p_bore.back(), expected, 1e-3 * expected);
+}
+
+// Oil alone, laminar leak: p − p_a decays with the time constant C/g.
+TEST(LineTruth, LeakOfAClosedOilVolumeDecaysExponentially) {
+  RigParams rig = OnlyBoreLine();
+  rig.bore.gas_volume0 = 1e-15;
+  rig.bore.leak = {LeakForm::kLaminar, rig.bore.oil_compliance / 2.0};
+  const RigSignals s = Simulate(rig, {[](double) { return 0.0; }, {}}, {1e-4, 200, 3});
+  for (const size_t i : {100u, 300u, 500u}) {
+    const double expected = 1e5 + (rig.bore.p0 - 1e5) * std::exp(-s.t[i] / 2.0);
+    EXPECT_NEAR(s.p_bore[i], expected, 2e-4 * expected);
+  }
+}
+
+// What leaves the bore line through the piston enters the rod line: at the end both pressures are
+// equal and the displaced volumes balance.
+TEST(LineTruth, PistonLeakageConservesOil) {
+  RigParams rig = OnlyBoreLine();
+  rig.piston_leak = {LeakForm::kLaminar, 1e-12};
+  const auto move = [](double t) { return -1.5e-3 * SmoothStep(t); };
+  const RigSignals s = Simulate(rig, {move, {}}, {1e-3, 200, 60});
+  const double p = s.p_bore.back();
+  EXPECT_NEAR(s.p_rod.back(), p, 1e-3 * p);
+  const LineTruth bore(rig.bore), rod(rig.rod);
+  const double held = bore.Volume(p, bore.Initial(), 1, {}, nullptr) +
+                      rod.Volume(s.p_rod.back(), rod.Initial(), 1, {}, nullptr);
+  EXPECT_NEAR(held, (rig.bore.area + rig.rod.area) * -1.5e-3, 1e-9);
+}
+
+// Chamber and reservoir with an oil column between them ring at √((1/C1 + 1/C2)/I).
+TEST(LineTruth, OilColumnRingsAtItsNaturalFrequency) {
+  RigParams rig = OnlyBoreLine();
+  rig.bore.gas_volume0 = 1e-15;
+  rig.bore.inertance = 5e7;
+  rig.bore.chamber_share = 0.25;
+  const auto move = [](double t) { return -1e-4 * SmoothStep(t / 0.002); };
+  const RigSignals s = Simulate(rig, {move, {}}, {2e-6, 10000, 0.2});
+  const double c = rig.bore.oil_compliance;
+  const double frequency =
+      std::sqrt((1 / (0.25 * c) + 1 / (0.75 * c)) / rig.bore.inertance) / kTwoPi;
+  const double level = rig.bore.p0 + kBoreArea * 1e-4 / c;
+  double first = 0, last = 0;
+  int crossings = 0;
+  for (size_t i = 100; i + 1 < s.size(); ++i) {
+    const double a = s.p_bore[i] - level, b = s.p_bore[i + 1] - level;
+    if (a < 0 && b >= 0) {
+      last = s.t[i] + (s.t[i + 1] - s.t[i]) * a / (a - b);
+      if (crossings++ == 0) first = last;
+    }
+  }
+  ASSERT_GT(crossings, 5);
+  EXPECT_NEAR((crossings - 1) / (last - first), frequency, 0.01 * frequency);
+}
+
+// Slow steady compression: pressure drop = R × the flow into the remote part.
+TEST(LineTruth, SteadyFlowDropsTheResistanceTimesFlow) {
+  RigParams rig = OnlyBoreLine();
+  rig.bore.laminar = {4e8, 4e8};
+  rig.bore.turbulent = {2e12, 2e12};
+  LineTruth line(rig.bore);
+  LineState state = line.Initial();
+  const double h = 1e-4, v = -0.01;
+  for (int i = 1; i <= 2000; ++i) {
+    LineState next = line.Solve(state, v * h * i, h, {});
+    line.Advance(next, state, h, 0, {});
+    state = next;
+  }
+  const double drop = 4e8 * state.flow + 2e12 * state.flow * state.flow;
+  EXPECT_GT(state.flow, 0.8 * kBoreArea * 0.01);
+  EXPECT_NEAR(state.p_chamber - state.p_remote, drop, 1e-3 * drop);
+}
+
+// Loop of a triangle of half amplitude a at constant speed: ∮F dx = 2a (F(v) − F(−v)); the
+// hydraulics gives its work back.
+TEST(Friction, LoopAreaOfATriangle) {
+  const double a = 2e-3, v = 0.004, period = 4 * a / v;
+  const auto triangle = [&](double t) {
+    const double u = t / period - std::floor(t / period);
+    return a * (u < 0.25 ? 4 * u : (u < 0.75 ? 2 - 4 * u : 4 * u - 4));
+  };
+  RigParams rig = NominalRig();
+  rig.friction.scale = 1.2;
+  const RigSignals s = Simulate(rig, {triangle, {}}, {1e-4, 1000, 2 * period + 1e-3});
+  double work = 0;
+  for (size_t i = s.size() - 1; s.t[i] > period; --i) {
+    work += 0.5 * (s.load[i] + s.load[i - 1]) * (s.actuator[i] - s.actuator[i - 1]);
+  }
+  const double expected = 2 * a * 1.2 * (FrictionTruth::Table(v) - FrictionTruth::Table(-v));
+  EXPECT_NEAR(work, expected, 0.005 * expected);
+}
+
+double ForceAfter(const FrictionParams& params, double distance, double v) {
+  const FrictionTruth friction(params);
+  FrictionState state, next;
+  const double h = 1e-5;
+  double force = 0;
+  for (double x = 0; x < distance; x += v * h) {
+    force = friction.Force(state, {x, v, 0, 2e6, 2e6}, h, &next);
+    state = next;
+  }
+  return force;
+}
+
+// Closed forms from rest at the constant level F_c: LuGre F_c (1 − e^(−x/z)); Dahl with exponent 2
+// F_c (1 − 1/(1 + x/z)); Maxwell slip: sum of elastic and sliding elements.
+TEST(Friction, PreslidingCurvesFollowTheirClosedForms) {
+  FrictionParams params;
+  params.presliding_distance = 40e-6;
+  const double v = 0.00019, level = 1700;  // within the table's first segment: constant level
+  for (const double x : {10e-6, 40e-6, 120e-6}) {
+    params.presliding = PreslidingForm::kLuGre;
+    EXPECT_NEAR(ForceAfter(params, x, v), level * (1 - std::exp(-x / 40e-6)), 2) << x;
+    params.presliding = PreslidingForm::kDahl;
+    EXPECT_NEAR(ForceAfter(params, x, v), level * (1 - 1 / (1 + x / 40e-6)), 2) << x;
+  }
+  params.presliding = PreslidingForm::kMaxwellSlip;
+  EXPECT_NEAR(ForceAfter(params, 125e-6, v), level, 2);
+  EXPECT_LT(ForceAfter(params, 20e-6, v), 0.8 * level);
+}
+
+TEST(Friction, StuckPresslidingHoldsItsForceAtRest) {
+  FrictionParams params;
+  params.presliding = PreslidingForm::kLuGre;
+  const FrictionTruth friction(params);
+  FrictionState state, next;
+  state.strain[0] = 10e-6;
+  const double before = friction.Force(state, {}, 1e-4, &next);
+  for (int i = 0; i < 10000; ++i) {
+    state = next;
+    friction.Force(state, {}, 1e-4, &next);
+  }
+  EXPECT_DOUBLE_EQ(friction.Force(next, {}, 1e-4, &state), before);
+  EXPECT_GT(before, 100);
+}
+
+TEST(Mount, ZenerRelaxesByItsBranch) {
+  MountParams params;
+  params.stiffness = 1e8;
+  params.branches = {{0.5, 0.4}};
+  const MountTruth mount(params);
+  MountState state, next;
+  double force = 0;
+  for (int i = 0; i <= 8000; ++i) {
+    force = mount.Force(state, 1e-4, 1e-4, &next);
+    state = next;
+  }
+  EXPECT_NEAR(force, 1e8 * 1e-4 * (1 + 0.5 * std::exp(-0.8 / 0.4)), 3);
+}
+
+TEST(Mount, SpringAndGapSeparateActuatorAndPiston) {
+  RigParams rig = NominalRig();
+  rig.mount.rigid = false;
+  rig.mount.stiffness = 5e8;
+  rig.mount.gap = 60e-6;
+  const auto move = [](double t) { return 2e-3 * std::sin(kTwoPi * 0.5 * t); };
+  const RigSignals s = Simulate(rig, {move, {}}, {1e-4, 200, 4});
+  int pulled = 0, pushed = 0;
+  for (size_t i = 1; i < s.size(); ++i) {
+    if (std::abs(s.load[i]) < 1) continue;
+    const double gap = s.load[i] > 0 ? 30e-6 : -30e-6;
+    EXPECT_NEAR(s.actuator[i] - s.piston[i], gap + s.load[i] / 5e8, 1e-10);
+    (s.load[i] > 0 ? pulled : pushed)++;
+  }
+  EXPECT_GT(pulled, 100);
+  EXPECT_GT(pushed, 100);
+}
+
+// Every effect in the rig at once: halving the step halves the error (first order).
+TEST(Rig, ErrorHalvesWithTheStep) {
+  TrueRig rig{NominalRig(), {}};
+  for (const std::string name : {"gas_thermal", "hose_expansion", "external_leakage", "presliding",
+                                 "mount_compliance", "line_resistance"}) {
+    RandomSource random(5, name);
+    DrawEffect(name, random).apply(1.0, &rig);
+  }
+  const auto move = [](double t) {
+    return SmoothStep(t / 0.5) *
+           (1.5e-3 * std::sin(kTwoPi * 0.7 * t) + 0.3e-3 * std::sin(kTwoPi * 2.3 * t));
+  };
+  const auto run = [&](double h) { return Simulate(rig.rig, {move, {}}, {h, 200, 3}); };
+  const RigSignals coarse = run(4e-4), middle = run(2e-4), fine = run(1e-4);
+  double first = 0, second = 0, load_first = 0, load_second = 0;
+  for (size_t i = 0; i < fine.size(); ++i) {
+    first += std::abs(coarse.p_rod[i] - middle.p_rod[i]);
+    second += std::abs(middle.p_rod[i] - fine.p_rod[i]);
+    load_first += std::abs(coarse.load[i] - middle.load[i]);
+    load_second += std::abs(middle.load[i] - fine.load[i]);
+  }
+  EXPECT_NEAR(first / second, 2.0, 0.3);
+  EXPECT_NEAR(load_first / load_second, 2.0, 0.4);
+}
+
+// Over a closed cycle, once periodic, the rig never gives work back.
+TEST(Rig, EveryPassiveEffectDissipates) {
+  const double period = 2.0;
+  const auto move = [&](double t) { return 2e-3 * std::sin(kTwoPi * t / period); };
+  for (const std::string& name : ListedNames()) {
+    if (name.rfind("sensor", 0) == 0 || name == "temperature_drift") continue;
+    TrueRig rig{NominalRig(), {}};
+    rig.rig.friction.scale = 1e-6;  // leave the effect alone with the lines
+    const HiddenEffect effect = DrawEffect(name, RandomSource(3, name));
+    effect.apply(std::min(1.0, effect.largest), &rig);
+    const RigSignals s = Simulate(rig.rig, {move, {}}, {5e-4, 200, 4 * period + 0.005});
+    double work = 0, turnover = 0;
+    for (size_t i = s.size() - 1; s.t[i] > 3 * period; --i) {
+      const double w = 0.5 * (s.load[i] + s.load[i - 1]) * (s.actuator[i] - s.actuator[i - 1]);
+      work += w;
+      turnover += std::abs(w);
+    }
+    EXPECT_GT(work, -2e-3 * turnover) << name;
+  }
+}
+
+TEST(Refit, RecoversTheFactorsOfACleanRecord) {
+  const DeclaredFactors truth = {0.8, 1.25, 1.2, 0.75, 1.15};
+  const auto move = [](double t) {
+    return 0.3e-3 + 2.4e-3 * std::sin(kTwoPi * 0.23 * t) * std::cos(kTwoPi * 0.031 * t);
+  };
+  const RigSignals s = Simulate(DeclaredRig(truth), {move, {}}, {1e-3, 200, 20});
+  const Record record = Read(s, {}, 200);
+  MotionEstimate motion;
+  motion.x = s.actuator;
+  motion.v = s.speed;
+  const DeclaredFactors found = FitDeclared(record, motion, {1, 20}, {1e-6, 1e-6, 50, 5e3, 5e3});
+  EXPECT_NEAR(found.oil_bore, truth.oil_bore, 1e-4);
+  EXPECT_NEAR(found.gas_bore, truth.gas_bore, 1e-4);
+  EXPECT_NEAR(found.oil_rod, truth.oil_rod, 1e-4);
+  EXPECT_NEAR(found.gas_rod, truth.gas_rod, 1e-4);
+  EXPECT_NEAR(found.friction, truth.friction, 1e-4);
+}
+
+TEST(Sensors, NoiseHasItsLevelItsColourAndItsQuantum) {
+  const NoiseSet noise = DrawNoise(RandomSource(4));
+  Record still;
+  for (int i = 0; i < 40000; ++i) still.t.push_back(i / 200.0);
+  for (auto& channel : still.channel) channel.assign(still.t.size(), 0.0);
+  const Record noisy = AddNoise(still, noise, RandomSource(9));
+  for (int c = 0; c < kChannels; ++c) {
+    const std::vector<double>& y = noisy.channel[c];
+    double square = 0, lagged = 0;
+    for (size_t i = 4; i < y.size(); ++i) {
+      square += y[i] * y[i];
+      lagged += y[i] * y[i - 4];
+      const double steps = y[i] / noise[c].quantum;
+      ASSERT_NEAR(steps, std::round(steps), 1e-6);
+    }
+    EXPECT_NEAR(std::sqrt(square / (y.size() - 4)), NoiseLevel(noise[c]),
+                0.05 * NoiseLevel(noise[c]));
+    EXPECT_GT(lagged, 0.02 * square) << "coloured, channel " << c;
+  }
+}
+
+TEST(Sensors, DelayGainOffsetAndPlayDoWhatTheySay) {
+  RigSignals s;
+  for (int i = 0; i < 4000; ++i) {
+    s.t.push_back(i / 2000.0);
+    const double ramp = 1000.0 * s.t.back();
+    for (auto* y : {&s.actuator, &s.piston, &s.load, &s.p_bore, &s.p_rod}) y->push_back(ramp);
+  }
+  SensorSet sensors;
+  sensors[kLoad].delay = 0.02;
+  sensors[kPBore].gain = 0.05;
+  sensors[kPBore].offset = 7;
+  sensors[kPRod].hysteresis = 30;
+  sensors[kPRod].hysteresis_span = 200;
+  const Record r = Read(s, sensors, 2000);
+  ASSERT_EQ(r.size(), 400u);
+  EXPECT_NEAR(r.channel[kLoad].back(), r.channel[kActuator].back() - 20, 1e-9);
+  EXPECT_NEAR(r.channel[kPBore].back(), 1.05 * r.channel[kActuator].back() + 7, 1e-9);
+  EXPECT_NEAR(r.channel[kPRod].back(), r.channel[kActuator].back() - 30, 1e-9);
+}
+
+SetWish ShortWish(std::vector<EffectWish> effects, uint64_t seed) {
+  SetWish wish;
+  wish.effects = std::move(effects);
+  wish.seed = seed;
+  wish.duration = 60;
+  wish.final_step = 5e-4;
+  return wish;
+}
+
+TEST(Set, SameSeedSameBitsOtherSeedOtherRecord) {
+  const RigSet a = MakeRigSet(ShortWish({{"stribeck", Grade::kStrong}}, 7));
+  const RigSet b = MakeRigSet(ShortWish({{"stribeck", Grade::kStrong}}, 7));
+  const RigSet c = MakeRigSet(ShortWish({{"stribeck", Grade::kStrong}}, 8));
+  EXPECT_EQ(a.record.channel, b.record.channel);
+  EXPECT_EQ(TruthJson(a), TruthJson(b));
+  EXPECT_NE(a.record.channel[kLoad], c.record.channel[kLoad]);
+}
+
+TEST(Set, CleanSetIsExplainedByTheDeclaredModelAlone) {
+  const RigSet set = MakeRigSet(ShortWish({}, 21));
+  for (const Channel c : {kPiston, kLoad, kPBore, kPRod}) {
+    EXPECT_LT(set.declared[c], 1.05 * set.floor[c]) << kChannelNames[c];
+    EXPECT_GE(set.floor[c], 0.97 * set.noise_only[c]) << kChannelNames[c];
+  }
+  for (const double factor : {set.base.oil_bore, set.base.gas_bore, set.base.oil_rod,
+                              set.base.gas_rod, set.base.friction}) {
+    EXPECT_GE(std::abs(factor - 1), 0.1);
+    EXPECT_LE(std::abs(factor - 1), 0.3);
+  }
+  for (const Channel c : {kPBore, kPRod}) {
+    for (const double p : set.record.channel[c]) {
+      ASSERT_GT(p, 0.2e6);
+      ASSERT_LT(p, 20e6);
+    }
+  }
+}
+
+TEST(Set, GradesAreSeveralTimesAndAboutTheNoise) {
+  for (const uint64_t seed : {31u, 32u}) {
+    const RigSet strong = MakeRigSet(ShortWish({{"piston_leakage", Grade::kStrong}}, seed));
+    EXPECT_GT(strong.hidden[0].size_over_noise, 3.5);
+    EXPECT_GT(std::max(strong.declared[kPBore] / strong.floor[kPBore],
+                       strong.declared[kPRod] / strong.floor[kPRod]),
+              3.0);
+    const RigSet weak = MakeRigSet(ShortWish({{"piston_leakage", Grade::kWeak}}, seed));
+    EXPECT_GT(weak.hidden[0].size_over_noise, 0.7);
+    EXPECT_LT(weak.hidden[0].size_over_noise, 2.2);
+  }
+}
+
+TEST(Suite, SeedsOfTuningScoringAndHoldoutAreApart) {
+  std::set<uint64_t> seen;
+  size_t total = 0;
+  for (const char* name : {"tune", "score", "holdout"}) {
+    const auto suite = ComposeSuite(name);
+    ASSERT_TRUE(suite.has_value());
+    std::map<SetKind, int> kinds;
+    for (const SuiteEntry& e : *suite) {
+      seen.insert(e.wish.seed);
+      ++kinds[e.kind];
+      ++total;
+    }
+    EXPECT_EQ(kinds[SetKind::kSingle], 48);
+    EXPECT_GE(kinds[SetKind::kClean], 20);
+    EXPECT_GE(kinds[SetKind::kPair], 20);
+  }
+  EXPECT_EQ(seen.size(), total);
+  EXPECT_FALSE(ComposeSuite("other").has_value());
+}
+
+TEST(Suite, EveryNameCanBeDrawnInEveryForm) {
+  for (const auto* names : {&ListedNames(), &OffListNames()}) {
+    for (const std::string& name : *names) {
+      for (uint64_t seed = 0; seed < 12; ++seed) {
+        const HiddenEffect effect = DrawEffect(name, RandomSource(seed));
+        TrueRig rig{NominalRig(), {}};
+        EXPECT_EQ(effect.name, name);
+        EXPECT_FALSE(effect.apply(1.0, &rig).empty()) << name;
+        EXPECT_EQ(effect.listed, names == &ListedNames()) << name;
+      }
+    }
+  }
+  EXPECT_THROW(DrawEffect("no_such_effect", RandomSource(1)), std::logic_error);
+}
+
+// The generator must not share a line with what it judges.
+TEST(Independence, NoFileHereIncludesTheProduct) {
+  const std::filesystem::path folder = RIGDATA_SOURCE_DIR;
+  const std::regex include("#include \"([^\"]+)\"");
+  int files = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (entry.path().extension() != ".cc" && entry.path().extension() != ".h") continue;
+    ++files;
+    std::ifstream in(entry.path());
+    for (std::string line; std::getline(in, line);) {
+      std::smatch match;
+      if (!std::regex_search(line, match, include)) continue;
+      EXPECT_TRUE(std::filesystem::exists(folder / match[1].str())) << entry.path() << line;
+    }
+  }
+  EXPECT_GT(files, 20);
+}
+
+}  // namespace
+}  // namespace rigdata
