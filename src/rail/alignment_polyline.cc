@@ -18,9 +18,11 @@ RoundedPolyline::RoundedPolyline(const std::vector<Vertex>& vertices) {
     const double after = slope_after(i);
     if (before == after) continue;
     const double d = v.half_length;
-    PHS_CHECK(v.s - d >= pieces_.back().s && v.s + d <= vertices[i + 1].s);
+    constexpr double kRounding = 1e-6;  // parabolas may meet, and then overlap by rounding [m]
+    PHS_CHECK(v.s - d >= pieces_.back().s - kRounding && v.s + d <= vertices[i + 1].s + kRounding);
     if (d > 0) {
-      pieces_.push_back({v.s - d, {v.value - before * d, before, (after - before) / (4 * d)}});
+      pieces_.push_back({std::max(v.s - d, pieces_.back().s),
+                         {v.value - before * d, before, (after - before) / (4 * d)}});
     }
     pieces_.push_back({v.s + d, {v.value + after * d, after, 0}});
   }

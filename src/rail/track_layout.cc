@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kSmallestRadius = 50;     // [m]
 constexpr double kLongestSegment = 200e3;  // [m]
+constexpr double kShortestSegment = 0.1;   // [m]
 constexpr double kLargestCant = 0.25;      // [m]
 constexpr double kHeadWidth = 0.072;  // of a 60E1 rail: gauge + head = distance of rail centres
 
@@ -30,7 +31,7 @@ void ReadCurve(YamlMap& map, TrackSegment* segment) {
     return;
   }
   if (map.Has("length_m")) {
-    segment->length = map.Number("length_m", {.min = 0, .max = kLongestSegment, .open_min = true});
+    segment->length = map.Number("length_m", {.min = kShortestSegment, .max = kLongestSegment});
   } else {
     const double angle = map.Number("angle_deg", {.min = 0, .max = 360, .open_min = true});
     segment->length = radius * angle * std::numbers::pi / 180;
@@ -49,7 +50,7 @@ TrackSegment ReadSegment(YamlMap& map) {
   if (segment.kind == SegmentKind::kCurve) {
     ReadCurve(map, &segment);
   } else {
-    segment.length = map.Number("length_m", {.min = 0, .max = kLongestSegment, .open_min = true});
+    segment.length = map.Number("length_m", {.min = kShortestSegment, .max = kLongestSegment});
   }
   segment.gradient = map.Number("gradient_per_mille", {.min = -100, .max = 100}, 0.0) / 1000;
   return segment;

@@ -344,6 +344,14 @@ TEST(AlignmentErrors, VerticalCurveThatDoesNotFit) {
                                      HasSubstr("holds for 30 m"), HasSubstr("vertical_radius_m")));
 }
 
+TEST(AlignmentGradient, VerticalCurvesMayTouchEachOther) {
+  for (double first : {100.0, 123.4567, 777.1}) {
+    AlignmentParams params;
+    params.segments = {Tangent(first), Tangent(100, 0.02), Tangent(100), Tangent(60)};
+    EXPECT_EQ(Failure(params), "ok");  // 5000 m * 0.02 / 2 = 50 m from both ends of the second
+  }
+}
+
 TEST(AlignmentErrors, TrackThatMeetsItself) {
   AlignmentParams params;
   const TrackSegment straight = Tangent(50);
