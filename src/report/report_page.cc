@@ -208,7 +208,7 @@ void ReportPage::SharedLegend(const std::string& group, const std::vector<Curve>
 
 void ReportPage::ZoomButtons(const std::string& group, const std::vector<Band>& ranges) {
   body_ += "<div class=\"zoom\" data-group=\"" + EscapeHtml(group) +
-           "\"><span>Zoom:</span><button type=\"button\">whole run</button>";
+           "\"><span>Zoom:</span><button type=\"button\">all</button>";
   for (const Band& range : ranges) {
     body_ += "<button type=\"button\" data-begin=\"" + std::to_string(range.begin) +
              "\" data-end=\"" + std::to_string(range.end) + "\">" + EscapeHtml(range.label) +
@@ -343,7 +343,7 @@ void ReportPage::Add(const HeatMap& map) {
   const json spec = {{"x_label", map.x_label},         {"y_label", map.y_label},
                      {"value_label", map.value_label}, {"x_edges", map.x_edges},
                      {"y_edges", map.y_edges},         {"values", map.values},
-                     {"diverging", map.diverging}};
+                     {"diverging", map.diverging},     {"full_scale", map.full_scale}};
   AddFigure("heat", map.title, Dump(spec));
 }
 

@@ -80,7 +80,8 @@ struct HeatMap {
   std::vector<double> x_edges = {};              ///< ascending, one more than columns
   std::vector<double> y_edges = {};              ///< ascending, one more than rows
   std::vector<std::vector<double>> values = {};  ///< [row][column]
-  bool diverging = true;                         ///< zero in the middle of the colours
+  double full_scale = 0;  ///< magnitude at the end of diverging colours; 0 = the largest value
+  bool diverging = true;  ///< zero in the middle of the colours
 };
 
 /// Horizontal bars; categories one below the other, one bar per name.

@@ -9,13 +9,15 @@
 
 #include "base/result_dir.h"
 #include "example_results.h"
+#include "holds.h"
 
 namespace phs::report {
 namespace {
 
 using testing::ExampleOptions;
 using ::testing::HasSubstr;
-using ::testing::Not;
+using testing::Holds;
+using testing::Lacks;
 namespace fs = std::filesystem;
 
 /// A directory of its own for each test, removed at its end.
@@ -46,18 +48,17 @@ class CurvingReport : public ::testing::Test {
 TEST_F(CurvingReport, ShowsTheNumbersOfTheResult) {
   const std::string html = Make({});
   // Of the example at s = 430 m: 0.3, 1 and 0.6 times a/R, a = 1.55 m, and 0.2 mrad each.
-  EXPECT_THAT(html, HasSubstr("<td class=\"strong\">1.04</td><td>3.01</td><td>1.89</td>"));
-  EXPECT_THAT(html, HasSubstr("R = 550 m to the left"));
-  EXPECT_THAT(html, HasSubstr("rigid link / PHS"));
+  EXPECT_TRUE(Holds(html, "<td class=\"strong\">1.04</td><td>3.01</td><td>1.89</td>"));
+  EXPECT_TRUE(Holds(html, "R = 550 m to the left"));
+  EXPECT_TRUE(Holds(html, "rigid link / PHS"));
 }
 
 TEST_F(CurvingReport, SaysWhatSteersAndWhatHoldsBack) {
   const std::string html = Make({});
-  EXPECT_THAT(html,
-              HasSubstr("it is turned by the creep forces between wheel and rail (7.47 kN m)"));
-  EXPECT_THAT(html,
-              HasSubstr("held back by the oil pressure in the cylinders (0.897 kN m), the seal "
-                        "friction of the cylinders (1.90 kN m) and the primary suspension"));
+  EXPECT_TRUE(Holds(html, "it is turned by the creep forces between wheel and rail (7.47 kN m)"));
+  EXPECT_TRUE(Holds(html,
+                    "held back by the oil pressure in the cylinders (0.897 kN m), the seal "
+                    "friction of the cylinders (1.90 kN m) and the primary suspension"));
 }
 
 TEST_F(CurvingReport, LeftAndRightCurvesReadTheSame) {
@@ -65,35 +66,35 @@ TEST_F(CurvingReport, LeftAndRightCurvesReadTheSame) {
   const std::string right = Make({.hand = -1});
   for (const char* words :
        {"points 1.04 mrad to the outer rail", "turned by the creep forces between"}) {
-    EXPECT_THAT(left, HasSubstr(words));
-    EXPECT_THAT(right, HasSubstr(words));
+    EXPECT_TRUE(Holds(left, words));
+    EXPECT_TRUE(Holds(right, words));
   }
-  EXPECT_THAT(left, HasSubstr("leading right wheel (outer)"));
-  EXPECT_THAT(right, HasSubstr("leading left wheel (outer)"));
+  EXPECT_TRUE(Holds(left, "leading right wheel (outer)"));
+  EXPECT_TRUE(Holds(right, "leading left wheel (outer)"));
 }
 
 TEST_F(CurvingReport, NamesARunThatDerailed) {
   const std::string html = Make({.derailed = true});
-  EXPECT_THAT(html, HasSubstr("The run of the soft link bogie ended as &#39;derailed&#39;"));
-  EXPECT_THAT(html, HasSubstr("tip of its flange"));
+  EXPECT_TRUE(Holds(html, "The run of the soft link bogie ended as &#39;derailed&#39;"));
+  EXPECT_TRUE(Holds(html, "tip of its flange"));
 }
 
 TEST_F(CurvingReport, ASingleRunHasNoRatios) {
   const std::string html = Make({.bogies = {"phs"}, .single = true});
-  EXPECT_THAT(html, HasSubstr("Angle of attack, leading axle [mrad]"));
-  EXPECT_THAT(html, Not(HasSubstr("/ PHS</th>")));
+  EXPECT_TRUE(Holds(html, "Angle of attack, leading axle [mrad]"));
+  EXPECT_TRUE(Lacks(html, "/ PHS</th>"));
 }
 
 TEST_F(CurvingReport, ALocomotiveHasTwoBogies) {
   const std::string html = Make({.bogies = {"phs", "rigid_link"}, .locomotive = true});
-  EXPECT_THAT(html, HasSubstr("Front bogie"));
-  EXPECT_THAT(html, HasSubstr("Angle of attack, rear bogie, leading axle"));
+  EXPECT_TRUE(Holds(html, "Front bogie"));
+  EXPECT_TRUE(Holds(html, "Angle of attack, rear bogie, leading axle"));
 }
 
 TEST_F(CurvingReport, WithoutTimeSeriesTheTablesRemain) {
   const std::string html = Make({.series = false});
-  EXPECT_THAT(html, HasSubstr("No time series was saved"));
-  EXPECT_THAT(html, HasSubstr("Wear number Tγ, four wheels [N]"));
+  EXPECT_TRUE(Holds(html, "No time series was saved"));
+  EXPECT_TRUE(Holds(html, "Wear number Tγ, four wheels [N]"));
 }
 
 TEST_F(CurvingReport, AMinuteAtAKilohertzStaysBelowSixMegabytes) {

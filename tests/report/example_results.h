@@ -20,4 +20,8 @@ struct ExampleOptions {
 /// Fills an existing directory.
 void WriteExampleResults(const std::string& directory, const ExampleOptions& options);
 
+/// Fills an existing directory with result.json, measured.csv, predicted.csv and baseline.csv of a
+/// made-up identification.
+void WriteExampleIdentification(const std::string& directory);
+
 }  // namespace phs::report::testing

@@ -4,6 +4,7 @@
 
 #include "example_results.h"
 #include "report/curving_report.h"
+#include "report/identify_report.h"
 
 namespace {
 
@@ -14,6 +15,20 @@ int Make(const std::filesystem::path& directory,
   phs::report::testing::WriteExampleResults(directory.string(), options);
   const phs::Status status =
       phs::report::WriteCurvingReport(directory.string(), (directory / "report.html").string());
+  if (!status.ok()) std::fprintf(stderr, "%s\n", status.error().Line().c_str());
+  return status.ok() ? 0 : 1;
+}
+
+int MakeIdentification(const std::filesystem::path& directory) {
+  std::filesystem::remove_all(directory);
+  std::filesystem::create_directories(directory);
+  phs::report::testing::WriteExampleIdentification(directory.string());
+  const auto file = [&](const char* name) { return (directory / name).string(); };
+  const phs::Status status = phs::report::WriteIdentifyReport({.result = file("result.json"),
+                                                               .measured = file("measured.csv"),
+                                                               .predicted = file("predicted.csv"),
+                                                               .baseline = file("baseline.csv")},
+                                                              file("report.html"));
   if (!status.ok()) std::fprintf(stderr, "%s\n", status.error().Line().c_str());
   return status.ok() ? 0 : 1;
 }
@@ -30,5 +45,6 @@ int main(int argc, char** argv) {
   failed += Make(root / "single", {.bogies = {"phs"}, .hand = -1, .single = true});
   failed += Make(root / "locomotive", {.bogies = {"phs", "rigid_link"}, .locomotive = true});
   failed += Make(root / "derailed", {.derailed = true});
+  failed += MakeIdentification(root / "identify");
   return failed > 0 ? 1 : 0;
 }

@@ -3,10 +3,10 @@
 (() => {
   const mix = (a, b, part) => `color-mix(in srgb, var(--${b}) ${(100 * part).toFixed(1)}%, var(--${a}))`;
 
-  function colourOf(value, least, greatest, diverging) {
+  /** Colour of a value on a scale [least, greatest]; a diverging scale is symmetric about zero. */
+  function colourOf(value, [least, greatest], diverging) {
     if (!diverging) return mix("mid", "cold", (value - least) / (greatest - least || 1));
-    const most = Math.max(Math.abs(least), Math.abs(greatest)) || 1;
-    return mix("mid", value < 0 ? "cold" : "hot", Math.abs(value) / most);
+    return mix("mid", value < 0 ? "cold" : "hot", Math.min(1, Math.abs(value) / greatest));
   }
 
   function draw(place, spec, width) {
@@ -19,7 +19,7 @@
     let least = known.reduce((a, b) => Math.min(a, b), Infinity);
     let greatest = known.reduce((a, b) => Math.max(a, b), -Infinity);
     if (known.length === 0) least = greatest = 0;
-    const most = Math.max(Math.abs(least), Math.abs(greatest)) || 1;
+    const most = spec.full_scale || Math.max(Math.abs(least), Math.abs(greatest)) || 1;
     const scale = spec.diverging ? [-most, most] : [least, greatest];
     const picture = phs.svg("svg", {width, height, viewBox: `0 0 ${width} ${height}`, role: "img",
       "font-size": 12, "aria-label": `${spec.value_label} over ${spec.x_label} and ${spec.y_label}: ` +
@@ -32,7 +32,7 @@
         x: toX(xs[i]), y: toY(ys[j + 1]),
         width: Math.max(0, toX(xs[i + 1]) - toX(xs[i]) + 0.5),
         height: Math.max(0, toY(ys[j]) - toY(ys[j + 1]) + 0.5),
-        style: `fill: ${colourOf(value, least, greatest, spec.diverging)}`},
+        style: `fill: ${colourOf(value, scale, spec.diverging)}`},
       phs.svg("title", {}, `${spec.x_label}: ${phs.number(xs[i], 3)} … ${phs.number(xs[i + 1], 3)}, ` +
         `${spec.y_label}: ${phs.number(ys[j], 3)} … ${phs.number(ys[j + 1], 3)}: ${phs.number(value, 3)}`)));
     }));
@@ -52,7 +52,7 @@
       const value = scale[0] + (k + 0.5) / steps * (scale[1] - scale[0]);
       const stripe = (box.bottom - box.top) / steps;
       picture.append(phs.svg("rect", {x: box.right + 10, y: box.bottom - (k + 1) * stripe, width: 12,
-        height: stripe + 0.5, style: `fill: ${colourOf(value, least, greatest, spec.diverging)}`}));
+        height: stripe + 0.5, style: `fill: ${colourOf(value, scale, spec.diverging)}`}));
     }
     for (const value of phs.ticks(scale[0], scale[1], 4)) {
       const part = (value - scale[0]) / (scale[1] - scale[0] || 1);

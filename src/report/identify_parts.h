@@ -1,0 +1,25 @@
+// The parts of the identification report, one function each.
+#pragma once
+
+#include "report/identify_results.h"
+#include "report/report_page.h"
+
+namespace phs::report {
+
+// identify_words.cc
+void AddFindings(const IdentifyResults& results, ReportPage* page);
+void AddUnexplained(const IdentifyResults& results, ReportPage* page);
+void AddNextTests(const IdentifyResults& results, ReportPage* page);
+
+// identify_tables.cc
+void AddErrorFigures(const IdentifyResults& results, ReportPage* page);
+void AddErrorTable(const IdentifyResults& results, ReportPage* page);
+void AddEffectTable(const IdentifyResults& results, ReportPage* page);
+void AddCandidateTable(const IdentifyResults& results, ReportPage* page);
+
+// identify_plots.cc
+void AddTimePlots(const IdentifyResults& results, ReportPage* page);
+void AddLoops(const IdentifyResults& results, ReportPage* page);
+void AddResidualMaps(const IdentifyResults& results, ReportPage* page);
+
+}  // namespace phs::report

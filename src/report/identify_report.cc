@@ -1,0 +1,55 @@
+#include "report/identify_report.h"
+
+#include "report/identify_parts.h"
+
+namespace phs::report {
+namespace {
+
+std::string Subtitle(const IdentifyResults& results) {
+  std::string text = results.all.value("rig", "") + " rig";
+  for (const char* key : {"declared", "data"}) {
+    const auto found = results.all.find(key);
+    if (found == results.all.end() || !found->is_string()) continue;
+    text += std::string(", ") + (std::string(key) == "declared" ? "declared model " : "data ") +
+            found->get<std::string>();
+  }
+  return text;
+}
+
+}  // namespace
+
+Status WriteIdentifyReport(const IdentifyReportInput& input, const std::string& path) {
+  Result<IdentifyResults> read = ReadIdentifyResults(input);
+  if (!read.ok()) return read.error();
+  const IdentifyResults& results = read.value();
+  const bool identified = results.has_before;
+  ReportPage page(identified ? "What the declared model lacks" : "Rig against model",
+                  Subtitle(results));
+  page.Section("At a glance");
+  AddErrorFigures(results, &page);
+  if (identified) AddFindings(results, &page);
+  page.Section("Errors");
+  AddErrorTable(results, &page);
+  if (identified) {
+    page.Section("Effects");
+    AddEffectTable(results, &page);
+    AddCandidateTable(results, &page);
+  }
+  if (!results.time.empty()) {
+    page.Section("Over time");
+    AddTimePlots(results, &page);
+    page.Section("Loops");
+    AddLoops(results, &page);
+    page.Section("Where the residual lives");
+    AddResidualMaps(results, &page);
+  }
+  if (identified) {
+    page.Section("What is still unexplained");
+    AddUnexplained(results, &page);
+    page.Section("Which test to run next");
+    AddNextTests(results, &page);
+  }
+  return page.Write(path);
+}
+
+}  // namespace phs::report
