@@ -162,6 +162,7 @@ double FrictionTruth::Force(const FrictionState& before, const FrictionInput& in
     base += params_.presliding_share * (Presliding(before, in.v, h, after) - base);
   }
   base *= PositionFactor(in.x);
+  base *= 1.0 + params_.asymmetry * SoftSign(in.v);
   base *= std::max(0.2, 1.0 - params_.heating_share * before.heat / 100.0);
   base *= 1.0 + params_.swelling_share * (1.0 - std::exp(-after->time / params_.swelling_tau));
   if (params_.acceleration_share != 0) {

@@ -46,6 +46,8 @@ struct FrictionParams {
   ViscousForm viscous = ViscousForm::kNone;
   double viscous_force = 0;  // N at 20 mm/s
 
+  double asymmetry = 0;  // relative, + against extension, − against retraction
+
   // Not on the list of known effects.
   double heating_share = 0;       // relative loss of friction per 100 J of dissipated heat kept
   double heating_tau = 60;        // s, cooling

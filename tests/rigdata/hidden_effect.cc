@@ -7,12 +7,15 @@ namespace rigdata {
 
 const std::vector<std::string>& ListedNames() {
   static const std::vector<std::string> names = {
-      "piston_leakage",    "external_leakage",      "line_resistance",   "line_inertance",
-      "check_restriction", "entrained_air",         "hose_expansion",    "gas_thermal",
-      "cavitation",        "accumulator_precharge", "stribeck",          "presliding",
-      "pressure_friction", "position_friction",     "dwell_friction",    "viscous_friction",
-      "backlash",          "mount_compliance",      "bush_viscoelastic", "sensor_offset",
-      "sensor_drift",      "sensor_delay",          "sensor_gain",       "temperature_drift"};
+      "piston_leakage",        "external_leakage",  "line_resistance",
+      "line_inertance",        "check_restriction", "entrained_air",
+      "hose_expansion",        "gas_thermal",       "cavitation",
+      "accumulator_precharge", "stribeck",          "presliding",
+      "pressure_friction",     "position_friction", "dwell_friction",
+      "viscous_friction",      "backlash",          "mount_compliance",
+      "bush_viscoelastic",     "sensor_offset",     "sensor_drift",
+      "sensor_delay",          "sensor_gain",       "temperature_drift",
+      "asymmetric_friction",   "diaphragm_stop"};
   return names;
 }
 

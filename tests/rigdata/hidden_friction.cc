@@ -127,6 +127,20 @@ HiddenEffect ViscousFriction(RandomSource& random) {
   return effect;
 }
 
+HiddenEffect Asymmetry(RandomSource& random) {
+  const double sign = random.Sign();
+  HiddenEffect effect;
+  effect.form = sign > 0 ? "more_in_extension" : "more_in_retraction";
+  effect.largest = 4;
+  effect.strong_low = 3;
+  effect.strong_high = 10;
+  effect.apply = [=](double size, TrueRig* r) -> NumberList {
+    r->rig.friction.asymmetry = 0.1 * sign * size;
+    return {{"share", r->rig.friction.asymmetry}};
+  };
+  return effect;
+}
+
 }  // namespace
 
 HiddenEffect DrawFriction(const std::string& name, RandomSource& random) {
@@ -136,6 +150,7 @@ HiddenEffect DrawFriction(const std::string& name, RandomSource& random) {
   if (name == "position_friction") return PositionFriction(random);
   if (name == "dwell_friction") return DwellFriction(random);
   if (name == "viscous_friction") return ViscousFriction(random);
+  if (name == "asymmetric_friction") return Asymmetry(random);
   return {};
 }
 

@@ -193,6 +193,26 @@ HiddenEffect Precharge(RandomSource& random) {
   return effect;
 }
 
+HiddenEffect DiaphragmStop(RandomSource& random) {
+  const int where = random.Integer(3);
+  const double softness = random.LogUniform(0.01, 0.2);
+  HiddenEffect effect;
+  effect.form = where == 0 ? "bore" : where == 1 ? "rod" : "both";
+  effect.smallest = 0.05;
+  effect.largest = 1.3;
+  effect.strong_high = 60;
+  effect.apply = [=](double size, TrueRig* r) -> NumberList {
+    // Size 1: the gas cannot go below a quarter of its static volume (about 8 MPa).
+    for (LineParams* line : {&r->rig.bore, &r->rig.rod}) {
+      if ((line == &r->rig.bore) == (where == 1) && where != 2) continue;
+      line->gas_stop = 0.25 * size * line->gas_volume0;
+      line->gas_stop_softness = softness;
+    }
+    return {{"stop_share_of_static_volume", 0.25 * size}, {"softness", softness}};
+  };
+  return effect;
+}
+
 HiddenEffect Cavitation(RandomSource& random) {
   const bool plateau = random.Coin();
   const double pressure = random.Uniform(0.45e6, 0.8e6);
@@ -239,6 +259,7 @@ HiddenEffect DrawHydraulic(const std::string& name, RandomSource& random) {
   if (name == "hose_expansion") return HoseExpansion(random);
   if (name == "gas_thermal") return GasThermal(random);
   if (name == "accumulator_precharge") return Precharge(random);
+  if (name == "diaphragm_stop") return DiaphragmStop(random);
   if (name == "cavitation") return Cavitation(random);
   if (name == "temperature_drift") return Warming(random);
   return {};

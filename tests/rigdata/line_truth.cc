@@ -30,14 +30,22 @@ LineTruth::LineTruth(const LineParams& params) : params_(params) {
                  params_.turbulent[1] > 0 || params_.inertance > 0;
 }
 
-double LineTruth::GasVolume(double p, double temperature) const {
-  return params_.gas_volume0 * (params_.p0 / p) * (temperature / kT0);
+double LineTruth::GasVolume(double p, double temperature, double* softness) const {
+  const double free = params_.gas_volume0 * (params_.p0 / p) * (temperature / kT0);
+  if (softness != nullptr) *softness = free / p;
+  if (params_.gas_stop <= 0) return free;
+  // Smooth maximum of the free volume and the stop (a hyperbola), less its offset at p0.
+  const double width = params_.gas_stop_softness * params_.gas_stop;
+  const double above = free - params_.gas_stop;
+  const double root = std::sqrt(above * above + 4.0 * width * width);
+  if (softness != nullptr) *softness *= 0.5 * (1.0 + above / root);
+  return params_.gas_stop + 0.5 * (above + root);
 }
 
 LineState LineTruth::Initial() const {
   LineState state;
   state.p_chamber = state.p_remote = params_.p0;
-  state.gas_volume = params_.gas_volume0;
+  state.gas_volume = GasVolume(params_.p0, kT0, nullptr);
   if (params_.air_form == AirForm::kLaggingDissolution) {
     state.air_free = std::max(0.0, 1.0 - params_.p0 / params_.air_saturation);
   }
@@ -54,9 +62,9 @@ double LineTruth::Volume(double p, const LineState& state, double h, const Surro
   double volume = compliance * d / softening;
   double slope = compliance / (softening * softening);
 
-  const double gas = GasVolume(p, state.gas_temperature);
-  volume += q.gas_volume0 - gas;
-  slope += gas / p;
+  double gas_slope = 0;
+  volume += GasVolume(q.p0, kT0, nullptr) - GasVolume(p, state.gas_temperature, &gas_slope);
+  slope += gas_slope;
 
   if (q.blow_off_volume > 0 && p > q.blow_off_precharge) {
     volume += q.blow_off_volume * (1.0 - q.blow_off_precharge / p);
@@ -163,7 +171,7 @@ void LineTruth::Advance(LineState& solved, const LineState& before, double h, do
                         const Surroundings& s) const {
   const LineParams& q = params_;
   const double p = solved.p_remote;
-  solved.gas_volume = GasVolume(p, solved.gas_temperature);
+  solved.gas_volume = GasVolume(p, solved.gas_temperature, nullptr);
   solved.lost += h * (cross_flow + q.leak.Flow(solved.p_chamber - kAtmosphere) + ReliefFlow(p));
 
   if (q.gas_tau > 0) {

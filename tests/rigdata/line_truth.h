@@ -36,8 +36,10 @@ struct LineParams {
   double oil_volume = 1.1e-3;              // m³, for thermal expansion
   double oil_stiffening = 0;               // 1/Pa, s above
   double gas_volume0 = 16.16e-6;           // m³ at p0
-  double blow_off_volume = 0;              // m³; 0 = no accumulator
-  double blow_off_precharge = 15e6;        // Pa
+  double gas_stop = 0;               // m³ at which the diaphragm lies against its stop; 0 = none
+  double gas_stop_softness = 0.02;   // width of the touch-down, relative to gas_stop
+  double blow_off_volume = 0;        // m³; 0 = no accumulator
+  double blow_off_precharge = 15e6;  // Pa
 
   double gas_tau = 0;                   // s, heat exchange with the wall; 0 = isothermal
   double gas_coupling = 296.8 / 743.0;  // R/c_v of nitrogen; less where a filler stores heat too
@@ -111,7 +113,8 @@ class LineTruth {
   double SolveRemote(double volume, double guess, const LineState& state, double h,
                      const Surroundings& s) const;
   double ChamberPressure(double volume) const;
-  double GasVolume(double p, double temperature) const;
+  // Volume of the gas and −dV/dp.
+  double GasVolume(double p, double temperature, double* softness) const;
   double ReliefFlow(double p) const;
 
   LineParams params_;

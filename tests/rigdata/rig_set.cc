@@ -69,7 +69,10 @@ SetBuilder::SetBuilder(const SetWish& wish) {
   for (const EffectWish& e : wish.effects) {
     effects_.push_back(DrawEffect(e.name, RandomSource(wish.seed, e.name)));
     deep = deep || effects_.back().wants_deep;
-    if (e.name == "accumulator_precharge") effects_.back().apply(1.0, &sized);
+    // These two decide how far the actuator may go before a pressure leaves the sensor's range.
+    if (e.name == "accumulator_precharge" || e.name == "diaphragm_stop") {
+      effects_.back().apply(1.0, &sized);
+    }
   }
   const MotionRange range =
       DrawRange(sized.rig, deep, wish.duration, RandomSource(wish.seed, "range"));

@@ -18,7 +18,8 @@ int FamilyOf(int index) {
   if (index < 10) return 0;
   if (index < 16) return 1;
   if (index < 19) return 2;
-  return index < 23 ? 3 : 4;
+  if (index < 23) return 3;
+  return index == 23 ? 4 : (index == 24 ? 1 : 0);
 }
 
 // Two effects; of different families in three cases of four.
