@@ -1,14 +1,19 @@
-// Rates of gas temperatures and flows. One step of the two-stage Rosenbrock method ROS2 (Verwer,
-// Spee, Blom and Hundsdorfer, SIAM J. Sci. Comput. 20 (1999) 1456), second order for any matrix A:
-//   (I - g h A) k1 = F(t, u),   (I - g h A) k2 = F(t + h, u + h k1) - 2 k1,   u' = u + h (3 k1 +
-//   k2)/2
-// g = 1 - 1/sqrt(2) where the step resolves the flows (small error), 1 + 1/sqrt(2) where it does
-// not (its first stage stays inside the solution): L-stable both.
+// Rates of gas temperatures and flows over a step.
 //
 // F: flow q = law(p_from - p_to), or with an inertance I dq/dt = p_from - p_to - drop(q);
 // gas heat balance dT/dt = relax - kappa dV/dt with dV/dt = V_p dp/dt + V_T dT/dt, and the volume
 // balance of the node S dp/dt - sum V_T dT/dt = dD/dt solved for dp/dt.
-#include <Eigen/LU>
+//
+// Heat alone (time constants of seconds): the two-stage Rosenbrock method ROS2, second order for
+// any matrix A (Verwer, Spee, Blom and Hundsdorfer, SIAM J. Sci. Comput. 20 (1999) 1456), A
+// diagonal:
+//   (1 - g h A) k1 = F(t, u),   (1 - g h A) k2 = F(t + h, u + h k1) - 2 k1,   u' = u + h (3 k1 +
+//   k2)/2
+// Flows (down to microseconds, with kinks by direction): the two-stage diagonally implicit method
+// of Alexander (SIAM J. Numer. Anal. 14 (1977) 1006), second order, stiffly accurate, L-stable:
+//   u1 = u + g h F(t + g h, u1),   u' = u + (1 - g) h F1 + g h F(t + h, u'),   each by Newton.
+// g = 1 - 1/sqrt(2) in both.
+#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 
@@ -17,6 +22,7 @@
 namespace phs::hydraulics {
 namespace {
 
+constexpr double kGamma = 1 - M_SQRT1_2;
 constexpr int kMaxFlow = 2 * kMaxPaths;
 using Matrix =
     Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, kMaxFlow, kMaxFlow>;
@@ -49,7 +55,8 @@ void CalcGasRates(const Node& node, const NodeState& at, double ambient, double 
     if (g.state < 0) continue;
     const double a = 1 + heat[k].kappa * gas[k].dV_dT;
     rate[g.state] = (heat[k].relax - heat[k].kappa * gas[k].dV_dp * p_rate) / a;
-    diagonal[g.state] = -1 / (g.gas.thermal_time * a);
+    const double coupled = -heat[k].kappa * gas[k].dV_dp * gas[k].dV_dT / (a * stiff);
+    diagonal[g.state] = -(1 + coupled) / (g.gas.thermal_time * a);
   }
 }
 
@@ -101,47 +108,101 @@ void CalcDerivative(const CompiledPhs& sys, double time, const Instant& at, cons
   }
 }
 
+// Pressures at time t of states `u`, pistons having moved for `since`.
+void PlaceAt(const CompiledPhs& sys, double time, double since, const Instant& start,
+             const double* speed, const double* u, Instant* at) {
+  at->ambient = sys.Ambient(time);
+  for (size_t i = 0; i < sys.cylinders.size(); ++i) {
+    at->piston[i] = start.piston[i] + since * speed[i];
+  }
+  sys.CalcPushed(u, at);
+  sys.SolveNodes(u, at);
+}
+
+void HeatStep(const CompiledPhs& sys, double time, double h, const Instant& start,
+              const double* speed, const double* state, double* rate) {
+  const int count = sys.num_states(), first = sys.first_slow;
+  double k1[kMaxStates], k2[kMaxStates], diagonal[kMaxStates] = {}, next[kMaxStates];
+  double ignored[kMaxStates];
+  CalcDerivative(sys, time, start, speed, state, k1, diagonal, nullptr);
+  for (int i = first; i < count; ++i) {
+    diagonal[i] = 1 / (1 - kGamma * h * diagonal[i]);
+    k1[i] *= diagonal[i];
+    next[i] = state[i] + h * k1[i];
+  }
+  std::copy(state, state + first, next);
+  Instant end;
+  PlaceAt(sys, time + h, h, start, speed, next, &end);
+  CalcDerivative(sys, time + h, end, speed, next, k2, ignored, nullptr);
+  for (int i = first; i < count; ++i) {
+    rate[i] = 1.5 * k1[i] + 0.5 * diagonal[i] * (k2[i] - 2 * k1[i]);
+  }
+}
+
+// Solves u = base + a F(t, u) for the hydraulic states; `u` holds a guess and gets the solution,
+// `F` the derivative there.
+void SolveStage(const CompiledPhs& sys, double time, double since, double a, const Instant& start,
+                const double* speed, const double* base, double* u, double* F) {
+  const int count = sys.num_states(), first = sys.first_slow;
+  const int first_flow = sys.paths[0].volume, flows = count - first_flow;
+  double diagonal[kMaxStates] = {};
+  Matrix A(flows, flows);
+  Instant at;
+  constexpr int kMostIterations = 30;
+  for (int iteration = 0; iteration < kMostIterations; ++iteration) {
+    PlaceAt(sys, time, since, start, speed, u, &at);
+    CalcDerivative(sys, time, at, speed, u, F, diagonal, &A);
+    double largest = 0;
+    for (int i = first; i < first_flow; ++i) {
+      const double change = (base[i] + a * F[i] - u[i]) / (1 - a * diagonal[i]);
+      u[i] += change;
+      largest = std::max(largest, std::abs(change) * 1e7);
+    }
+    Vector residual(flows);
+    for (int i = 0; i < flows; ++i) {
+      const int k = first_flow + i;
+      residual[i] = base[k] + a * F[k] - u[k];
+    }
+    Matrix system = -a * A;
+    system.diagonal().array() += 1;
+    const Vector change = system.partialPivLu().solve(residual);
+    for (int i = 0; i < flows; ++i) {
+      u[first_flow + i] += change[i];
+      // 1e-16 m3 is 1e-4 Pa on a chamber; a flow state moves its volume by a times itself.
+      largest = std::max(largest, std::abs(change[i]) * 1e16);
+    }
+    if (largest <= 1) break;
+  }
+  // The derivative that the solved stage stands for.
+  for (int i = first; i < count; ++i) F[i] = (u[i] - base[i]) / a;
+}
+
+void FlowStep(const CompiledPhs& sys, double time, double h, const Instant& start,
+              const double* speed, const double* state, double* rate) {
+  const int count = sys.num_states(), first = sys.first_slow;
+  const double a = kGamma * h;
+  double u[kMaxStates], base[kMaxStates] = {}, F1[kMaxStates], F2[kMaxStates];
+  std::copy(state, state + count, u);
+  SolveStage(sys, time + a, a, a, start, speed, state, u, F1);
+  for (int i = first; i < count; ++i) {
+    base[i] = state[i] + (1 - kGamma) * h * F1[i];
+    u[i] = base[i] + a * F1[i];
+  }
+  SolveStage(sys, time + h, h, a, start, speed, base, u, F2);
+  for (int i = first; i < count; ++i) rate[i] = (u[i] - state[i]) / h;
+}
+
 }  // namespace
 
 void CalcHydraulicRates(const CompiledPhs& sys, double time, double h, const Instant& start,
                         const double* speed, const double* state, double* rate) {
-  const int count = sys.num_states(), first = sys.first_slow;
-  const int first_flow = sys.paths.empty() ? count : sys.paths[0].volume;
-  const int flows = count - first_flow;
-  double k1[kMaxStates], k2[kMaxStates], diagonal[kMaxStates] = {};
-  Matrix A(flows, flows);
-  CalcDerivative(sys, time, start, speed, state, k1, diagonal, flows > 0 ? &A : nullptr);
-  if (!(h > 0)) {
-    std::copy(k1 + first, k1 + count, rate + first);
+  if (h > 0) {
+    (sys.paths.empty() ? HeatStep : FlowStep)(sys, time, h, start, speed, state, rate);
     return;
   }
-  double fastest = 0;
-  for (int i = 0; i < flows; ++i) fastest = std::max(fastest, A.row(i).cwiseAbs().sum());
-  const double g = 1 + (h * fastest > 4 ? M_SQRT1_2 : -M_SQRT1_2);
-  Eigen::PartialPivLU<Matrix> solver;
-  if (flows > 0) solver.compute(Matrix::Identity(flows, flows) - g * h * A);
-  auto solve = [&](double* k) {
-    for (int i = first; i < first_flow; ++i) k[i] /= 1 - g * h * diagonal[i];
-    if (flows == 0) return;
-    Eigen::Map<Eigen::VectorXd> map(k + first_flow, flows);
-    const Vector right = map;
-    map = solver.solve(right);
-  };
-  solve(k1);
-
-  double next[kMaxStates];
-  std::copy(state, state + first, next);
-  for (int i = first; i < count; ++i) next[i] = state[i] + h * k1[i];
-  Instant end;
-  end.ambient = sys.Ambient(time + h);
-  for (size_t i = 0; i < sys.cylinders.size(); ++i) end.piston[i] = start.piston[i] + h * speed[i];
-  sys.CalcPushed(next, &end);
-  sys.SolveNodes(next, &end);
-  double ignored[kMaxStates];
-  CalcDerivative(sys, time + h, end, speed, next, k2, ignored, nullptr);
-  for (int i = first; i < count; ++i) k2[i] -= 2 * k1[i];
-  solve(k2);
-  for (int i = first; i < count; ++i) rate[i] = 1.5 * k1[i] + 0.5 * k2[i];
+  double now[kMaxStates], diagonal[kMaxStates];
+  CalcDerivative(sys, time, start, speed, state, now, diagonal, nullptr);
+  std::copy(now + sys.first_slow, now + sys.num_states(), rate + sys.first_slow);
 }
 
 double CalcPathEnergy(const CompiledPhs& sys, const double* state) {
