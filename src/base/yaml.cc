@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cmath>
 #include <fstream>
+#include <map>
 #include <set>
 #include <sstream>
 
@@ -90,7 +91,7 @@ struct YamlMap::Impl {
   std::string prefix;  ///< "a.b."
   std::vector<std::pair<std::string, YAML::Node>> entries;
   std::set<std::string> asked;
-  std::vector<std::shared_ptr<Impl>> children;
+  std::map<std::string, std::shared_ptr<Impl>> children;  ///< by name: asked twice, the same one
   int line = 1;
 
   void Read(const YAML::Node& node) {
@@ -133,11 +134,12 @@ struct YamlMap::Impl {
     return *value;
   }
   std::shared_ptr<Impl> Child(const std::string& name, const YAML::Node& node) {
+    if (const auto known = children.find(name); known != children.end()) return known->second;
     auto child = std::make_shared<Impl>();
     child->document = document;
     child->prefix = prefix + name + ".";
     child->Read(node);
-    children.push_back(child);
+    children[name] = child;
     return child;
   }
   /// The first unknown key of this map and those read from it.
@@ -149,7 +151,7 @@ struct YamlMap::Impl {
       return Error{Where(key), "unknown key", Join(known),
                    nearest.empty() ? "remove it" : "did you mean '" + nearest + "'?"};
     }
-    for (const auto& child : children) {
+    for (const auto& [name, child] : children) {
       if (auto error = child->Unknown()) return error;
     }
     return std::nullopt;

@@ -22,21 +22,21 @@ struct ContactMaterial {
 
 /// Friction: constant, or falling with slip speed f(w) = f0 ((1 - A) exp(-B w) + A) (Polach).
 struct FrictionLaw {
-  double coefficient = 0.3;      ///< f0
-  double falling_ratio = 1;      ///< A in (0, 1]; 1 = constant
-  double falling_rate_s_m = 0;   ///< B [s/m]
+  double coefficient = 0.3;     ///< f0
+  double falling_ratio = 1;     ///< A in (0, 1]; 1 = constant
+  double falling_rate_s_m = 0;  ///< B [s/m]
   double At(double slip_speed) const;
 };
 
 /// One contact patch with its rigid slip.
 struct CreepInput {
-  double a = 0;        ///< semi-axis along rolling [m]
-  double b = 0;        ///< semi-axis across [m]
-  double normal = 0;   ///< N >= 0 [N]
-  double xi = 0;       ///< longitudinal creepage
-  double eta = 0;      ///< lateral creepage
-  double phi = 0;      ///< spin creepage [1/m]
-  double speed = 0;    ///< reference speed, for slip-dependent friction [m/s]
+  double a = 0;           ///< semi-axis along rolling [m]
+  double b = 0;           ///< semi-axis across [m]
+  double normal = 0;      ///< N >= 0 [N]
+  double xi = 0;          ///< longitudinal creepage
+  double eta = 0;         ///< lateral creepage
+  double phi = 0;         ///< spin creepage [1/m]
+  double speed = 0;       ///< reference speed, for slip-dependent friction [m/s]
   double friction = 0.3;  ///< coefficient of this patch at its slip speed (tread and flange differ)
 };
 
@@ -57,10 +57,10 @@ class CreepLaw {
 struct CreepLawParams {
   std::string method = "kalker_table";  ///< linear | fastsim | polach | kalker_table
   ContactMaterial material;
-  int fastsim_strips = 40;              ///< grid of FASTSIM (and of the table's source)
+  int fastsim_strips = 40;  ///< grid of FASTSIM (and of the table's source)
   int fastsim_slices = 40;
-  bool elliptic_bound = false;          ///< traction bound: parabolic (classic) or elliptic
-  bool use_disk_cache = true;           ///< keep the table in $XDG_CACHE_HOME/phs
+  bool elliptic_bound = false;  ///< traction bound: parabolic (classic) or elliptic
+  bool use_disk_cache = true;   ///< keep the table in $XDG_CACHE_HOME/phs
 };
 
 Result<std::unique_ptr<CreepLaw>> CreateCreepLaw(const CreepLawParams& params);

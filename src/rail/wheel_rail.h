@@ -20,20 +20,20 @@ namespace phs::rail {
 inline constexpr int kMaxPatches = 3;
 
 struct WheelRailParams {
-  std::string wheel_profile;        ///< path: .prw, or a plain y,z table
-  std::string rail_profile;         ///< path: .prr, or a plain y,z table
-  double gauge = 1.067;             ///< [m]
-  double gauge_height = 0.014;      ///< depth of the gauge points below the rail top [m]
-  double rail_cant = 0;             ///< inclination of the rail section, > 0 towards the track [rad]
-  double flange_back_distance = 0.992;  ///< between the flange backs [m]
-  double flange_back_position = -0.070; ///< y of the flange back in the wheel profile [m]
-  double wheel_radius = 0.625;      ///< at the profile's origin (tape circle) [m]
-  double damping_ratio = 0.1;       ///< normal damping: fraction of critical of a wheel's own mass
-  double wheel_mass = 1500;         ///< mass that the damping ratio refers to [kg]
+  std::string wheel_profile;    ///< path: .prw, or a plain y,z table
+  std::string rail_profile;     ///< path: .prr, or a plain y,z table
+  double gauge = 1.067;         ///< [m]
+  double gauge_height = 0.014;  ///< depth of the gauge points below the rail top [m]
+  double rail_cant = 0;         ///< inclination of the rail section, > 0 towards the track [rad]
+  double flange_back_distance = 0.992;   ///< between the flange backs [m]
+  double flange_back_position = -0.070;  ///< y of the flange back in the wheel profile [m]
+  double wheel_radius = 0.625;           ///< at the profile's origin (tape circle) [m]
+  double damping_ratio = 0.1;  ///< normal damping: fraction of critical of a wheel's own mass
+  double wheel_mass = 1500;    ///< mass that the damping ratio refers to [kg]
   FrictionLaw tread;
-  FrictionLaw flange;               ///< used where the contact angle exceeds flange_angle
-  double flange_angle = 0.52;       ///< [rad], blended smoothly over +-0.1 rad
-  double speed_floor = 0.5;         ///< creepages are slip / sqrt(V^2 + floor^2) below [m/s]
+  FrictionLaw flange;          ///< used where the contact angle exceeds flange_angle
+  double flange_angle = 0.52;  ///< [rad], blended smoothly over +-0.1 rad
+  double speed_floor = 0.5;    ///< creepages refer to at least this speed [m/s]
   CreepLawParams creep;
 };
 
@@ -49,31 +49,31 @@ struct WheelsetMotion {
 };
 
 struct ContactPatch {
-  double rail_y = 0, rail_z = 0;     ///< contact point in the rail profile's axes [m]
-  double wheel_y = 0, wheel_z = 0;   ///< in the wheel profile's axes [m]
-  Vec3 point{};                      ///< from the wheelset centre, C axes [m]
-  double angle = 0;        ///< contact angle: slope of the surface, > 0 falling to the track centre
-  double approach = 0;     ///< elastic approach [m]
-  double a = 0, b = 0;     ///< Hertz semi-axes along / across [m]
-  double peak_pressure = 0;  ///< [Pa]
-  double rolling_radius = 0; ///< distance of the point from the axle [m]
-  double normal = 0;       ///< N >= 0 [N]
+  double rail_y = 0, rail_z = 0;    ///< contact point in the rail profile's axes [m]
+  double wheel_y = 0, wheel_z = 0;  ///< in the wheel profile's axes [m]
+  Vec3 point{};                     ///< from the wheelset centre, C axes [m]
+  double angle = 0;     ///< contact angle: slope of the surface, > 0 falling to the track centre
+  double approach = 0;  ///< elastic approach [m]
+  double a = 0, b = 0;  ///< Hertz semi-axes along / across [m]
+  double peak_pressure = 0;         ///< [Pa]
+  double rolling_radius = 0;        ///< distance of the point from the axle [m]
+  double normal = 0;                ///< N >= 0 [N]
   double xi = 0, eta = 0, phi = 0;  ///< creepages (CONTACT's sign), spin in 1/m
-  CreepForce creep;        ///< on the rail, CONTACT's sign and axes (x forward, y in plane outward)
-  double friction = 0;     ///< coefficient in use
+  CreepForce creep;     ///< on the rail, CONTACT's sign and axes (x forward, y in plane outward)
+  double friction = 0;  ///< coefficient in use
   double stored_energy = 0;  ///< elastic [J]
 };
 
 struct WheelRailForces {
-  int count = 0;                              ///< patches in contact, 0 = wheel lifted
+  int count = 0;  ///< patches in contact, 0 = wheel lifted
   std::array<ContactPatch, kMaxPatches> patch{};
-  Vec3 force{};         ///< on the wheelset, C axes [N]
-  Vec3 moment{};        ///< about the wheelset centre, C axes [N m]
-  double t_gamma = 0;   ///< sum of |Tx xi| + |Ty eta| [N]
-  double t_gamma_spin = 0;  ///< sum of |Mz phi| [N]
-  double creep_power = 0;   ///< power lost to slip, >= 0 [W]
-  double damping_power = 0; ///< power lost to normal damping (and support damping), >= 0 [W]
-  double stored_energy = 0; ///< contact and support [J]
+  Vec3 force{};              ///< on the wheelset, C axes [N]
+  Vec3 moment{};             ///< about the wheelset centre, C axes [N m]
+  double t_gamma = 0;        ///< sum of |Tx xi| + |Ty eta| [N]
+  double t_gamma_spin = 0;   ///< sum of |Mz phi| [N]
+  double creep_power = 0;    ///< power lost to slip, >= 0 [W]
+  double damping_power = 0;  ///< power lost to normal damping (and support damping), >= 0 [W]
+  double stored_energy = 0;  ///< contact and support [J]
   double rail_lateral = 0, rail_vertical = 0;  ///< elastic displacement of the rail, C axes [m]
   bool beyond_profile = false;  ///< a contact lies at the end of a profile: climbing or fallen off
 };

@@ -1,0 +1,36 @@
+// Kalker's creepage coefficients C11, C22, C23, C33 of an elliptic contact.
+//
+// Linear theory (Kalker 1967; values: Kalker, Three-Dimensional Elastic Bodies in Rolling Contact,
+// 1990, table E.3), force on the rail with CONTACT's sign of creepage:
+//   Fx = -G a b C11 xi
+//   Fy = -G a b C22 eta - G (a b)^(3/2) C23 phi
+//   Mz = +G (a b)^(3/2) C23 eta - G (a b)^2 C33 phi
+// a along rolling, b across. Interpolation: linear in g = min(a/b, b/a) between the rows of the
+// table, 1/C quadratic in the Poisson ratio (as CONTACT). Beyond a/b = 0.1 … 10 the end rows are
+// scaled by the slender-ellipse asymptotes, so that the coefficients stay continuous.
+#pragma once
+
+namespace phs::rail {
+
+struct KalkerCoefficients {
+  double c11 = 0;
+  double c22 = 0;
+  double c23 = 0;
+  double c33 = 0;
+};
+
+/// Coefficients at one aspect ratio a/b > 0 and Poisson ratio 0 … 0.5.
+KalkerCoefficients CalcKalkerCoefficients(double a_over_b, double poisson_ratio);
+
+/// The same for one material, tabulated finely over log(a/b): a few nanoseconds per look-up.
+class KalkerCurve {
+ public:
+  explicit KalkerCurve(double poisson_ratio);
+  KalkerCoefficients At(double a_over_b) const noexcept;
+
+ private:
+  static constexpr int kIntervals = 512;
+  KalkerCoefficients knot_[kIntervals + 1];
+};
+
+}  // namespace phs::rail

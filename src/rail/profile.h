@@ -1,0 +1,59 @@
+// Wheel and rail profiles: read, thinned, splined.
+//
+// Profile axes are those of a right wheel or rail: y outward (field side), z down, origin at the
+// tape circle (wheel) or at the top of the rail. A profile is used as a function z(y): what is
+// steeper than atan 6 (80 deg) is cut off.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+
+namespace phs::rail {
+
+/// z(y) as a cubic spline on equidistant knots: position, slope and curvature are consistent, slope
+/// is continuously differentiable.
+class Profile {
+ public:
+  /// Value and derivatives at y. Beyond the ends: straight continuation of the end slope.
+  struct Sample {
+    double z = 0;
+    double slope = 0;   ///< dz/dy
+    double second = 0;  ///< d2z/dy2 [1/m]
+  };
+  Sample At(double y) const noexcept;
+  double min_y() const { return begin_; }
+  double max_y() const { return begin_ + step_ * static_cast<double>(piece_.size()); }
+  const std::string& name() const { return name_; }
+
+  /// Turns the section about its origin: > 0 inclines a rail towards the track (top moves inward).
+  void Incline(double angle);
+  /// Moves the section so that its highest point (smallest z) has z = 0.
+  void PutTopAtZero();
+  /// y of the inner side at depth z below the top. NaN if the profile does not reach so deep.
+  double InnerSideAtDepth(double z) const;
+
+  /// From points with strictly growing y [m].
+  static Result<Profile> FromPoints(const std::string& name, std::vector<double> y,
+                                    std::vector<double> z);
+
+ private:
+  struct Piece {
+    double c0 = 0, c1 = 0, c2 = 0, c3 = 0;
+  };
+  std::string name_;
+  std::vector<double> outline_y_, outline_z_;  ///< all points given, also the steep ones
+  double begin_ = 0;
+  double step_ = 0;
+  std::vector<Piece> piece_;
+};
+
+enum class ProfileKind { kWheel, kRail };
+
+/// Reads a file (.prw, .prr, two-column table) or generates `cone:LAMBDA`, `arc:RADIUS_M`.
+Result<Profile> LoadProfile(const std::string& path, ProfileKind kind);
+/// The reader of files alone, from their text (fuzzed).
+Result<Profile> ParseProfile(const std::string& text, const std::string& name, ProfileKind kind);
+
+}  // namespace phs::rail

@@ -1,0 +1,151 @@
+// Readers of profile files, and generated profiles.
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <sstream>
+
+#include "base/result_dir.h"
+#include "rail/profile.h"
+
+namespace phs::rail {
+namespace {
+
+constexpr size_t kMaxPoints = 200000;
+
+/// What a file says of its points.
+struct RawProfile {
+  std::vector<double> y, z;  ///< in the file's unit and order
+  double per_metre = 1000;   ///< file units per metre
+  int mirror_y = 0;
+  int mirror_z = 0;
+  int inversion = 0;
+};
+
+std::vector<std::string> Words(const std::string& line) {
+  std::vector<std::string> words;
+  std::string word;
+  for (const char c : line) {
+    if (c == ' ' || c == '\t' || c == ',' || c == ';' || c == '\r') {
+      if (!word.empty()) words.push_back(std::move(word));
+      word.clear();
+    } else {
+      word += c;
+    }
+  }
+  if (!word.empty()) words.push_back(word);
+  return words;
+}
+
+bool ToNumber(std::string text, double* value) {
+  if (!text.empty() && text[0] == '+') text.erase(0, 1);
+  std::replace(text.begin(), text.end(), 'd', 'e');
+  std::replace(text.begin(), text.end(), 'D', 'e');
+  const char* end = text.data() + text.size();
+  const auto [rest, fault] = std::from_chars(text.data(), end, *value);
+  return fault == std::errc() && rest == end && std::isfinite(*value);
+}
+
+/// `key = value ! comment` of SIMPACK's form.
+void ReadSetting(const std::string& line, RawProfile* raw) {
+  const size_t equals = line.find('=');
+  if (equals == std::string::npos) return;
+  const std::vector<std::string> key = Words(line.substr(0, equals));
+  const std::vector<std::string> value = Words(line.substr(equals + 1));
+  double number = 0;
+  if (key.empty() || value.empty() || !ToNumber(value[0], &number)) return;
+  if (key[0] == "units.len.f" && number > 0) raw->per_metre = number;
+  if (key[0] == "mirror.y") raw->mirror_y = static_cast<int>(number);
+  if (key[0] == "mirror.z") raw->mirror_z = static_cast<int>(number);
+  if (key[0] == "inversion") raw->inversion = static_cast<int>(number);
+}
+
+Result<RawProfile> ReadRaw(const std::string& text, const std::string& name) {
+  RawProfile raw;
+  const bool simpack = text.find("point.begin") != std::string::npos;
+  bool in_points = !simpack;
+  std::istringstream lines(text);
+  std::string line;
+  for (int number = 1; std::getline(lines, line); ++number) {
+    const std::string where = name + ":" + std::to_string(number);
+    if (line.find("unit: m") != std::string::npos && line.find("unit: mm") == std::string::npos) {
+      raw.per_metre = 1;
+    }
+    const size_t comment = line.find_first_of("!#%");
+    const std::vector<std::string> words = Words(line.substr(0, comment));
+    if (words.empty()) continue;
+    if (words[0] == "point.begin") {
+      in_points = true;
+    } else if (words[0] == "point.end") {
+      in_points = false;
+    } else if (!in_points) {
+      ReadSetting(line.substr(0, comment), &raw);
+    } else {
+      double y = 0;
+      double z = 0;
+      if (words.size() < 2 || !ToNumber(words[0], &y) || !ToNumber(words[1], &z)) {
+        return Error{where, "is no point", "two numbers: y z", ""};
+      }
+      if (raw.y.size() >= kMaxPoints) return Error{where, "too many points", "200000", ""};
+      raw.y.push_back(y);
+      raw.z.push_back(z);
+    }
+  }
+  if (raw.y.size() < 5) return Error{name, "has too few points", "at least 5", ""};
+  return raw;
+}
+
+/// Generated profiles: kind before the colon, parameter behind it.
+Result<Profile> Generate(const std::string& text, ProfileKind kind) {
+  const size_t colon = text.find(':');
+  const std::string shape = text.substr(0, colon);
+  double value = 0;
+  const bool wheel = kind == ProfileKind::kWheel;
+  if (!ToNumber(text.substr(colon + 1), &value) || !(value > 0) ||
+      (wheel ? shape != "cone" || value > 1 : shape != "arc" || value < 0.02 || value > 10)) {
+    return Error{"profile '" + text + "'", "cannot be generated",
+                 wheel ? "cone:LAMBDA with 0 < LAMBDA <= 1" : "arc:RADIUS_M with 0.02 … 10 m", ""};
+  }
+  std::vector<double> y;
+  std::vector<double> z;
+  const double half = wheel ? 0.065 : std::min(0.035, 0.9 * value);
+  for (double at = -half; at <= half + 1e-9; at += 0.4e-3) {
+    y.push_back(at);
+    z.push_back(wheel ? -value * at : value - std::sqrt(value * value - at * at));
+  }
+  return Profile::FromPoints(text, y, z);
+}
+
+}  // namespace
+
+Result<Profile> ParseProfile(const std::string& text, const std::string& name, ProfileKind kind) {
+  auto read = ReadRaw(text, name);
+  if (!read.ok()) return read.error();
+  RawProfile& raw = read.value();
+  std::vector<double> y;
+  std::vector<double> z;
+  for (size_t i = 0; i < raw.y.size(); ++i) {
+    y.push_back((raw.mirror_y == 1 ? -raw.y[i] : raw.y[i]) / raw.per_metre);
+    z.push_back((raw.mirror_z == 1 ? -raw.z[i] : raw.z[i]) / raw.per_metre);
+  }
+  if (y.back() < y.front()) {
+    std::reverse(y.begin(), y.end());
+    std::reverse(z.begin(), z.end());
+  }
+  const double widest =
+      *std::max_element(y.begin(), y.end()) - *std::min_element(y.begin(), y.end());
+  if (!(widest > 0.02 && widest < 0.4)) {
+    return Error{name, "is " + std::to_string(widest * 1e3) + " mm wide", "20 … 400 mm",
+                 "check the unit of length"};
+  }
+  (void)kind;
+  return Profile::FromPoints(name, std::move(y), std::move(z));
+}
+
+Result<Profile> LoadProfile(const std::string& path, ProfileKind kind) {
+  if (path.rfind("cone:", 0) == 0 || path.rfind("arc:", 0) == 0) return Generate(path, kind);
+  auto text = ReadFile(path);
+  if (!text.ok()) return text.error();
+  return ParseProfile(text.value(), path, kind);
+}
+
+}  // namespace phs::rail
