@@ -26,6 +26,7 @@ void AddPlanView(const CurvingResults& results, ReportPage* page);
 void AddMomentBudget(const CurvingResults& results, ReportPage* page);
 
 // curving_plots.cc
+void AddMomentPlots(const CurvingResults& results, ReportPage* page);
 void AddTrackPlots(const CurvingResults& results, ReportPage* page);
 void AddHydraulicPlots(const CurvingResults& results, ReportPage* page);
 

@@ -78,7 +78,9 @@ void AddChannelPlot(const CurvingResults& results, const ChannelPlot& what, Repo
                   .from_zero = what.from_zero,
                   .steps = what.steps,
                   .max_points = 1600};
-  for (const BogieRun& run : results.runs) {
+  // The reference is drawn last, on top of the others.
+  for (std::size_t i = results.runs.size(); i-- > 0;) {
+    const BogieRun& run = results.runs[i];
     const std::vector<double>* s = run.Channel("s_m");
     const std::vector<double>* y = run.Channel(what.channel);
     if (s == nullptr || y == nullptr) continue;
@@ -205,6 +207,36 @@ void AddAxlePlots(const CurvingResults& results, const std::string& prefix, Repo
 }
 
 }  // namespace
+
+void AddMomentPlots(const CurvingResults& results, ReportPage* page) {
+  if (!HasSeries(results) || results.hand == 0) return;
+  page->BeginDetails("The same moments along the track");
+  page->Paragraph(
+      "Positive: towards the direction that the first arc asks for, so that the arc reads like the "
+      "bars above.");
+  page->BeginGrid(2);
+  for (const std::string& prefix : results.prefixes) {
+    for (const auto& [axle, word] :
+         {std::pair{"lead", "leading"}, std::pair{"trail", "trailing"}}) {
+      const double sign = results.hand * (std::string(axle) == "lead" ? 1 : -1);
+      for (const BogieRun& run : results.runs) {
+        const std::string name = prefix + axle;
+        std::vector<std::pair<std::string, std::string>> parts = {
+            {"creep forces", name + "_steering_moment_Nm"},
+            {"primary suspension", name + "_primary_moment_Nm"}};
+        if (run.Channel(prefix + "cylinder_1_force_N") != nullptr) {
+          parts.emplace_back("oil pressure", name + "_phs_pressure_moment_Nm");
+          parts.emplace_back("seal friction", name + "_phs_friction_moment_Nm");
+        }
+        AddBogiePlot(results, run,
+                     "Yaw moments, " + BogieWords(prefix) + word + " axle, " + run.label,
+                     "yaw moment [kN m]", 1e-3 * sign, parts, page, 0.5);
+      }
+    }
+  }
+  page->EndGrid();
+  page->EndDetails();
+}
 
 void AddTrackPlots(const CurvingResults& results, ReportPage* page) {
   if (!HasSeries(results)) {

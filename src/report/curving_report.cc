@@ -52,6 +52,7 @@ Status WriteCurvingReport(const CurvingReportInput& input, const std::string& pa
   AddPlanView(results, &page);
   page.Section("What steers, what holds back");
   AddMomentBudget(results, &page);
+  AddMomentPlots(results, &page);
   page.Section("Along the track");
   AddTrackPlots(results, &page);
   page.Section("Bogie and hydraulics");

@@ -146,6 +146,21 @@ double BogieRun::Mean(const std::string& channel, double begin, double end) cons
   return count > 0 ? sum / static_cast<double>(count) : kNone;
 }
 
+double BogieRun::Deviation(const std::string& channel, double begin, double end) const {
+  const std::vector<double>* s = Channel("s_m");
+  const std::vector<double>* y = Channel(channel);
+  const double mean = Mean(channel, begin, end);
+  if (!std::isfinite(mean)) return kNone;
+  double sum = 0;
+  long count = 0;
+  for (std::size_t i = 0; i < s->size(); ++i) {
+    if ((*s)[i] < begin || (*s)[i] > end) continue;
+    sum += ((*y)[i] - mean) * ((*y)[i] - mean);
+    ++count;
+  }
+  return std::sqrt(sum / static_cast<double>(count));
+}
+
 double BogieRun::Number(const std::string& pointer) const {
   const json::json_pointer at(pointer);
   return summary.contains(at) ? AsNumber(summary.at(at)) : kNone;
@@ -169,6 +184,16 @@ std::string BogieWords(const std::string& prefix) {
   return prefix.empty() ? "" : prefix.substr(0, prefix.size() - 1) + " bogie, ";
 }
 
+std::string RatioText(double other, double own, double floor) {
+  const double ratio = std::abs(other / own);
+  if (!std::isfinite(other) || !std::isfinite(own)) return "–";
+  if (std::abs(own) < floor) {
+    return std::abs(other) < 2 * floor ? "–"
+                                       : "> " + FormatNumber(std::abs(other) / floor, 2) + " ×";
+  }
+  return FormatNumber(ratio) + " ×";
+}
+
 std::string SectionLabel(const Section& section) {
   return section.kind == "curve"        ? fmt::format("R {:.0f} m", section.radius)
          : section.kind == "transition" ? "transition"
@@ -187,7 +212,7 @@ Result<CurvingResults> ReadCurvingResults(const CurvingReportInput& input) {
   int colour = 0;
   for (const CurvingReportInput::Run& file : input.runs) {
     BogieRun run{
-        .name = file.bogie, .label = LabelOf(file.bogie), .colour = colour % 8, .dash = colour % 3};
+        .name = file.bogie, .label = LabelOf(file.bogie), .colour = colour % 8, .dash = colour % 2};
     ++colour;
     if (several && !results.all["bogies"].contains(file.bogie)) {
       return MissingBogie(input, file.bogie);

@@ -25,6 +25,8 @@ struct BogieRun {
   const std::vector<double>* Channel(const std::string& channel) const;
   /// Mean of a channel over [begin, end] of the lead wheelset's arc length; NaN if not recorded.
   double Mean(const std::string& channel, double begin, double end) const;
+  /// Standard deviation over the same; NaN if not recorded.
+  double Deviation(const std::string& channel, double begin, double end) const;
   /// Number at a JSON pointer of the summary; NaN if absent.
   double Number(const std::string& pointer) const;
   /// Quantity of a wheelset, wheel, cylinder or line of the steady curve; NaN if absent.
@@ -57,6 +59,10 @@ struct CurvingResults {
 };
 
 Result<CurvingResults> ReadCurvingResults(const CurvingReportInput& input);
+
+/// Magnitude of `other` over that of `own` in words: "2.1 ×"; where `own` is below `floor` (what
+/// the run can resolve) "> 40 ×", and where both are "–".
+std::string RatioText(double other, double own, double floor);
 
 /// "R 550 m" of a curve, "transition"; empty for a tangent.
 std::string SectionLabel(const Section& section);

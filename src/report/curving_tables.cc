@@ -14,9 +14,13 @@ namespace {
 using json = nlohmann::ordered_json;
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
+/// Standard deviation of the leading angle of attack above which an arc is not steady [mrad].
+constexpr double kSteadySwing = 0.1;
+
 /// A quantity of the headline table.
 struct Metric {
   std::string label;  ///< with unit
+  double floor;       ///< smallest size for which a ratio means anything, in that unit
   std::function<double(const BogieRun&)> value;
 };
 
@@ -70,23 +74,28 @@ void AddSteadyMetrics(const CurvingResults& results, const std::string& prefix,
         [&results, axle](const BogieRun& run) { return 1e3 * AttackOutward(run, results, axle); };
   };
   *metrics = {
-      {"Angle of attack, leading axle [mrad]", attack(lead)},
-      {"Angle of attack, trailing axle [mrad]", attack(trail)},
-      {"Lateral position, leading axle [mm]", wheelset(lead, "lateral_m", 1e3)},
-      {"Lateral position, trailing axle [mm]", wheelset(trail, "lateral_m", 1e3)},
-      {"Track-shifting force ΣY, leading axle [kN]", wheelset(lead, "sum_Y_N", 1e-3)},
-      {"Track-shifting force ΣY, trailing axle [kN]", wheelset(trail, "sum_Y_N", 1e-3)},
-      {"Guiding force Y, leading outer wheel [kN]", wheel(prefix + "lead_outer", "Y_N", 1e-3)},
-      {"Wheel load Q, leading outer wheel [kN]", wheel(prefix + "lead_outer", "Q_N", 1e-3)},
-      {"Y/Q, leading outer wheel [–]", wheel(prefix + "lead_outer", "Y_over_Q", 1)},
-      {"Wear number Tγ, leading outer wheel [N]", wheel(prefix + "lead_outer", "T_gamma_N", 1)},
-      {"Wear number Tγ, four wheels [N]",
+      {"Angle of attack, leading axle [mrad]", 0.1, attack(lead)},
+      {"– its swing (standard deviation) [mrad]", 0.1,
+       [&results, lead](const BogieRun& run) {
+         return 1e3 * run.Deviation(lead + "_angle_of_attack_rad", results.steady_begin,
+                                    results.steady_end);
+       }},
+      {"Angle of attack, trailing axle [mrad]", 0.1, attack(trail)},
+      {"Lateral position, leading axle [mm]", 0.1, wheelset(lead, "lateral_m", 1e3)},
+      {"Lateral position, trailing axle [mm]", 0.1, wheelset(trail, "lateral_m", 1e3)},
+      {"Track-shifting force ΣY, leading axle [kN]", 0.5, wheelset(lead, "sum_Y_N", 1e-3)},
+      {"Track-shifting force ΣY, trailing axle [kN]", 0.5, wheelset(trail, "sum_Y_N", 1e-3)},
+      {"Guiding force Y, leading outer wheel [kN]", 0.5, wheel(prefix + "lead_outer", "Y_N", 1e-3)},
+      {"Wheel load Q, leading outer wheel [kN]", 0.5, wheel(prefix + "lead_outer", "Q_N", 1e-3)},
+      {"Y/Q, leading outer wheel [–]", 0.005, wheel(prefix + "lead_outer", "Y_over_Q", 1)},
+      {"Wear number Tγ, leading outer wheel [N]", 1, wheel(prefix + "lead_outer", "T_gamma_N", 1)},
+      {"Wear number Tγ, four wheels [N]", 1,
        [prefix](const BogieRun& run) { return TotalWear(run, prefix); }},
-      {"Bending (steering) of the bogie [mrad]",
+      {"Bending (steering) of the bogie [mrad]", 0.1,
        [prefix](const BogieRun& run) {
          return 1e3 * run.Number("/steady_curve/" + prefix + "bending_rad");
        }},
-      {"Greatest cylinder force [kN]",
+      {"Greatest cylinder force [kN]", 0.1,
        [prefix](const BogieRun& run) { return 1e-3 * GreatestCylinderForce(run, prefix); }},
   };
 }
@@ -95,10 +104,10 @@ std::vector<Metric> RunMetrics() {
   const auto number = [](const char* pointer, double scale) {
     return [pointer, scale](const BogieRun& run) { return scale * run.Number(pointer); };
   };
-  return {{"Greatest angle of attack [mrad]", number("/run/max_angle_of_attack_rad", 1e3)},
-          {"Greatest ΣY [kN]", number("/run/max_sum_Y_N", 1e-3)},
-          {"Greatest Y/Q [–]", number("/run/max_Y_over_Q", 1)},
-          {"Work lost as Tγ along the track [kJ]", number("/run/T_gamma_total_J", 1e-3)}};
+  return {{"Greatest angle of attack [mrad]", 0.1, number("/run/max_angle_of_attack_rad", 1e3)},
+          {"Greatest ΣY [kN]", 0.5, number("/run/max_sum_Y_N", 1e-3)},
+          {"Greatest Y/Q [–]", 0.005, number("/run/max_Y_over_Q", 1)},
+          {"Work lost as Tγ along the track [kJ]", 0.1, number("/run/T_gamma_total_J", 1e-3)}};
 }
 
 void AddRows(const CurvingResults& results, const std::vector<Metric>& metrics, DataTable* table) {
@@ -112,8 +121,7 @@ void AddRows(const CurvingResults& results, const std::vector<Metric>& metrics, 
       row.emplace_back(FormatNumber(value), &run == &results.reference());
     }
     for (std::size_t i = 1; i < results.runs.size(); ++i) {
-      const double ratio = std::abs(metric.value(results.runs[i]) / own);
-      row.emplace_back(std::isfinite(ratio) ? fmt::format("{} ×", FormatNumber(ratio)) : "–");
+      row.emplace_back(RatioText(metric.value(results.runs[i]), own, metric.floor));
     }
     if (any) table->rows.push_back(std::move(row));
   }
@@ -134,29 +142,41 @@ void AddStatus(const CurvingResults& results, ReportPage* page) {
         run.label, run.summary.value("status", "?"),
         run.summary.value("reason", "no reason given")));
   }
+  for (const BogieRun& run : results.runs) {
+    const double swing = 1e3 * run.Deviation(results.prefixes.front() + "lead_angle_of_attack_rad",
+                                             results.steady_begin, results.steady_end);
+    if (!(swing > kSteadySwing)) continue;
+    page->Warning(
+        fmt::format("The {} bogie does not come to rest in the arc: the angle of attack of its "
+                    "leading axle keeps "
+                    "swinging with a standard deviation of {} mrad. The means below hide that; "
+                    "look at the plots.",
+                    run.label, FormatNumber(swing, 2)));
+  }
 }
 
 void AddKeyFigures(const CurvingResults& results, ReportPage* page) {
   struct Key {
     std::string label;
     std::string unit;
+    double floor;
     std::function<double(const BogieRun&)> value;
   };
   const std::string prefix = results.prefixes.front();
   const std::vector<Key> keys = {
-      {"Angle of attack, leading axle", "mrad",
+      {"Angle of attack, leading axle", "mrad", 0.1,
        [&](const BogieRun& run) {
          return 1e3 * std::abs(AttackOutward(run, results, prefix + "lead"));
        }},
-      {"Guiding force Y, leading outer wheel", "kN",
+      {"Guiding force Y, leading outer wheel", "kN", 0.5,
        [&](const BogieRun& run) {
          return 1e-3 * std::abs(run.Steady("wheels", prefix + "lead_outer", "Y_N"));
        }},
-      {"Y/Q, leading outer wheel", "",
+      {"Y/Q, leading outer wheel", "", 0.005,
        [&](const BogieRun& run) {
          return std::abs(run.Steady("wheels", prefix + "lead_outer", "Y_over_Q"));
        }},
-      {"Wear number Tγ, four wheels", "N",
+      {"Wear number Tγ, four wheels", "N", 1,
        [&](const BogieRun& run) { return TotalWear(run, prefix); }},
   };
   std::vector<KeyFigure> figures;
@@ -167,8 +187,10 @@ void AddKeyFigures(const CurvingResults& results, ReportPage* page) {
     for (std::size_t i = 1; i < results.runs.size(); ++i) {
       const double other = key.value(results.runs[i]);
       if (!std::isfinite(other)) continue;
-      remark += fmt::format("{}{}: {} {} ({} ×)", remark.empty() ? "" : "; ", results.runs[i].label,
-                            FormatNumber(other), key.unit, FormatNumber(other / own));
+      const std::string ratio = RatioText(other, own, key.floor);
+      remark += fmt::format("{}{}: {}{}{}", remark.empty() ? "" : "; ", results.runs[i].label,
+                            FormatNumber(other), key.unit.empty() ? "" : " " + key.unit,
+                            ratio == "–" ? "" : " (" + ratio + ")");
     }
     figures.push_back({.value = FormatNumber(own),
                        .unit = key.unit,
@@ -200,7 +222,8 @@ void AddHeadlineTable(const CurvingResults& results, ReportPage* page) {
       "Angle of attack: yaw of the axle against the radial direction of the track under it, here "
       "positive when the axle points to the outer (high) rail. Lateral position: positive to the "
       "left. Tγ = |Tx ξ| + |Ty η| without the spin term. The last columns are ratios of "
-      "magnitudes.");
+      "magnitudes; where the "
+      "number compared with is too small to be resolved they give only a bound.");
 }
 
 void AddComparisonBars(const CurvingResults& results, ReportPage* page) {
@@ -212,7 +235,7 @@ void AddComparisonBars(const CurvingResults& results, ReportPage* page) {
       (prefix.empty() ? std::string() : ", " + prefix.substr(0, prefix.size() - 1) + " bogie"));
   page->BeginGrid(1);
   // Angle, track shift, guiding force and wear: the numbers that decide about wheel and rail.
-  for (int index : {0, 4, 6, 10}) {
+  for (int index : {0, 5, 7, 11}) {
     BarChart chart{.title = metrics[index].label, .categories = {""}};
     bool any = false;
     for (const BogieRun& run : results.runs) {

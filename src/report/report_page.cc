@@ -232,8 +232,10 @@ void ReportPage::BeginDetails(const std::string& summary) {
 void ReportPage::EndDetails() { body_ += "</details>\n"; }
 
 void ReportPage::Add(const DataTable& table) {
-  body_ += "<div class=\"scroll\" tabindex=\"0\"><table>" + Tag("caption", table.caption) +
-           "\n<thead><tr>";
+  const std::string id = "table-" + std::to_string(++num_tables_);
+  body_ += "<p class=\"caption\" id=\"" + id + "\">" + EscapeHtml(table.caption) +
+           "</p><div class=\"scroll\" tabindex=\"0\"><table aria-labelledby=\"" + id +
+           "\">\n<thead><tr>";
   for (const std::string& title : table.head)
     body_ += "<th scope=\"col\">" + EscapeHtml(title) + "</th>";
   body_ += "</tr></thead>\n<tbody>\n";

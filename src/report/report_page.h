@@ -168,6 +168,7 @@ class ReportPage {
   std::string figures_ = {};   ///< JSON members "id": {…}
   int num_sections_ = 0;
   int num_figures_ = 0;
+  int num_tables_ = 0;
 };
 
 /// Text with the characters of HTML replaced.

@@ -129,7 +129,11 @@ const abscissae = (page, group) => page.evaluate((name) =>
     .map((f) => [f.plot.scales.x.min, f.plot.scales.x.max]), group);
 
 async function tryControls(page, name) {
-  const first = await page.$("figure.series");
+  let first = null;
+  for (const figure of await page.$$("figure.series")) {
+    const folded = await figure.evaluate((f) => f.closest("details:not([open])") !== null);
+    if (!first && !folded) first = figure;
+  }
   if (!first) return;
   const group = await first.evaluate((figure) => figure.dataset.group);
   const over = await first.$(".u-over");
@@ -154,7 +158,7 @@ async function tryControls(page, name) {
   const hidden = await page.evaluate((f) => {
     const label = f.plot.series[1].label;
     return [...document.querySelectorAll("figure.series")]
-      .filter((other) => other.dataset.group === f.dataset.group)
+      .filter((other) => other.plot && other.dataset.group === f.dataset.group)
       .flatMap((other) => other.plot.series.filter((s) => s.label === label).map((s) => s.show));
   }, first);
   check(hidden.length > 0 && hidden.every((shown) => !shown),

@@ -108,6 +108,10 @@
   function drawBogie(spec, bogie, row, width) {
     const curvature = spec.curvature[row] ?? 0;
     const length = spec.wheelbase * 1.9;
+    if (bogie.lead.attack[row] === null || bogie.trail.attack[row] === null) {
+      return phs.html("div", {}, phs.html("strong", {}, bogie.label),
+        phs.html("p", {}, "The run did not reach this place."));
+    }
     const words = ["lead", "trail"].map((name, i) => `${i ? "trailing" : "Leading"} axle points ` +
       `${describeAttack(bogie[name].attack[row] ?? 0, curvature)}, stands ` +
       `${phs.number(Math.abs(1e3 * bogie[name].lateral[row]), 3)} mm to the ` +

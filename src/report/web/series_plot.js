@@ -2,15 +2,16 @@
 // shown (by name).
 "use strict";
 (() => {
-  const groups = {};  // group name → {plots: [], whole: [least, greatest], hidden: Set of names}
+  const groups = {};  // group name → {plots: [], range: zoom or null, hidden: Set of names}
   let busy = false;   // true while a change of one plot is handed on to the others
 
   function groupOf(name) {
-    return groups[name] ??= {plots: [], whole: null, hidden: new Set()};
+    return groups[name] ??= {plots: [], range: null, hidden: new Set()};
   }
 
   function zoom(group, least, greatest) {
     busy = true;
+    group.range = least === undefined ? null : [least, greatest];
     for (const plot of group.plots) {
       plot.setScale("x", {min: least ?? plot.whole[0], max: greatest ?? plot.whole[1]});
     }
@@ -81,7 +82,9 @@
     return (plot, least, greatest) => {
       if (least === null || greatest === null) return [0, 1];
       const {min, max} = plot.scales.x;
-      const whole = !plot.whole || (min <= plot.whole[0] && max >= plot.whole[1]);
+      const [first, last] = plot.whole ?? [min, max];
+      const rounding = 1e-6 * (last - first);
+      const whole = !(min > first + rounding || max < last - rounding);
       if (spec.ordinate && whole) [least, greatest] = spec.ordinate;
       if (spec.from_zero) least = Math.min(least, 0);
       const lack = spec.least_span - (greatest - least);
@@ -184,6 +187,11 @@
       plot.whole = [x[0], x[x.length - 1]];
       plot.ready = true;
       group.plots.push(plot);
+      if (group.range) {  // drawn late (a fold was opened): join the others
+        busy = true;
+        plot.setScale("x", {min: group.range[0], max: group.range[1]});
+        busy = false;
+      }
       figure.plot = plot;
       const wrap = place.querySelector(".u-wrap");
       wrap.setAttribute("role", "img");
@@ -197,7 +205,8 @@
       bar.addEventListener("click", ({target}) => {
         if (target.tagName !== "BUTTON") return;
         const {begin, end} = target.dataset;
-        zoom(groupOf(bar.dataset.group), begin && Number(begin), end && Number(end));
+        const group = groupOf(bar.dataset.group);
+        begin === undefined ? zoom(group) : zoom(group, Number(begin), Number(end));
       });
     }
     for (const bar of document.querySelectorAll(".legend")) {
