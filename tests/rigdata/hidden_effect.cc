@@ -21,9 +21,9 @@ const std::vector<std::string>& ListedNames() {
 
 const std::vector<std::string>& OffListNames() {
   static const std::vector<std::string> names = {
-      "piston_area_error",  "friction_heating",     "actuator_ripple",       "cogging_force",
-      "relief_valve",       "moving_mass",          "acceleration_friction", "seal_swelling",
-      "pressure_crosstalk", "load_cell_hysteresis", "load_cell_curvature",   "oil_stiffening"};
+      "piston_area_error",    "friction_heating",      "actuator_ripple", "cogging_force",
+      "relief_valve",         "acceleration_friction", "seal_swelling",   "pressure_crosstalk",
+      "load_cell_hysteresis", "load_cell_curvature",   "oil_stiffening"};
   return names;
 }
 

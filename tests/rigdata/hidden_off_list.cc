@@ -39,12 +39,6 @@ HiddenEffect DrawForceEffect(const std::string& name, RandomSource& random) {
       return {{"amplitude_N", 100 * size}, {"wavelength_m", wavelength}};
     });
   }
-  if (name == "moving_mass") {
-    return Make("inertia", 16, [=](double size, TrueRig* r) -> NumberList {
-      r->rig.moving_mass = 50 * size;
-      return {{"mass_kg", 50 * size}};
-    });
-  }
   return {};
 }
 

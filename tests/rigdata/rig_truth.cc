@@ -86,7 +86,7 @@ double RigRun::CylinderForce(double x, double v, double t, const Surroundings& s
     const double cycles = r.wavelength > 0 ? x / r.wavelength : r.frequency * t;
     force += r.amplitude * std::sin(kTwoPi * cycles + r.phase);
   }
-  return force + params_.moving_mass * in.acceleration;
+  return force;
 }
 
 double RigRun::Excess(double v, double t, const Surroundings& s, State* next) const {

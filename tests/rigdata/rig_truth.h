@@ -2,7 +2,7 @@
 //
 //   x_a ──[mount]── x_p ──[friction]── cylinder: bore line (−A_b x), rod line (+A_r x)
 //   F = p_rod A_r − p_bore A_b + friction + ripple          tension > 0
-//   F_mount(x_a − x_p) = F + m dv/dt                          solved for v at the end of each step
+//   F_mount(x_a − x_p) = F                                    solved for v at the end of each step
 //
 // Backward Euler throughout: first order in the step, no parasitic oscillation with stiff friction.
 #pragma once
@@ -40,7 +40,6 @@ struct RigParams {
   EnvironmentParams environment;
   RippleParams ripple;
   double bore_area_error = 0, rod_area_error = 0;  // relative, in force only
-  double moving_mass = 0;                          // kg between load cell and seals
 };
 
 // The nominal rig: the declared model with nothing hidden.
