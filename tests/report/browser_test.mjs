@@ -7,22 +7,13 @@
 // from the network, every figure drawn (pixels or shapes that differ from the ground), no text
 // beyond the page; zoom, legend and slider work. Exit 0 if all holds; screenshots stay in
 // PICTURES_DIR.
-import {createRequire} from "node:module";
-import {existsSync, mkdirSync, mkdtempSync, rmSync} from "node:fs";
-import {tmpdir} from "node:os";
+import {mkdirSync} from "node:fs";
 import path from "node:path";
-import {pathToFileURL} from "node:url";
+import {openReport, withBrowser} from "./browser.mjs";
 
 const [modules, pictures, ...reports] = process.argv.slice(2);
 if (!modules || !pictures || reports.length === 0) {
   console.error("usage: browser_test.mjs NODE_MODULES_DIR PICTURES_DIR REPORT.html…");
-  process.exit(2);
-}
-const puppeteer = createRequire(path.join(path.resolve(modules), "from.cjs"))("puppeteer-core");
-const browserPath = [process.env.PHS_CHROMIUM, "/usr/bin/chromium", "/usr/bin/chromium-browser",
-  "/usr/bin/google-chrome"].find((file) => file && existsSync(file));
-if (!browserPath) {
-  console.error("no Chromium found: install the package chromium or set PHS_CHROMIUM");
   process.exit(2);
 }
 
@@ -34,24 +25,6 @@ function check(holds, words) {
     failures.push(words);
     console.error("FAILED: " + words);
   }
-}
-
-/** Opens a report and waits until every figure is drawn. */
-async function open(browser, file, width, scheme, watch) {
-  const page = await browser.newPage();
-  page.on("console", (message) => watch.messages.push(message.text()));
-  page.on("pageerror", (error) => watch.messages.push(String(error)));
-  page.on("request", (request) => {
-    const url = request.url();
-    if (!url.startsWith("file:") && !url.startsWith("data:")) watch.requests.push(url);
-  });
-  await page.setViewport({width, height: width < 500 ? 844 : 900,
-    deviceScaleFactor: width < 500 ? 2 : 1});
-  await page.emulateMediaFeatures([{name: "prefers-color-scheme", value: scheme}]);
-  await page.goto(pathToFileURL(path.resolve(file)).href);
-  await page.waitForFunction(() => document.documentElement.dataset.ready === "yes",
-    {timeout: 30000});
-  return page;
 }
 
 /** Figures that are empty: no figure body, or a canvas on which no curve has been drawn. */
@@ -190,7 +163,7 @@ async function lookAt(browser, file, thorough) {
   for (const [width, scheme] of views) {
     const watch = {messages: [], requests: []};
     const label = `${name} at ${width} px, ${scheme}`;
-    const page = await open(browser, file, width, scheme, watch);
+    const page = await openReport(browser, file, width, scheme, watch);
     const empty = await page.evaluate(findEmptyFigures);
     check(empty.length === 0, `${label}: empty figures: ${empty.join(" | ")}`);
     const wide = await page.evaluate(findOverflow);
@@ -217,18 +190,8 @@ async function lookAt(browser, file, thorough) {
 }
 
 mkdirSync(pictures, {recursive: true});
-const profile = mkdtempSync(path.join(tmpdir(), "phs-browser-"));
-const browser = await puppeteer.launch({
-  executablePath: browserPath,
-  userDataDir: profile,
-  args: ["--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
-    "--disable-background-networking", "--disable-component-update", "--disable-sync"],
-});
-try {
+await withBrowser(modules, async (browser) => {
   for (const report of reports) await lookAt(browser, report, report === reports[0]);
-} finally {
-  await browser.close();
-  rmSync(profile, {recursive: true, force: true});
-}
+});
 console.log(`${checks - failures.length} passed, ${failures.length} failed`);
 process.exit(failures.length === 0 && checks > 0 ? 0 : 1);
