@@ -1,9 +1,13 @@
 // Tangential contact forces: one interface for linear Kalker, FASTSIM, Polach and the fast table.
 //
-// Axes of the contact plane: 1 = rolling direction, 2 = lateral in the plane, n = normal. Creepages
-// follow CONTACT: velocity of the rail relative to the wheel divided by the reference speed, so a
-// positive creepage gives a negative force *on the rail*… the force returned here is the one that
-// CONTACT prints (reference/rail): Fx = -G ab C11 xi in the linear limit.
+// Axes of the contact plane: 1 = rolling direction, 2 = lateral in the plane, n = normal of C
+// (frames.h), pointing into the rail. Signs as CONTACT prints them for body 1, the rail:
+//   creepages  (xi, eta, phi) = (velocity, rate of turn about n) of the rail's surface *relative to
+//              the wheel's*, divided by the reference speed;
+//   forces     on the rail, so they oppose the creepage: xi > 0 gives x < 0; in the linear limit
+//                x = -G a b C11 xi,   y = -G a b C22 eta - G (a b)^1.5 C23 phi.
+// The force on the wheel is the opposite. Lost power is -(x xi + y eta + moment phi) V >= 0. A
+// mirror at the longitudinal plane turns the signs of eta, phi, y and moment.
 #pragma once
 
 #include <memory>
@@ -17,14 +21,17 @@ namespace phs::rail {
 /// Material of wheel and rail (equal).
 struct ContactMaterial {
   double shear_modulus_Pa = 82e9;
-  double poisson_ratio = 0.28;
+  double poisson_ratio = 0.28;  ///< 0 … 0.5
 };
 
-/// Friction: constant, or falling with slip speed f(w) = f0 ((1 - A) exp(-B w) + A) (Polach).
+/// Friction: constant, or falling with slip speed: f(w) = f0 ((1 - A) exp(-B w) + A).
+/// Source: Polach, Creep forces in simulations of traction vehicles running on adhesion limit, Wear
+/// 258 (2005) 992.
 struct FrictionLaw {
-  double coefficient = 0.3;     ///< f0
+  double coefficient = 0.3;     ///< f0 > 0
   double falling_ratio = 1;     ///< A in (0, 1]; 1 = constant
-  double falling_rate_s_m = 0;  ///< B [s/m]
+  double falling_rate_s_m = 0;  ///< B >= 0 [s/m]
+  /// Coefficient at a slip speed >= 0 [m/s].
   double At(double slip_speed) const;
 };
 
@@ -32,7 +39,7 @@ struct FrictionLaw {
 struct CreepInput {
   double a = 0;           ///< semi-axis along rolling [m]
   double b = 0;           ///< semi-axis across [m]
-  double normal = 0;      ///< N >= 0 [N]
+  double normal = 0;      ///< N >= 0 [N]; without normal force there is no creep force
   double xi = 0;          ///< longitudinal creepage
   double eta = 0;         ///< lateral creepage
   double phi = 0;         ///< spin creepage [1/m]
@@ -54,13 +61,30 @@ class CreepLaw {
   virtual std::string name() const = 0;
 };
 
+/// Lower initial slope than theory, as measured on wet and dirty rails. The creepages that enter
+/// the theory are multiplied by
+///   k = k0 (alpha + (1 - alpha)/(1 + beta e)),  e = G pi a b k0 C11 w/(4 f N),
+///   w = sqrt(xi^2 + s^2), s = eta + phi a if that is the larger in size, else eta.
+/// Source: Spiryagin, Polach, Cole, Creep force modelling for rail traction vehicles based on the
+/// Fastsim algorithm, Vehicle System Dynamics 51 (2013) 1765. The defaults switch it off.
+struct SlopeReduction {
+  double k0 = 1;     ///< slope at the origin, (0, 1]
+  double alpha = 1;  ///< remaining part of it at large creepage, [0, 1]
+  double beta = 0;   ///< how fast it falls, >= 0
+  bool active() const { return k0 != 1 || (alpha != 1 && beta != 0); }
+};
+
 struct CreepLawParams {
   std::string method = "kalker_table";  ///< linear | fastsim | polach | kalker_table
   ContactMaterial material;
   int fastsim_strips = 40;  ///< grid of FASTSIM (and of the table's source)
   int fastsim_slices = 40;
-  bool elliptic_bound = false;  ///< traction bound: parabolic (classic) or elliptic
-  bool use_disk_cache = true;   ///< keep the table in $XDG_CACHE_HOME/phs
+  bool elliptic_bound = false;       ///< traction bound: parabolic (classic) or elliptic
+  bool use_disk_cache = true;        ///< keep the table in $XDG_CACHE_HOME/phs
+  bool blended_flexibility = false;  ///< one flexibility at large creepage, as CONTACT's FASTSIM
+  SlopeReduction slope_reduction;    ///< of fastsim and kalker_table
+  double polach_adhesion = 1;        ///< kA of polach, (0, 1], >= kS
+  double polach_slip = 1;            ///< kS of polach, (0, 1]
 };
 
 Result<std::unique_ptr<CreepLaw>> CreateCreepLaw(const CreepLawParams& params);

@@ -65,7 +65,7 @@ Four Asymptote(double g, bool short_along, double nu) {
   const double d = (1 - nu) * l + 2 * nu;
   return {2 * pi / ((l - 2 * nu) * g) * (1 + k / (l - 2 * nu)),
           2 * pi / g * (1 + (1 - nu) * k / d) / d,
-          2 * pi / (3 * std::pow(g, 1.5) * ((1 - nu) * l - 2 + 4 * nu)), std::sqrt(g)};
+          2 * pi / (3 * std::pow(g, 1.5) * ((1 - nu) * l - 2 + 4 * nu)), 1};
 }
 
 }  // namespace
@@ -90,21 +90,36 @@ KalkerCoefficients CalcKalkerCoefficients(double a_over_b, double nu) {
   return {c[0], c[1], c[2], c[3]};
 }
 
+namespace {
+/// Ends of the curve in a/(a + b); C11 grows without limit towards 1.
+constexpr double kLowest = 1.0 / 151;
+}  // namespace
+
 KalkerCurve::KalkerCurve(double poisson_ratio) {
   for (int i = 0; i <= kIntervals; ++i) {
-    const double log_ratio = -5.0 + 10.0 * i / kIntervals;
-    knot_[i] = CalcKalkerCoefficients(std::exp(log_ratio), poisson_ratio);
+    const double chi = kLowest + (1 - 2 * kLowest) * i / kIntervals;
+    knot_[i] = CalcKalkerCoefficients(chi / (1 - chi), poisson_ratio);
   }
 }
 
 KalkerCoefficients KalkerCurve::At(double a_over_b) const noexcept {
-  const double place = std::clamp((std::log(a_over_b) + 5.0) / 10.0, 0.0, 1.0) * kIntervals;
+  const double chi = a_over_b / (1 + a_over_b);
+  const double place =
+      std::clamp((chi - kLowest) / (1 - 2 * kLowest), 0.0, 1.0) * static_cast<double>(kIntervals);
   const int i = std::min(static_cast<int>(place), kIntervals - 1);
   const double t = place - i;
   const KalkerCoefficients& p = knot_[i];
   const KalkerCoefficients& q = knot_[i + 1];
   return {p.c11 + t * (q.c11 - p.c11), p.c22 + t * (q.c22 - p.c22), p.c23 + t * (q.c23 - p.c23),
           p.c33 + t * (q.c33 - p.c33)};
+}
+
+CreepForce CalcLinearCreep(const CreepInput& in, const KalkerCoefficients& c,
+                           double shear) noexcept {
+  const double ab = in.a * in.b;
+  const double ab15 = ab * std::sqrt(ab);
+  return {-shear * ab * c.c11 * in.xi, -shear * (ab * c.c22 * in.eta + ab15 * c.c23 * in.phi),
+          shear * (ab15 * c.c23 * in.eta - ab * ab * c.c33 * in.phi)};
 }
 
 }  // namespace phs::rail
