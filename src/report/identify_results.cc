@@ -1,7 +1,6 @@
 #include "report/identify_results.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -104,45 +103,6 @@ Status ReadData(const IdentifyReportInput& input, IdentifyResults* results) {
 }
 
 }  // namespace
-
-ReadableName Readable(const std::string& column) {
-  struct Unit {
-    const char* suffix;
-    const char* shown;
-    double factor;
-  };
-  static constexpr std::array<Unit, 12> kUnits = {{{"_m_s", "mm/s", 1e3},
-                                                   {"_N", "kN", 1e-3},
-                                                   {"_Pa", "MPa", 1e-6},
-                                                   {"_m", "mm", 1e3},
-                                                   {"_rad", "mrad", 1e3},
-                                                   {"_K", "K", 1},
-                                                   {"_s", "s", 1},
-                                                   {"_MPa", "MPa", 1},
-                                                   {"_kN", "kN", 1},
-                                                   {"_mm", "mm", 1},
-                                                   {"_1_m", "1/m", 1},
-                                                   {"_J", "J", 1}}};
-  ReadableName name{.words = column, .unit = "–"};
-  for (const Unit& unit : kUnits) {
-    if (!column.ends_with(unit.suffix)) continue;
-    name = {.words = column.substr(0, column.size() - std::string(unit.suffix).size()),
-            .unit = unit.shown,
-            .factor = unit.factor};
-    break;
-  }
-  static constexpr std::array<std::pair<const char*, const char*>, 5> kWords = {
-      {{"load_cell", "load cell force"},
-       {"p_bore", "bore pressure"},
-       {"p_rod", "rod pressure"},
-       {"piston", "piston displacement"},
-       {"actuator", "actuator displacement"}}};
-  for (const auto& [word, words] : kWords) {
-    if (name.words == word) name.words = words;
-  }
-  std::replace(name.words.begin(), name.words.end(), '_', ' ');
-  return name;
-}
 
 double NumberAt(const json& object, const std::string& pointer) {
   const json::json_pointer at(pointer);

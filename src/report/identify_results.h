@@ -7,6 +7,7 @@
 
 #include "base/result.h"
 #include "report/identify_report.h"
+#include "report/readable_name.h"
 #include "report/report_page.h"
 
 namespace phs::report {
@@ -35,14 +36,6 @@ struct IdentifyResults {
 };
 
 Result<IdentifyResults> ReadIdentifyResults(const IdentifyReportInput& input);
-
-/// "load_cell_N" → "load cell", and its unit for reading ("kN") with the factor to it.
-struct ReadableName {
-  std::string words;
-  std::string unit;
-  double factor = 1;
-};
-ReadableName Readable(const std::string& column);
 
 /// Number at a JSON pointer; NaN if absent.
 double NumberAt(const nlohmann::ordered_json& object, const std::string& pointer);

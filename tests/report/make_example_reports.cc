@@ -1,10 +1,12 @@
 // Writes example reports for the browser test: make_example_reports DIR.
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
 
 #include "example_results.h"
 #include "report/curving_report.h"
 #include "report/identify_report.h"
+#include "report/sweep_report.h"
 
 namespace {
 
@@ -33,6 +35,26 @@ int MakeIdentification(const std::filesystem::path& directory) {
   return status.ok() ? 0 : 1;
 }
 
+int MakeSweep(const std::filesystem::path& directory) {
+  std::filesystem::create_directories(directory);
+  std::ofstream csv(directory / "sweep.csv");
+  csv << "bogie,track_radius_m,friction,status,lead_angle_of_attack_rad,wear_T_gamma_N\n";
+  for (const char* bogie : {"phs", "rigid_link"}) {
+    for (int radius : {150, 250, 300, 400, 550, 800}) {
+      for (double friction : {0.2, 0.3, 0.4}) {
+        const double attack = (bogie[0] == 'p' ? 0.3 : 1.0) * 1.55 / radius * (0.8 + friction);
+        csv << bogie << ',' << radius << ',' << friction << ",ok," << attack << ','
+            << 2e5 * attack * friction << '\n';
+      }
+    }
+  }
+  csv.close();
+  const phs::Status status = phs::report::WriteSweepReport(
+      {.table = (directory / "sweep.csv").string()}, (directory / "report.html").string());
+  if (!status.ok()) std::fprintf(stderr, "%s\n", status.error().Line().c_str());
+  return status.ok() ? 0 : 1;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -46,5 +68,6 @@ int main(int argc, char** argv) {
   failed += Make(root / "locomotive", {.bogies = {"phs", "rigid_link"}, .locomotive = true});
   failed += Make(root / "derailed", {.derailed = true});
   failed += MakeIdentification(root / "identify");
+  failed += MakeSweep(root / "sweep");
   return failed > 0 ? 1 : 0;
 }

@@ -1,0 +1,17 @@
+// Reports of the analyses: axle modes of one or more bogies, and stability over speed.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+
+namespace phs::report {
+
+/// Side by side from one modes.json per bogie.
+Status WriteModesReport(const std::vector<std::string>& modes_files, const std::string& path);
+
+/// From stability.json: growth rate, frequency and least damping over speed, critical speed.
+Status WriteStabilityReport(const std::string& stability_file, const std::string& path);
+
+}  // namespace phs::report

@@ -1,0 +1,62 @@
+#include "report/sweep_report.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "base/result_dir.h"
+#include "holds.h"
+
+namespace phs::report {
+namespace {
+
+using ::testing::HasSubstr;
+using testing::Holds;
+namespace fs = std::filesystem;
+
+class SweepReport : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    directory_ = fs::temp_directory_path() / ("phs_sweep_report_" + std::to_string(::getpid()));
+    fs::create_directories(directory_);
+    std::ofstream csv(File("sweep.csv"));
+    csv << "bogie,track_radius_m,friction,speed_m_s,status,lead_angle_of_attack_rad,max_Y_N\n";
+    for (const char* bogie : {"phs", "rigid_link"}) {
+      for (int radius : {250, 400, 550}) {
+        for (double friction : {0.2, 0.3, 0.4}) {
+          const bool lost = radius == 250 && friction > 0.35;
+          csv << bogie << ',' << radius << ',' << friction << ",16.7," << (lost ? "derailed" : "ok")
+              << ',' << 1.6 / radius << ',' << 8e6 / radius * friction << '\n';
+        }
+      }
+    }
+  }
+  void TearDown() override { fs::remove_all(directory_); }
+  std::string File(const std::string& name) const { return (directory_ / name).string(); }
+  fs::path directory_;
+};
+
+TEST_F(SweepReport, PlotsEveryResultOverTheVariedParameters) {
+  const Status status = WriteSweepReport({.table = File("sweep.csv")}, File("report.html"));
+  ASSERT_TRUE(status.ok()) << status.error().Line();
+  const std::string html = ReadFile(File("report.html")).value();
+  EXPECT_TRUE(Holds(html, "Sweep over track radius, friction"));  // the speed does not vary
+  EXPECT_TRUE(Holds(html, "2 of 18 runs did not end well"));
+  EXPECT_TRUE(Holds(html, "lead angle of attack, rigid_link"));
+  EXPECT_TRUE(Holds(html, "phs, friction 0.200"));
+}
+
+TEST_F(SweepReport, UnknownColumnsAreNamed) {
+  const Status status = WriteSweepReport(
+      {.table = File("sweep.csv"), .parameters = {"radius"}, .outputs = {"max_Y_N"}},
+      File("report.html"));
+  ASSERT_FALSE(status.ok());
+  EXPECT_THAT(status.error().Line(), HasSubstr("'radius'"));
+  EXPECT_THAT(status.error().Line(), HasSubstr("track_radius_m"));
+}
+
+}  // namespace
+}  // namespace phs::report
