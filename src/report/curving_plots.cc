@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string_view>
 
 #include "report/curving_parts.h"
 
@@ -121,6 +122,16 @@ void AddBogiePlot(const CurvingResults& results, const BogieRun& run, const std:
   if (!plot.curves.empty()) page->Add(plot);
 }
 
+/// Prefix of the channels of the hydraulics that belong to a bogie: "" or e.g. "front_bogie_".
+std::string HydraulicPrefix(const BogieRun& run, const std::string& bogie) {
+  static constexpr std::string_view kFirst = "cylinder_1_force_N";
+  for (const Channel& channel : run.series.channels) {
+    if (!channel.name.ends_with(kFirst) || !channel.name.starts_with(bogie)) continue;
+    return channel.name.substr(0, channel.name.size() - kFirst.size());
+  }
+  return bogie;
+}
+
 std::vector<Curve> BogieNames(const CurvingResults& results) {
   std::vector<Curve> names;
   for (const BogieRun& run : results.runs) {
@@ -224,7 +235,7 @@ void AddMomentPlots(const CurvingResults& results, ReportPage* page) {
         std::vector<std::pair<std::string, std::string>> parts = {
             {"creep forces", name + "_steering_moment_Nm"},
             {"primary suspension", name + "_primary_moment_Nm"}};
-        if (run.Channel(prefix + "cylinder_1_force_N") != nullptr) {
+        if (run.Channel(HydraulicPrefix(run, prefix) + "cylinder_1_force_N") != nullptr) {
           parts.emplace_back("oil pressure", name + "_phs_pressure_moment_Nm");
           parts.emplace_back("seal friction", name + "_phs_friction_moment_Nm");
         }
@@ -303,23 +314,24 @@ void AddHydraulicPlots(const CurvingResults& results, ReportPage* page) {
                     .least_span = 0.2},
                    page);
     for (const BogieRun& run : results.runs) {
-      if (run.Channel(prefix + "cylinder_1_force_N") == nullptr) continue;
+      const std::string system = HydraulicPrefix(run, prefix);
+      if (run.Channel(system + "cylinder_1_force_N") == nullptr) continue;
       std::vector<std::pair<std::string, std::string>> force;
       std::vector<std::pair<std::string, std::string>> piston;
       std::vector<std::pair<std::string, std::string>> friction;
       std::vector<std::pair<std::string, std::string>> pressure;
-      for (int i = 1; run.Channel(fmt::format("{}cylinder_{}_force_N", prefix, i)) != nullptr;
+      for (int i = 1; run.Channel(fmt::format("{}cylinder_{}_force_N", system, i)) != nullptr;
            ++i) {
-        const std::string name = fmt::format("{}cylinder_{}", prefix, i);
+        const std::string name = fmt::format("{}cylinder_{}", system, i);
         const std::string label = fmt::format("cylinder {}", i);
         force.emplace_back(label, name + "_force_N");
         piston.emplace_back(label, name + "_piston_m");
         friction.emplace_back(label, name + "_friction_N");
       }
-      for (int i = 1; run.Channel(fmt::format("{}line_L{}_pressure_Pa", prefix, i)) != nullptr;
+      for (int i = 1; run.Channel(fmt::format("{}line_L{}_pressure_Pa", system, i)) != nullptr;
            ++i) {
         pressure.emplace_back(fmt::format("line L{}", i),
-                              fmt::format("{}line_L{}_pressure_Pa", prefix, i));
+                              fmt::format("{}line_L{}_pressure_Pa", system, i));
       }
       const std::string whose = ", " + BogieWords(prefix) + run.label;
       AddBogiePlot(results, run, "Cylinder forces" + whose + " (tension positive)", "force [kN]",

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "report/curving_parts.h"
@@ -14,8 +15,11 @@ namespace {
 std::string Title(const CurvingResults& results) {
   std::string title = "Curving run";
   if (results.radius > 0) {
-    title += fmt::format(", R = {:.0f} m to the {}", results.radius,
-                         results.hand > 0 ? "left" : "right");
+    const auto arcs = std::count_if(results.sections.begin(), results.sections.end(),
+                                    [](const Section& s) { return s.kind == "curve"; });
+    title +=
+        fmt::format("{}, R = {:.0f} m to the {}", arcs > 1 ? " through several arcs, first" : "",
+                    results.radius, results.hand > 0 ? "left" : "right");
   }
   return title;
 }

@@ -89,6 +89,8 @@ TEST_F(CurvingReport, ALocomotiveHasTwoBogies) {
   const std::string html = Make({.bogies = {"phs", "rigid_link"}, .locomotive = true});
   EXPECT_TRUE(Holds(html, "Front bogie"));
   EXPECT_TRUE(Holds(html, "Angle of attack, rear bogie, leading axle"));
+  EXPECT_TRUE(Holds(html, "Cylinder forces, rear bogie, PHS"));
+  EXPECT_TRUE(Holds(html, "Greatest cylinder force [kN]"));
 }
 
 TEST_F(CurvingReport, WithoutTimeSeriesTheTablesRemain) {

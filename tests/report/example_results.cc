@@ -100,14 +100,15 @@ void SetHydraulics(const std::string& prefix, double s, double stiffness, int ha
   row->Set(prefix + "bending_rad", "rad", bend);
   row->Set(prefix + "shear_rad", "rad", 1e-5 * std::sin(s));
   if (stiffness > 0.5) return;
+  const std::string system = prefix.empty() ? "" : prefix + "bogie_";
   for (int i = 1; i <= 4; ++i) {
     const int sign = i == 1 || i == 4 ? 1 : -1;
-    const std::string cylinder = prefix + "cylinder_" + std::to_string(i);
+    const std::string cylinder = system + "cylinder_" + std::to_string(i);
     row->Set(cylinder + "_force_N", "N",
              sign * 1.2e3 * std::tanh(bend * 2e3) + 40 * std::sin(s + i));
     row->Set(cylinder + "_piston_m", "m", sign * 0.45 * bend);
     row->Set(cylinder + "_friction_N", "N", sign * 1.1e3 * std::tanh(bend * 2e3));
-    row->Set(prefix + "line_L" + std::to_string(i) + "_pressure_Pa", "Pa",
+    row->Set(system + "line_L" + std::to_string(i) + "_pressure_Pa", "Pa",
              (i == 1 || i == 4 ? 2.0e6 : 1.8e6) + sign * 8e3 * std::tanh(bend * 2e3));
   }
 }
@@ -183,10 +184,11 @@ Json Summary(const std::string& bogie, const ExampleOptions& options, bool derai
     }
     curve[prefix + "bending_rad"] = value(prefix + "bending_rad");
     curve[prefix + "shear_rad"] = value(prefix + "shear_rad");
+    const std::string system = prefix.empty() ? "" : prefix + "bogie_";
     for (int i = 1; i <= 4; ++i) {
-      const std::string cylinder = prefix + "cylinder_" + std::to_string(i);
+      const std::string cylinder = system + "cylinder_" + std::to_string(i);
       if (std::isnan(value(cylinder + "_force_N"))) break;
-      curve["cylinders"].push_back({{"name", prefix + std::to_string(i)},
+      curve["cylinders"].push_back({{"name", system + std::to_string(i)},
                                     {"force_N", value(cylinder + "_force_N")},
                                     {"piston_m", value(cylinder + "_piston_m")}});
     }

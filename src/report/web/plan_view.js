@@ -163,8 +163,16 @@
     }
     for (const section of spec.track.sections) {
       if (section.kind !== "curve") continue;
-      const [cx, cy] = px(nearest((section.begin + section.end) / 2));
-      picture.append(phs.svg("text", {x: cx, y: cy + 20, "text-anchor": "middle"}, section.label));
+      const middle = nearest((section.begin + section.end) / 2);
+      const [ax, ay] = px(nearest(section.begin));
+      const [bx, by] = px(nearest(section.end));
+      const [cx, cy] = px(middle);
+      // Outside of the arc: from the chord's middle through the arc's middle.
+      const out = [cx - (ax + bx) / 2, cy - (ay + by) / 2];
+      const size = Math.hypot(...out) || 1;
+      const across = out[0] / size;
+      picture.append(phs.svg("text", {x: cx + 14 * across, y: cy + 4 + 18 * out[1] / size,
+        "text-anchor": across > 0.5 ? "start" : across < -0.5 ? "end" : "middle"}, section.label));
     }
     const [mx, my] = px(nearest(s));
     picture.append(phs.svg("circle", {cx: mx, cy: my, r: 7, style: "fill: var(--c1); stroke: var(--ground); stroke-width: 2"}));

@@ -83,8 +83,8 @@
       if (least === null || greatest === null) return [0, 1];
       const {min, max} = plot.scales.x;
       const [first, last] = plot.whole ?? [min, max];
-      const rounding = 1e-6 * (last - first);
-      const whole = !(min > first + rounding || max < last - rounding);
+      const slack = 2e-3 * (last - first);  // plots of one group need not begin at the same row
+      const whole = !(min > first + slack || max < last - slack);
       if (spec.ordinate && whole) [least, greatest] = spec.ordinate;
       if (spec.from_zero) least = Math.min(least, 0);
       const lack = spec.least_span - (greatest - least);
