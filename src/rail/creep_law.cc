@@ -1,7 +1,9 @@
 #include "rail/creep_law.h"
 
 #include <cmath>
+#include <utility>
 
+#include "rail/creep_table_cache.h"
 #include "rail/fastsim.h"
 #include "rail/kalker.h"
 #include "rail/polach.h"
@@ -11,6 +13,14 @@ namespace {
 
 bool InContact(const CreepInput& in) {
   return in.normal > 0 && in.friction > 0 && in.a > 0 && in.b > 0;
+}
+
+/// Discretisation, interpolation and Polach's missing spin moment may let a patch deliver a little
+/// power; the spin moment, the least certain of the three, then takes the value of no power.
+CreepForce Passive(const CreepInput& in, CreepForce f) {
+  const double delivered = f.x * in.xi + f.y * in.eta + f.moment * in.phi;
+  if (delivered > 0 && in.phi != 0) f.moment -= delivered / in.phi;
+  return f;
 }
 
 class LinearLaw : public CreepLaw {
@@ -37,7 +47,7 @@ class PolachLaw : public CreepLaw {
         curve_(p.material.poisson_ratio) {}
   CreepForce Calc(const CreepInput& in) const noexcept override {
     if (!InContact(in)) return {};
-    return CalcPolach(in, curve_.At(in.a / in.b), shear_, adhesion_, slip_);
+    return Passive(in, CalcPolach(in, curve_.At(in.a / in.b), shear_, adhesion_, slip_));
   }
   std::string name() const override { return "polach"; }
 
@@ -48,31 +58,40 @@ class PolachLaw : public CreepLaw {
   KalkerCurve curve_;
 };
 
-class FastsimLaw : public CreepLaw {
+/// FASTSIM, or the table of it: `Source` gives the normalised force.
+template <typename Source>
+class SimplifiedTheoryLaw : public CreepLaw {
  public:
-  explicit FastsimLaw(const CreepLawParams& p)
-      : params_(p),
-        curve_(p.material.poisson_ratio),
-        fastsim_({p.fastsim_strips, p.fastsim_slices, p.elliptic_bound, FastsimCells::kStrip}) {}
-  CreepForce Calc(const CreepInput& original) const noexcept override {
-    if (!InContact(original)) return {};
+  SimplifiedTheoryLaw(const CreepLawParams& p, Source source)
+      : params_(p), curve_(p.material.poisson_ratio), source_(std::move(source)) {}
+  CreepForce Calc(const CreepInput& in) const noexcept override {
+    if (!InContact(in)) return {};
     const double shear = params_.material.shear_modulus_Pa;
-    const KalkerCoefficients c = curve_.At(original.a / original.b);
-    CreepInput in = original;
+    const KalkerCoefficients c = curve_.At(in.a / in.b);
+    CreepInput changed = in;
     if (params_.slope_reduction.active()) {
-      in = WithSlopeReduction(in, c, shear, params_.slope_reduction);
+      changed = WithSlopeReduction(changed, c, shear, params_.slope_reduction);
     }
-    if (params_.blended_flexibility) in = WithBlendedFlexibility(in, c, shear);
-    const NormalisedForce f = fastsim_.Calc(Normalise(in, c, shear, params_.elliptic_bound));
+    if (params_.blended_flexibility) changed = WithBlendedFlexibility(changed, c, shear);
+    const NormalisedForce f = source_(Normalise(changed, c, shear, params_.elliptic_bound));
     const double limit = in.friction * in.normal;
-    return {limit * f.x, limit * f.y, limit * (in.a + in.b) * f.moment};
+    return Passive(in, {limit * f.x, limit * f.y, limit * (in.a + in.b) * f.moment});
   }
-  std::string name() const override { return "fastsim"; }
+  std::string name() const override { return params_.method; }
 
  private:
   CreepLawParams params_;
   KalkerCurve curve_;
-  Fastsim fastsim_;
+  Source source_;
+};
+
+struct FastsimSource {
+  Fastsim fastsim;
+  NormalisedForce operator()(const NormalisedCreepage& c) const noexcept { return fastsim.Calc(c); }
+};
+struct TableSource {
+  std::shared_ptr<const CreepTable> table;
+  NormalisedForce operator()(const NormalisedCreepage& c) const noexcept { return table->At(c); }
 };
 
 Status InRange(const char* key, double value, double low, double high) {
@@ -117,8 +136,14 @@ Result<std::unique_ptr<CreepLaw>> CreateCreepLaw(const CreepLawParams& params) {
   using Law = std::unique_ptr<CreepLaw>;
   if (params.method == "linear") return Law(new LinearLaw(params.material));
   if (params.method == "polach") return Law(new PolachLaw(params));
-  if (params.method == "fastsim" || params.method == "kalker_table") {
-    return Law(new FastsimLaw(params));
+  const FastsimParams grid{params.fastsim_strips, params.fastsim_slices, params.elliptic_bound,
+                           FastsimCells::kStrip};
+  if (params.method == "fastsim") {
+    return Law(new SimplifiedTheoryLaw<FastsimSource>(params, {Fastsim(grid)}));
+  }
+  if (params.method == "kalker_table") {
+    return Law(new SimplifiedTheoryLaw<TableSource>(
+        params, {SharedCreepTable(grid, params.use_disk_cache)}));
   }
   return Error{"creep law", "'" + params.method + "' is not known",
                "linear, fastsim, polach, kalker_table", ""};

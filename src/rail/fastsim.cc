@@ -10,15 +10,12 @@ namespace phs::rail {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-/// Strips marched side by side, so that the compiler can use vector instructions.
-constexpr int kBlock = 8;
 
 }  // namespace
 
 Fastsim::Fastsim(const FastsimParams& params) : params_(params) {
   PHS_CHECK(params.strips >= 2 && params.strips <= kMaxStrips);
   PHS_CHECK(params.slices >= 2 && params.slices <= 1000);
-  padded_ = (params.strips + kBlock - 1) / kBlock * kBlock;
   const int n = params.strips;
   const int m = params.slices;
   double sum = 0;
@@ -67,49 +64,50 @@ NormalisedForce Fastsim::CalcAdhesion(const NormalisedCreepage& c) const noexcep
 }
 
 NormalisedForce Fastsim::CalcStrips(const NormalisedCreepage& c) const noexcept {
+  return params_.elliptic_bound ? MarchStrips<true>(c) : MarchStrips<false>(c);
+}
+
+template <bool kElliptic>
+NormalisedForce Fastsim::MarchStrips(const NormalisedCreepage& c) const noexcept {
+  const int n = params_.strips;
   const int m = params_.slices;
   const double wx = c.w * c.chi;
   const double wy = c.w * (1 - c.chi);
-  const bool elliptic = params_.elliptic_bound;
-  double sum_x = 0;
-  double sum_y = 0;
-  double sum_m = 0;
-  for (int start = 0; start < padded_; start += kBlock) {
-    double px[kBlock] = {}, py[kBlock] = {};
-    double fx[kBlock] = {}, fy[kBlock] = {}, fm[kBlock] = {};
-    const double* y = &y_[start];
-    const double* h = &half_[start];
-    for (int i = 0; i < m; ++i) {
-      const double place = (m - 1 - 2 * i) / static_cast<double>(m);  // of the centre, -1 … 1
-      // Way from the last centre, or from the leading edge, and the middle of that way.
-      const double way = (i == 0 ? 1.0 : 2.0) / m;
-      const double middle = place + 0.5 * way;
-      const double bound_factor = 1 - place * place;
-      for (int k = 0; k < kBlock; ++k) {
-        const double length = way * h[k];
-        const double x = place * h[k];
-        const double qx = px[k] - length * (c.u - wy * y[k]);
-        const double qy = py[k] - length * (c.v + wx * middle * h[k]);
-        const double rest = h[k] * h[k] * bound_factor;
-        const double bound2 = elliptic ? rest : rest * rest;
-        const double size2 = qx * qx + qy * qy;
-        const double larger2 = size2 > bound2 ? size2 : bound2;
-        const double cut = std::sqrt(bound2 / (larger2 + 1e-300));
-        px[k] = qx * cut;  // cut is exactly 1 below the bound
-        py[k] = qy * cut;
-        fx[k] += px[k];
-        fy[k] += py[k];
-        fm[k] += c.chi * x * py[k] - (1 - c.chi) * y[k] * px[k];
-      }
-    }
-    for (int k = 0; k < kBlock; ++k) {
-      sum_x += fx[k] * h[k];
-      sum_y += fy[k] * h[k];
-      sum_m += fm[k] * h[k];
+  // All strips side by side, so that the compiler can use vector instructions; tractions and sums
+  // are for a strip of half length 1 in x.
+  std::array<double, kMaxStrips> px, py, sum_x, sum_y, sum_m;
+  for (int k = 0; k < n; ++k) px[k] = py[k] = sum_x[k] = sum_y[k] = sum_m[k] = 0;
+  for (int i = 0; i < m; ++i) {
+    const double place = (m - 1 - 2 * i) / static_cast<double>(m);  // of the centre, -1 … 1
+    // Way from the last centre, or from the leading edge, and the middle of that way.
+    const double way = (i == 0 ? 1.0 : 2.0) / m;
+    const double middle = wx * (place + 0.5 * way);
+    const double bound_factor = 1 - place * place;
+    for (int k = 0; k < n; ++k) {
+      const double h = half_[k];
+      const double qx = px[k] - way * h * (c.u - wy * y_[k]);
+      const double qy = py[k] - way * h * (c.v + middle * h);
+      const double rest = h * h * bound_factor;
+      const double bound2 = kElliptic ? rest : rest * rest;
+      const double size2 = qx * qx + qy * qy;
+      const double larger2 = size2 > bound2 ? size2 : bound2;
+      const double cut = std::sqrt(bound2 / larger2);  // exactly 1 below the bound
+      px[k] = qx * cut;
+      py[k] = qy * cut;
+      sum_x[k] += px[k];
+      sum_y[k] += py[k];
+      sum_m[k] += place * py[k];
     }
   }
-  const double cell = scale_ * (2.0 / m) * (2.0 / params_.strips);
-  return {sum_x * cell, sum_y * cell, sum_m * cell};
+  NormalisedForce f;
+  for (int k = 0; k < n; ++k) {
+    const double h = half_[k];
+    f.x += h * sum_x[k];
+    f.y += h * sum_y[k];
+    f.moment += h * (c.chi * h * sum_m[k] - (1 - c.chi) * y_[k] * sum_x[k]);
+  }
+  const double cell = scale_ * (2.0 / m) * (2.0 / n);
+  return {f.x * cell, f.y * cell, f.moment * cell};
 }
 
 NormalisedForce Fastsim::CalcUniform(const NormalisedCreepage& c) const noexcept {

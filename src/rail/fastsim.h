@@ -61,13 +61,14 @@ class Fastsim {
 
  private:
   NormalisedForce CalcStrips(const NormalisedCreepage& creepage) const noexcept;
+  template <bool kElliptic>
+  NormalisedForce MarchStrips(const NormalisedCreepage& creepage) const noexcept;
   NormalisedForce CalcUniform(const NormalisedCreepage& creepage) const noexcept;
 
   FastsimParams params_;
-  int padded_ = 0;                         ///< strips, rounded up to whole blocks
   double scale_ = 1;                       ///< cell sum of the bound -> 1
   std::array<double, kMaxStrips> y_{};     ///< centre of each strip
-  std::array<double, kMaxStrips> half_{};  ///< half its length; 0 in the padding
+  std::array<double, kMaxStrips> half_{};  ///< half its length
 };
 
 /// Creepages of a patch in normalised form. @pre a, b, normal, friction > 0.
