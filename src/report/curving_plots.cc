@@ -122,6 +122,11 @@ void AddBogiePlot(const CurvingResults& results, const BogieRun& run, const std:
   if (!plot.curves.empty()) page->Add(plot);
 }
 
+/// ", front bogie"; empty for a single bogie.
+std::string WhichBogie(const std::string& prefix) {
+  return prefix.empty() ? "" : ", " + prefix.substr(0, prefix.size() - 1) + " bogie";
+}
+
 /// Prefix of the channels of the hydraulics that belong to a bogie: "" or e.g. "front_bogie_".
 std::string HydraulicPrefix(const BogieRun& run, const std::string& bogie) {
   static constexpr std::string_view kFirst = "cylinder_1_force_N";
@@ -299,15 +304,16 @@ void AddHydraulicPlots(const CurvingResults& results, ReportPage* page) {
   }
   for (const std::string& prefix : results.prefixes) {
     page->BeginGrid(2);
+    AddChannelPlot(
+        results,
+        {.title = "Bending" + WhichBogie(prefix) + ": opposite yaw of the axles (steering)",
+         .channel = prefix + "bending_rad",
+         .y_label = "bending [mrad]",
+         .factor = 1e3,
+         .least_span = 0.2},
+        page);
     AddChannelPlot(results,
-                   {.title = BogieWords(prefix) + "Bending: opposite yaw of the axles (steering)",
-                    .channel = prefix + "bending_rad",
-                    .y_label = "bending [mrad]",
-                    .factor = 1e3,
-                    .least_span = 0.2},
-                   page);
-    AddChannelPlot(results,
-                   {.title = BogieWords(prefix) + "Shear: same-sense yaw of the axles",
+                   {.title = "Shear" + WhichBogie(prefix) + ": same-sense yaw of the axles",
                     .channel = prefix + "shear_rad",
                     .y_label = "shear [mrad]",
                     .factor = 1e3,
