@@ -25,10 +25,12 @@ void AddNextSteps(const CurvingResults& results, ReportPage* page);
 void AddPlanView(const CurvingResults& results, ReportPage* page);
 void AddMomentBudget(const CurvingResults& results, ReportPage* page);
 
-// curving_plots.cc
+// curving_bogie_plots.cc
 void AddMomentPlots(const CurvingResults& results, ReportPage* page);
-void AddTrackPlots(const CurvingResults& results, ReportPage* page);
 void AddHydraulicPlots(const CurvingResults& results, ReportPage* page);
+
+// curving_plots.cc
+void AddTrackPlots(const CurvingResults& results, ReportPage* page);
 
 /// Yaw moments on one axle in the steady curve [N m], counted positive where they turn the axle
 /// towards the radial direction (steer) and negative where they turn it away (hold back). The

@@ -1,141 +1,16 @@
-// Plots of the curving report.
+// Plots of axles and wheels along the track.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
-#include <string_view>
 
+#include "report/curving_channel_plots.h"
 #include "report/curving_parts.h"
 
 namespace phs::report {
 namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-constexpr char kGroup[] = "distance";
-constexpr char kDistance[] = "distance [m]";
-
-std::vector<double> Scaled(const std::vector<double>& values, double factor) {
-  std::vector<double> scaled(values);
-  for (double& value : scaled) value *= factor;
-  return scaled;
-}
-
-std::vector<Band> TrackBands(const CurvingResults& results) {
-  std::vector<Band> bands;
-  for (const Section& section : results.sections) {
-    if (section.kind == "tangent") continue;
-    bands.push_back(
-        {section.begin, section.end, SectionLabel(section), section.kind == "curve" ? 2 : 1});
-  }
-  return bands;
-}
-
-/// A plot over distance with one curve per bogie that recorded `channel`.
-struct ChannelPlot {
-  std::string title = {};
-  std::string channel = {};
-  std::string y_label = {};
-  double factor = 1;
-  double least_span = 0;
-  bool from_zero = false;
-  bool steps = false;
-  std::vector<Level> levels = {};
-  double ordinate_least = 0;
-  double ordinate_greatest = 0;
-};
-
-/// Gives a plot the ordinate that covers these channels of all bogies, so that plots compare.
-void ShareOrdinate(const CurvingResults& results, const std::vector<std::string>& channels,
-                   ChannelPlot* plot) {
-  double least = std::numeric_limits<double>::infinity();
-  double greatest = -least;
-  for (const BogieRun& run : results.runs) {
-    for (const std::string& channel : channels) {
-      const std::vector<double>* values = run.Channel(channel);
-      if (values == nullptr) continue;
-      for (double value : *values) {
-        if (!std::isfinite(value)) continue;
-        least = std::min(least, value);
-        greatest = std::max(greatest, value);
-      }
-    }
-  }
-  if (least > greatest) return;
-  plot->ordinate_least = plot->factor * least;
-  plot->ordinate_greatest = plot->factor * greatest;
-}
-
-void AddChannelPlot(const CurvingResults& results, const ChannelPlot& what, ReportPage* page) {
-  SeriesPlot plot{.title = what.title,
-                  .x_label = kDistance,
-                  .y_label = what.y_label,
-                  .bands = TrackBands(results),
-                  .levels = what.levels,
-                  .group = kGroup,
-                  .ordinate_least = what.ordinate_least,
-                  .ordinate_greatest = what.ordinate_greatest,
-                  .least_span = what.least_span,
-                  .from_zero = what.from_zero,
-                  .steps = what.steps,
-                  .max_points = 1600};
-  // The reference is drawn last, on top of the others.
-  for (std::size_t i = results.runs.size(); i-- > 0;) {
-    const BogieRun& run = results.runs[i];
-    const std::vector<double>* s = run.Channel("s_m");
-    const std::vector<double>* y = run.Channel(what.channel);
-    if (s == nullptr || y == nullptr) continue;
-    plot.curves.push_back({.label = run.label,
-                           .colour = run.colour,
-                           .dash = run.dash,
-                           .x = *s,
-                           .y = Scaled(*y, what.factor)});
-  }
-  if (!plot.curves.empty()) page->Add(plot);
-}
-
-/// Several channels of one bogie in one plot.
-void AddBogiePlot(const CurvingResults& results, const BogieRun& run, const std::string& title,
-                  const std::string& y_label, double factor,
-                  const std::vector<std::pair<std::string, std::string>>& channels,
-                  ReportPage* page, double least_span = 0) {
-  SeriesPlot plot{.title = title,
-                  .x_label = kDistance,
-                  .y_label = y_label,
-                  .bands = TrackBands(results),
-                  .group = kGroup,
-                  .least_span = least_span,
-                  .max_points = 1600};
-  const std::vector<double>* s = run.Channel("s_m");
-  if (s == nullptr) return;
-  int colour = 3;
-  for (const auto& [label, channel] : channels) {
-    const std::vector<double>* y = run.Channel(channel);
-    ++colour;
-    if (y == nullptr) continue;
-    plot.curves.push_back({.label = label,
-                           .colour = colour % 8,
-                           .dash = colour % 4,
-                           .x = *s,
-                           .y = Scaled(*y, factor)});
-  }
-  if (!plot.curves.empty()) page->Add(plot);
-}
-
-/// ", front bogie"; empty for a single bogie.
-std::string WhichBogie(const std::string& prefix) {
-  return prefix.empty() ? "" : ", " + prefix.substr(0, prefix.size() - 1) + " bogie";
-}
-
-/// Prefix of the channels of the hydraulics that belong to a bogie: "" or e.g. "front_bogie_".
-std::string HydraulicPrefix(const BogieRun& run, const std::string& bogie) {
-  static constexpr std::string_view kFirst = "cylinder_1_force_N";
-  for (const Channel& channel : run.series.channels) {
-    if (!channel.name.ends_with(kFirst) || !channel.name.starts_with(bogie)) continue;
-    return channel.name.substr(0, channel.name.size() - kFirst.size());
-  }
-  return bogie;
-}
 
 std::vector<Curve> BogieNames(const CurvingResults& results) {
   std::vector<Curve> names;
@@ -143,13 +18,6 @@ std::vector<Curve> BogieNames(const CurvingResults& results) {
     names.push_back({.label = run.label, .colour = run.colour, .dash = run.dash});
   }
   return names;
-}
-
-bool HasSeries(const CurvingResults& results) {
-  for (const BogieRun& run : results.runs) {
-    if (run.Channel("s_m") != nullptr) return true;
-  }
-  return false;
 }
 
 /// "Y, leading left wheel (inner)".
@@ -224,36 +92,6 @@ void AddAxlePlots(const CurvingResults& results, const std::string& prefix, Repo
 
 }  // namespace
 
-void AddMomentPlots(const CurvingResults& results, ReportPage* page) {
-  if (!HasSeries(results) || results.hand == 0) return;
-  page->BeginDetails("The same moments along the track");
-  page->Paragraph(
-      "Positive: towards the direction that the first arc asks for, so that the arc reads like the "
-      "bars above.");
-  page->BeginGrid(2);
-  for (const std::string& prefix : results.prefixes) {
-    for (const auto& [axle, word] :
-         {std::pair{"lead", "leading"}, std::pair{"trail", "trailing"}}) {
-      const double sign = results.hand * (std::string(axle) == "lead" ? 1 : -1);
-      for (const BogieRun& run : results.runs) {
-        const std::string name = prefix + axle;
-        std::vector<std::pair<std::string, std::string>> parts = {
-            {"creep forces", name + "_steering_moment_Nm"},
-            {"primary suspension", name + "_primary_moment_Nm"}};
-        if (run.Channel(HydraulicPrefix(run, prefix) + "cylinder_1_force_N") != nullptr) {
-          parts.emplace_back("oil pressure", name + "_phs_pressure_moment_Nm");
-          parts.emplace_back("seal friction", name + "_phs_friction_moment_Nm");
-        }
-        AddBogiePlot(results, run,
-                     "Yaw moments, " + BogieWords(prefix) + word + " axle, " + run.label,
-                     "yaw moment [kN m]", 1e-3 * sign, parts, page, 0.5);
-      }
-    }
-  }
-  page->EndGrid();
-  page->EndDetails();
-}
-
 void AddTrackPlots(const CurvingResults& results, ReportPage* page) {
   if (!HasSeries(results)) {
     page->Note("No time series was saved with this result.");
@@ -265,8 +103,8 @@ void AddTrackPlots(const CurvingResults& results, ReportPage* page) {
       "its curves. Shaded: transitions and circular arcs. Angles and lateral positions are "
       "positive "
       "to the left.");
-  page->SharedLegend(kGroup, BogieNames(results));
-  page->ZoomButtons(kGroup, [&] {
+  page->SharedLegend(kDistanceGroup, BogieNames(results));
+  page->ZoomButtons(kDistanceGroup, [&] {
     std::vector<Band> ranges;
     for (const Band& band : TrackBands(results)) {
       ranges.push_back(band);
@@ -294,62 +132,6 @@ void AddTrackPlots(const CurvingResults& results, ReportPage* page) {
         results, prefix, "Contact points", "_contacts",
         {.y_label = "contact points [–]", .least_span = 2, .from_zero = true, .steps = true}, page);
     page->EndDetails();
-  }
-}
-
-void AddHydraulicPlots(const CurvingResults& results, ReportPage* page) {
-  if (!HasSeries(results)) {
-    page->Note("No time series was saved with this result.");
-    return;
-  }
-  for (const std::string& prefix : results.prefixes) {
-    page->BeginGrid(2);
-    AddChannelPlot(
-        results,
-        {.title = "Bending" + WhichBogie(prefix) + ": opposite yaw of the axles (steering)",
-         .channel = prefix + "bending_rad",
-         .y_label = "bending [mrad]",
-         .factor = 1e3,
-         .least_span = 0.2},
-        page);
-    AddChannelPlot(results,
-                   {.title = "Shear" + WhichBogie(prefix) + ": same-sense yaw of the axles",
-                    .channel = prefix + "shear_rad",
-                    .y_label = "shear [mrad]",
-                    .factor = 1e3,
-                    .least_span = 0.2},
-                   page);
-    for (const BogieRun& run : results.runs) {
-      const std::string system = HydraulicPrefix(run, prefix);
-      if (run.Channel(system + "cylinder_1_force_N") == nullptr) continue;
-      std::vector<std::pair<std::string, std::string>> force;
-      std::vector<std::pair<std::string, std::string>> piston;
-      std::vector<std::pair<std::string, std::string>> friction;
-      std::vector<std::pair<std::string, std::string>> pressure;
-      for (int i = 1; run.Channel(fmt::format("{}cylinder_{}_force_N", system, i)) != nullptr;
-           ++i) {
-        const std::string name = fmt::format("{}cylinder_{}", system, i);
-        const std::string label = fmt::format("cylinder {}", i);
-        force.emplace_back(label, name + "_force_N");
-        piston.emplace_back(label, name + "_piston_m");
-        friction.emplace_back(label, name + "_friction_N");
-      }
-      for (int i = 1; run.Channel(fmt::format("{}line_L{}_pressure_Pa", system, i)) != nullptr;
-           ++i) {
-        pressure.emplace_back(fmt::format("line L{}", i),
-                              fmt::format("{}line_L{}_pressure_Pa", system, i));
-      }
-      const std::string whose = ", " + BogieWords(prefix) + run.label;
-      AddBogiePlot(results, run, "Cylinder forces" + whose + " (tension positive)", "force [kN]",
-                   1e-3, force, page, 0.5);
-      AddBogiePlot(results, run, "Seal friction in the cylinders" + whose, "friction [kN]", 1e-3,
-                   friction, page, 0.5);
-      AddBogiePlot(results, run, "Piston displacements" + whose + " (extension positive)",
-                   "piston [mm]", 1e3, piston, page, 0.5);
-      AddBogiePlot(results, run, "Line pressures" + whose + " (absolute)", "pressure [MPa]", 1e-6,
-                   pressure, page, 0.05);
-    }
-    page->EndGrid();
   }
 }
 

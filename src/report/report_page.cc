@@ -3,88 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <nlohmann/json.hpp>
 
 #include "base/check.h"
 #include "base/result_dir.h"
-#include "report/decimation.h"
 #include "report/page_assets.h"
 
 namespace phs::report {
 namespace {
-
-using nlohmann::json;
-
-/// JSON that may stand inside an HTML script element; numbers that are not finite become null.
-std::string Dump(const json& value) {
-  const std::string text = value.dump(-1, ' ', false, json::error_handler_t::replace);
-  std::string safe;
-  safe.reserve(text.size());
-  for (char c : text) {
-    if (c == '<') {
-      safe += "\\u003c";
-    } else {
-      safe += c;
-    }
-  }
-  return safe;
-}
-
-json PackedJson(const std::vector<double>& values) {
-  const PackedValues packed = Pack(values);
-  return {{"least", packed.least}, {"greatest", packed.greatest}, {"packed", packed.base64}};
-}
-
-json CurveJson(const Curve& curve) {
-  return {{"label", curve.label},
-          {"colour", curve.colour},
-          {"dash", curve.dash},
-          {"points", curve.points}};
-}
-
-json LevelsJson(const std::vector<Level>& levels) {
-  json list = json::array();
-  for (const Level& level : levels)
-    list.push_back({{"value", level.value}, {"label", level.label}});
-  return list;
-}
-
-json BandsJson(const std::vector<Band>& bands) {
-  json list = json::array();
-  for (const Band& band : bands) {
-    list.push_back({{"begin", band.begin},
-                    {"end", band.end},
-                    {"label", band.label},
-                    {"strength", band.strength}});
-  }
-  return list;
-}
-
-/// The grid that covers all curves of a plot.
-Grid CommonGrid(const SeriesPlot& plot) {
-  Grid grid{.begin = std::numeric_limits<double>::infinity(),
-            .end = -std::numeric_limits<double>::infinity(),
-            .points = plot.max_points / 2 * 2};
-  for (const Curve& curve : plot.curves) {
-    for (double x : curve.x) {
-      if (!std::isfinite(x)) continue;
-      grid.begin = std::min(grid.begin, x);
-      grid.end = std::max(grid.end, x);
-    }
-  }
-  if (grid.begin > grid.end) grid.begin = grid.end = 0;
-  return grid;
-}
-
-/// True when all curves have the same few abscissae, which are then kept as they are.
-bool KeepsRows(const SeriesPlot& plot) {
-  for (const Curve& curve : plot.curves) {
-    if (static_cast<int>(curve.x.size()) > plot.max_points) return false;
-    if (curve.x != plot.curves.front().x) return false;
-  }
-  return !plot.curves.empty() &&
-         std::is_sorted(plot.curves.front().x.begin(), plot.curves.front().x.end());
-}
 
 std::string Tag(const std::string& tag, const std::string& text, const std::string& style = "") {
   return "<" + tag + (style.empty() ? "" : " class=\"" + style + "\"") + ">" + EscapeHtml(text) +
@@ -98,61 +23,7 @@ std::string Fill(std::string text, const std::string& mark, const std::string& f
   return text.replace(at, mark.size(), filling);
 }
 
-/// "2.0e-04" as "2.0·10⁻⁴".
-std::string PowerOfTen(const std::string& text) {
-  static constexpr const char* kRaised[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
-  const std::size_t at = text.find('e');
-  const int power = std::stoi(text.substr(at + 1));
-  std::string raised = power < 0 ? "⁻" : "";
-  for (char digit : std::to_string(std::abs(power))) raised += kRaised[digit - '0'];
-  return text.substr(0, at) + "·10" + raised;
-}
-
 }  // namespace
-
-std::string EscapeHtml(const std::string& text) {
-  std::string safe;
-  safe.reserve(text.size());
-  for (char c : text) {
-    switch (c) {
-      case '&':
-        safe += "&amp;";
-        break;
-      case '<':
-        safe += "&lt;";
-        break;
-      case '>':
-        safe += "&gt;";
-        break;
-      case '"':
-        safe += "&quot;";
-        break;
-      case '\'':
-        safe += "&#39;";
-        break;
-      default:
-        safe += c;
-    }
-  }
-  return safe;
-}
-
-std::string FormatNumber(double value, int significant) {
-  if (!std::isfinite(value)) return "–";
-  if (value == 0) return "0";
-  const double size = std::abs(value);
-  char buffer[40];
-  if (size < 1e-3 || size >= 1e6) {
-    std::snprintf(buffer, sizeof buffer, "%.*e", significant - 1, size);
-    return (value < 0 ? "−" : "") + PowerOfTen(buffer);
-  } else {
-    // The decimals that leave `significant` digits after rounding (9.996 → 10.0 with three).
-    const double rounded_up = size * (1 + 0.5 * std::pow(10.0, -significant));
-    const int decimals = significant - 1 - static_cast<int>(std::floor(std::log10(rounded_up)));
-    std::snprintf(buffer, sizeof buffer, "%.*f", std::max(0, decimals), size);
-  }
-  return (value < 0 ? "−" : "") + std::string(buffer);
-}
 
 ReportPage::ReportPage(std::string title, std::string subtitle)
     : title_(std::move(title)), subtitle_(std::move(subtitle)) {}
@@ -292,70 +163,6 @@ void ReportPage::Add(const BarChart& chart) {
     }
   }
   body_ += "</table></figure>\n";
-}
-
-void ReportPage::Add(const SeriesPlot& plot) {
-  json spec = {{"x_label", plot.x_label},
-               {"y_label", plot.y_label},
-               {"group", plot.group},
-               {"least_span", plot.least_span},
-               {"from_zero", plot.from_zero},
-               {"steps", plot.steps},
-               {"ordinate", plot.ordinate_greatest > plot.ordinate_least
-                                ? json{plot.ordinate_least, plot.ordinate_greatest}
-                                : json()},
-               {"height", plot.height_px},
-               {"bands", BandsJson(plot.bands)},
-               {"levels", LevelsJson(plot.levels)},
-               {"curves", json::array()}};
-  const bool keep = KeepsRows(plot);
-  const Grid grid = CommonGrid(plot);
-  if (keep) {
-    spec["x"] = plot.curves.front().x;
-  } else {
-    spec["grid"] = {{"begin", grid.begin}, {"end", grid.end}, {"points", grid.points}};
-  }
-  for (const Curve& curve : plot.curves) {
-    PHS_CHECK(curve.x.size() == curve.y.size());
-    json one = CurveJson(curve);
-    one["y"] = PackedJson(keep ? curve.y : PutOnGrid(curve.x, curve.y, grid));
-    spec["curves"].push_back(std::move(one));
-  }
-  AddFigure("series", plot.title, Dump(spec));
-}
-
-void ReportPage::Add(const XyPlot& plot) {
-  json spec = {{"x_label", plot.x_label},
-               {"y_label", plot.y_label},
-               {"height", plot.height_px},
-               {"levels", LevelsJson(plot.levels)},
-               {"curves", json::array()}};
-  for (const Curve& curve : plot.curves) {
-    PHS_CHECK(curve.x.size() == curve.y.size());
-    json one = CurveJson(curve);
-    one["x"] = PackedJson(curve.x);
-    one["y"] = PackedJson(curve.y);
-    spec["curves"].push_back(std::move(one));
-  }
-  AddFigure("xy", plot.title, Dump(spec));
-}
-
-void ReportPage::Add(const HeatMap& map) {
-  PHS_CHECK(map.y_edges.size() == map.values.size() + 1);
-  const json spec = {{"x_label", map.x_label},         {"y_label", map.y_label},
-                     {"value_label", map.value_label}, {"x_edges", map.x_edges},
-                     {"y_edges", map.y_edges},         {"values", map.values},
-                     {"diverging", map.diverging},     {"full_scale", map.full_scale}};
-  AddFigure("heat", map.title, Dump(spec));
-}
-
-void ReportPage::AddFigure(const std::string& kind, const std::string& title,
-                           const std::string& spec) {
-  const std::string id = "figure-" + std::to_string(++num_figures_);
-  body_ += "<figure class=\"plot " + kind + "\" id=\"" + id + "\" data-kind=\"" + kind + "\">" +
-           Tag("figcaption", title) + "<div class=\"drawing\"></div></figure>\n";
-  if (!figures_.empty()) figures_ += ",\n";
-  figures_ += "\"" + id + "\":" + spec;
 }
 
 std::string ReportPage::Html() const {
