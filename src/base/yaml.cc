@@ -341,27 +341,4 @@ Status YamlMap::Finish() const {
   return {};
 }
 
-std::string NearestWord(std::string_view word, const std::vector<std::string>& words) {
-  std::string nearest;
-  size_t best = std::max<size_t>(2, word.size() / 2) + 1;
-  for (const std::string& candidate : words) {
-    std::vector<size_t> row(candidate.size() + 1);
-    for (size_t j = 0; j <= candidate.size(); ++j) row[j] = j;
-    for (size_t i = 1; i <= word.size(); ++i) {
-      size_t diagonal = row[0];
-      row[0] = i;
-      for (size_t j = 1; j <= candidate.size(); ++j) {
-        const size_t change = diagonal + (word[i - 1] == candidate[j - 1] ? 0 : 1);
-        diagonal = row[j];
-        row[j] = std::min({change, row[j] + 1, row[j - 1] + 1});
-      }
-    }
-    if (row.back() < best) {
-      best = row.back();
-      nearest = candidate;
-    }
-  }
-  return nearest;
-}
-
 }  // namespace phs

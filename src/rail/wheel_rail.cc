@@ -29,14 +29,37 @@ double ReferenceSpeed(double speed, double floor) {
   return speed >= 2 * floor ? speed : floor + speed * speed / (4 * floor);
 }
 
-/// Axes of one patch: normal into the rail, lateral outwards in the contact plane.
+/// Axes of one patch: forward along the rail, lateral outwards in the contact plane, normal into
+/// the rail. The search takes the rail as parallel to x; its slopes (irregularity, twist of a cant
+/// ramp) turn the axes, to first order, so that a wheel that follows its rail feels no closing
+/// speed and the work of lifting it comes from the forward motion.
 struct PatchAxes {
-  Vec3 normal;
+  Vec3 forward;
   Vec3 lateral;
+  Vec3 normal;
 };
-PatchAxes AxesOf(const TouchingPoint& p) {
+PatchAxes AxesOf(const TouchingPoint& p, const Vec3& slopes) {
   const double cosine = 1 / std::sqrt(1 + p.slope * p.slope);
-  return {{0, -p.slope * cosine, cosine}, {0, cosine, p.slope * cosine}};
+  PatchAxes axes{
+      {1, slopes[1], slopes[2]}, {0, cosine, p.slope * cosine}, {0, -p.slope * cosine, cosine}};
+  for (Vec3* axis : {&axes.lateral, &axes.normal}) {
+    (*axis)[0] = -((*axis)[1] * slopes[1] + (*axis)[2] * slopes[2]);
+  }
+  return axes;
+}
+
+/// Damper of the support as felt by the wheel along `normal`: the massless rail on its spring k
+/// moves by the share k_H/(k + k_H) of the wheel's motion, so its damper c acts with that share
+/// squared.
+double SupportDamping(const Vec3& normal, double contact_stiffness, const RailSupport& s) {
+  const auto part = [&](double direction, double k, double c) {
+    if (!(k > 0) || !(c > 0)) return 0.0;
+    const double seen = contact_stiffness * direction * direction;
+    const double share = seen / (k + seen);
+    return c * share * share * direction * direction;
+  };
+  return part(normal[1], s.lateral_stiffness_N_per_m, s.lateral_damping_Ns_per_m) +
+         part(normal[2], s.vertical_stiffness_N_per_m, s.vertical_damping_Ns_per_m);
 }
 
 Status Validate(const WheelRailParams& p) {
@@ -74,8 +97,8 @@ struct WheelRail::Impl {
     return 0.5 / (p.radius * std::sqrt(1 + p.slope * p.slope));
   }
   Vec3 Deflect(const TouchingPoints& points, const RailSupport& support) const noexcept;
-  void Press(const WheelsetMotion& motion, const TouchingPoint& point, double approach,
-             WheelRailForces* out) const noexcept;
+  void Press(const WheelsetMotion& motion, const TouchingPoint& point, const PatchAxes& axes,
+             double approach, const RailSupport& support, WheelRailForces* out) const noexcept;
 };
 
 WheelRail::WheelRail(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -138,7 +161,7 @@ Vec3 WheelRail::Impl::Deflect(const TouchingPoints& points, const RailSupport& s
     double j[2][2] = {{1, 0}, {0, 1}};
     for (int i = 0; i < points.count; ++i) {
       const TouchingPoint& p = points.point[static_cast<size_t>(i)];
-      const PatchAxes axes = AxesOf(p);
+      const PatchAxes axes = AxesOf(p, {});
       const double approach = p.depth - Dot(axes.normal, w);
       const double n = p.weight * hertz.AtApproach(approach, Along(p), p.across).normal;
       const double stiffness = approach > 0 ? 1.5 * n / approach : 0;
@@ -162,10 +185,10 @@ Vec3 WheelRail::Impl::Deflect(const TouchingPoints& points, const RailSupport& s
 
 /// Normal and creep force of one patch, added to the sums.
 void WheelRail::Impl::Press(const WheelsetMotion& motion, const TouchingPoint& point,
-                            double approach, WheelRailForces* out) const noexcept {
+                            const PatchAxes& axes, double approach, const RailSupport& support,
+                            WheelRailForces* out) const noexcept {
   const double along = Along(point);
   const HertzContact hertzian = hertz.AtApproach(approach, along, point.across);
-  const PatchAxes axes = AxesOf(point);
   ContactPatch& patch = out->patch[static_cast<size_t>(out->count)];
   patch = {};
   patch.rail_y = point.y;
@@ -189,11 +212,12 @@ void WheelRail::Impl::Press(const WheelsetMotion& motion, const TouchingPoint& p
   const double closing = Dot(velocity, axes.normal);
   const double stiffness = approach > 0 ? 1.5 * elastic / approach : 0;
   const double damper = 2 * params.damping_ratio * std::sqrt(stiffness * params.wheel_mass);
-  patch.normal = std::max(0.0, elastic + damper * closing);
+  const double dashpot = damper + SupportDamping(axes.normal, stiffness, support);
+  patch.normal = std::max(0.0, elastic + dashpot * closing);
   patch.stored_energy = 0.4 * elastic * approach;
 
   const double reference = ReferenceSpeed(motion.speed, params.speed_floor);
-  patch.xi = -velocity[0] / reference;
+  patch.xi = -Dot(velocity, axes.forward) / reference;
   patch.eta = -Dot(velocity, axes.lateral) / reference;
   patch.phi = -Dot(motion.rotation, axes.normal) / reference;
   const double slip = reference * std::sqrt(patch.xi * patch.xi + patch.eta * patch.eta);
@@ -205,9 +229,9 @@ void WheelRail::Impl::Press(const WheelsetMotion& motion, const TouchingPoint& p
   // On the wheel: the opposite of what acts on the rail.
   Vec3 force{};
   for (size_t i = 0; i < 3; ++i) {
-    force[i] = -patch.normal * axes.normal[i] - patch.creep.y * axes.lateral[i];
+    force[i] = -patch.normal * axes.normal[i] - patch.creep.y * axes.lateral[i] -
+               patch.creep.x * axes.forward[i];
   }
-  force[0] -= patch.creep.x;
   const Vec3 moment = Cross(patch.point, force);
   for (size_t i = 0; i < 3; ++i) {
     out->force[i] += force[i];
@@ -227,7 +251,8 @@ void WheelRail::Calc(const WheelsetMotion& motion, Side side, const RailOffset& 
                      const RailSupport& support, WheelRailForces* out) const noexcept {
   *out = WheelRailForces{};
   const Vec3 shift = MirrorPolar({0, rail.lateral, rail.vertical}, side);
-  TouchingPoints points =
+  const Vec3 slopes = MirrorPolar({0, rail.lateral_slope, rail.vertical_slope}, side);
+  const TouchingPoints points =
       impl_->search->Find({motion.lateral, motion.vertical, motion.roll, motion.yaw},
                           impl_->rail_y + shift[1], shift[2]);
   if (points.count == 0) return;
@@ -238,8 +263,11 @@ void WheelRail::Calc(const WheelsetMotion& motion, Side side, const RailOffset& 
                               support.vertical_stiffness_N_per_m * bend[2] * bend[2]);
   for (int i = 0; i < points.count; ++i) {
     const TouchingPoint& p = points.point[static_cast<size_t>(i)];
-    const double approach = p.depth - Dot(AxesOf(p).normal, bend);
-    if (approach > 0 && out->count < kMaxPatches) impl_->Press(motion, p, approach, out);
+    const PatchAxes axes = AxesOf(p, slopes);
+    const double approach = p.depth - Dot(axes.normal, bend);
+    if (approach > 0 && out->count < kMaxPatches) {
+      impl_->Press(motion, p, axes, approach, support, out);
+    }
   }
 }
 
