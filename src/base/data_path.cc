@@ -1,26 +1,43 @@
 #include "base/data_path.h"
 
-#include <unistd.h>
+#include <dlfcn.h>
 
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <set>
 
-#include "base/yaml.h"
+#include "base/words.h"
 
 namespace phs {
 namespace {
 
 namespace fs = std::filesystem;
 
+/// `share/phs` beside the folder that holds a program or library: PREFIX/bin/phs, PREFIX/lib/x.so,
+/// PREFIX/lib/TRIPLET/x.so.
+void AddShareOf(const fs::path& binary, std::vector<fs::path>* roots) {
+  fs::path folder = binary.parent_path();
+  for (int level = 0; level < 2 && folder.has_relative_path(); ++level) {
+    folder = folder.parent_path();
+    roots->push_back(folder / "share" / "phs");
+  }
+}
+
 /// Roots that hold models/ and bogie_xml/, best first.
 std::vector<fs::path> Roots() {
   std::vector<fs::path> roots = {fs::path(".")};
-  if (const char* own = std::getenv("PHS_DATA")) roots.emplace_back(own);
-  std::error_code ignored;
-  const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
-  if (!program.empty()) roots.push_back(program.parent_path().parent_path() / "share" / "phs");
+  if (const char* own = std::getenv("PHS_DATA"); own != nullptr && *own != '\0') {
+    roots.emplace_back(own);
+  }
+  std::error_code fault;
+  const fs::path program = fs::read_symlink("/proc/self/exe", fault);
+  if (!fault) AddShareOf(program, &roots);
+  // The plugin is loaded by programs that live elsewhere: look beside the library, too.
+  if (Dl_info here; dladdr(reinterpret_cast<const void*>(&AddShareOf), &here) != 0) {
+    const fs::path library = fs::canonical(here.dli_fname, fault);
+    if (!fault && library != program) AddShareOf(library, &roots);
+  }
 #ifdef PHS_SOURCE_FOLDER
   roots.emplace_back(PHS_SOURCE_FOLDER);
 #endif
@@ -65,12 +82,9 @@ Result<std::string> FindData(const std::string& kind, const std::string& folder,
     }
   }
   const std::vector<std::string> known = ListData(folder, extensions);
-  std::string list;
-  for (const std::string& word : known) list += (list.empty() ? "" : ", ") + word;
-  const std::string nearest = NearestWord(fs::path(name).stem().string(), known);
-  return Error{kind + " '" + name + "'", "was not found",
-               "a path, or one of: " + (list.empty() ? "(none installed)" : list),
-               nearest.empty() ? "check the name" : "did you mean '" + nearest + "'?"};
+  return Error{kind + " " + Quoted(name), "was not found",
+               "a path, or one of: " + (known.empty() ? "(none installed)" : JoinWords(known)),
+               DidYouMean(fs::path(name).stem().string(), known, "check the name")};
 }
 
 }  // namespace phs

@@ -1,5 +1,6 @@
-// Where the product's own data (models/, bogie_xml/) are found: current directory first, then the
-// build tree's source folder, then the installed share folder, then $PHS_DATA.
+// Where the product's own data (models/, bogie_xml/) are found. In this order: the current
+// directory, $PHS_DATA, share/phs of the prefix that the running program or the plugin is installed
+// in, the source folder of the build.
 #pragma once
 
 #include <string>

@@ -20,11 +20,14 @@ struct Error {
   std::string allowed = {};  ///< what would be accepted
   std::string mend = {};     ///< what to do
 
-  /// `where: what; allowed: …; …` on one line.
+  /// `where: what; allowed: …; …` on one line, whatever the parts hold.
   std::string Line() const {
     std::string line = where.empty() ? what : where + ": " + what;
     if (!allowed.empty()) line += "; allowed: " + allowed;
     if (!mend.empty()) line += "; " + mend;
+    for (char& letter : line) {
+      if (static_cast<unsigned char>(letter) < 0x20 || letter == 0x7f) letter = ' ';
+    }
     return line;
   }
 };

@@ -10,8 +10,9 @@ namespace phs {
 /// A directory being written. Destroyed without Commit(), it leaves nothing behind.
 class ResultDir {
  public:
-  /// Creates `final_path + ".partial.<pid>"`. Fails if `final_path` exists and `force` is false, or
-  /// if its parent cannot be written.
+  /// Creates `final_path + ".partial.HOST.PID.N"` and the parents. Fails if `final_path` exists and
+  /// `force` is false, if it holds the current directory, or if its parent cannot be written. What
+  /// killed writers of the same directory left behind on this machine is removed.
   static Result<ResultDir> Create(const std::string& final_path, bool force);
   ResultDir(ResultDir&&) noexcept;
   ResultDir& operator=(ResultDir&&) noexcept;
@@ -22,7 +23,8 @@ class ResultDir {
   /// Path of a file inside the directory being written.
   std::string File(const std::string& name) const;
   const std::string& final_path() const { return final_path_; }
-  /// Moves the directory into place (replacing an old one only with force).
+  /// Moves the directory into place, once; an old one is replaced only with force, in one step
+  /// where the file system can.
   Status Commit();
 
  private:
@@ -33,8 +35,9 @@ class ResultDir {
   bool force_ = false;
 };
 
-/// Writes a text file aside and renames it.
+/// Writes a text file aside and renames it (a pipe or device is written directly).
 Status WriteFileAtomically(const std::string& path, const std::string& text);
+/// The bytes of a file; empty for an empty one.
 Result<std::string> ReadFile(const std::string& path);
 
 }  // namespace phs

@@ -4,32 +4,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
-#include <fstream>
 #include <limits>
-#include <sstream>
 
+#include "base/numbers.h"
 #include "base/result_dir.h"
-#include "base/yaml.h"
+#include "base/words.h"
 
 namespace phs {
 namespace {
 
-std::string Trimmed(const std::string& text) {
+std::string_view Trimmed(std::string_view text) {
   const size_t begin = text.find_first_not_of(" \t\r");
-  if (begin == std::string::npos) return "";
+  if (begin == std::string_view::npos) return "";
   return text.substr(begin, text.find_last_not_of(" \t\r") - begin + 1);
-}
-
-double ToNumber(const std::string& text) {
-  const char* begin = text.data();
-  const char* end = begin + text.size();
-  if (begin != end && *begin == '+') ++begin;
-  double value = 0;
-  const auto [rest, fault] = std::from_chars(begin, end, value);
-  if (fault != std::errc() || rest != end) return std::numeric_limits<double>::quiet_NaN();
-  return value;
 }
 
 /// One row of cells as libcsv hands them over.
@@ -46,17 +33,69 @@ struct Cells {
   }
 };
 
-Result<std::vector<std::string>> SplitLine(const std::string& line, const std::string& where) {
+/// The cells of one line. Quoted cells may hold commas and doubled quotes, but no line ends.
+Result<std::vector<std::string>> SplitLine(std::string_view line, const std::string& where) {
   csv_parser parser;
-  if (csv_init(&parser, CSV_APPEND_NULL) != 0) return Error{where, "out of memory"};
+  if (csv_init(&parser, CSV_STRICT | CSV_STRICT_FINI) != 0) return Error{where, "out of memory"};
   Cells cells;
   const bool bad = csv_parse(&parser, line.data(), line.size(), &Cells::OnField, &Cells::OnRow,
                              &cells) != line.size() ||
                    csv_fini(&parser, &Cells::OnField, &Cells::OnRow, &cells) != 0;
   const std::string reason = bad ? csv_strerror(csv_error(&parser)) : "";
   csv_free(&parser);
-  if (bad) return Error{where, "broken CSV: " + reason, "comma separated values", ""};
-  return cells.rows.empty() ? std::vector<std::string>{} : cells.rows[0];
+  if (bad || cells.rows.size() != 1) {
+    return Error{where, "broken CSV" + (bad ? " (" + reason + ")" : std::string()),
+                 "comma separated values, quotes closed on the same line", ""};
+  }
+  return std::move(cells.rows[0]);
+}
+
+/// Takes the names from the header row.
+Status ReadHeader(const std::vector<std::string>& cells, const std::string& where, Table* table) {
+  for (const std::string& cell : cells) {
+    const std::string column(Trimmed(cell));
+    if (column.empty()) return Error{where, "a column has no name", "a header row of names", ""};
+    if (table->Find(column) >= 0) {
+      return Error{where, "column " + Quoted(column) + " is given twice", "each name once", ""};
+    }
+    table->names.push_back(column);
+  }
+  if (cells.size() == 1 && cells[0].find_first_of(";\t") != std::string::npos) {
+    return Error{where, "is separated by semicolons or tabs", "commas, and '.' as decimal mark",
+                 "save it as comma separated values"};
+  }
+  table->columns.resize(table->names.size());
+  table->text.resize(table->names.size());
+  return {};
+}
+
+/// Appends one row of cells.
+Status ReadRow(const std::vector<std::string>& cells, const std::string& where, Table* table) {
+  if (cells.size() != table->names.size()) {
+    return Error{where, fmt::format("has {} cells", cells.size()),
+                 fmt::format("{} as in the header", table->names.size()), ""};
+  }
+  for (size_t i = 0; i < cells.size(); ++i) {
+    const std::string_view cell = Trimmed(cells[i]);
+    table->text[i].emplace_back(cell);
+    table->columns[i].push_back(
+        ParseNumber(cell).value_or(std::numeric_limits<double>::quiet_NaN()));
+  }
+  return {};
+}
+
+/// Line ends of any system become '\n'; a byte order mark goes.
+std::string WithPlainLines(const std::string& text) {
+  std::string plain;
+  plain.reserve(text.size());
+  for (size_t i = text.compare(0, 3, "\xEF\xBB\xBF") == 0 ? 3 : 0; i < text.size(); ++i) {
+    if (text[i] != '\r') {
+      plain += text[i];
+    } else if (i + 1 >= text.size() || text[i + 1] != '\n') {
+      plain += '\n';
+    }
+  }
+  return plain;
 }
 
 }  // namespace
@@ -69,46 +108,28 @@ int Table::Find(std::string_view name) const {
 Result<std::vector<double>> Table::Column(std::string_view name) const {
   const int at = Find(name);
   if (at >= 0) return columns[static_cast<size_t>(at)];
-  std::string list;
-  for (const std::string& known : names) list += (list.empty() ? "" : ", ") + known;
-  const std::string nearest = NearestWord(name, names);
-  return Error{source, "has no column '" + std::string(name) + "'", "it has: " + list,
-               nearest.empty() ? "" : "did you mean '" + nearest + "'?"};
+  return Error{source, "has no column " + Quoted(name), JoinWords(names), DidYouMean(name, names)};
 }
 
 Result<Table> ParseCsv(const std::string& text, const std::string& name) {
   Table table;
   table.source = name;
-  std::istringstream lines(text);
-  std::string line;
-  for (int number = 1; std::getline(lines, line); ++number) {
-    const std::string trimmed = Trimmed(line);
-    if (trimmed.empty() || trimmed[0] == '#') continue;
+  const std::string plain = WithPlainLines(text);
+  const std::string_view all(plain);
+  int number = 1;
+  for (size_t begin = 0; begin < all.size(); ++number) {
+    const size_t end = std::min(all.find('\n', begin), all.size());
+    const std::string_view line = Trimmed(all.substr(begin, end - begin));
+    begin = end + 1;
+    if (line.empty() || line[0] == '#') continue;
     const std::string where = fmt::format("{}:{}", name, number);
-    auto cells = SplitLine(trimmed, where);
+    auto cells = SplitLine(line, where);
     if (!cells.ok()) return cells.error();
-    if (table.names.empty()) {
-      for (const std::string& cell : cells.value()) {
-        const std::string column = Trimmed(cell);
-        if (column.empty()) return Error{where, "a column has no name", "a header row", ""};
-        if (table.Find(column) >= 0) {
-          return Error{where, "column '" + column + "' is given twice", "each name once", ""};
-        }
-        table.names.push_back(column);
-      }
-      table.columns.resize(table.names.size());
-      table.text.resize(table.names.size());
-      continue;
-    }
-    if (cells.value().size() != table.names.size()) {
-      return Error{where, fmt::format("has {} cells", cells.value().size()),
-                   fmt::format("{} as in the header", table.names.size()), ""};
-    }
-    for (size_t i = 0; i < cells.value().size(); ++i) {
-      table.text[i].push_back(Trimmed(cells.value()[i]));
-      table.columns[i].push_back(ToNumber(table.text[i].back()));
-    }
-    table.line.push_back(number);
+    const bool header = table.names.empty();
+    const Status read =
+        header ? ReadHeader(cells.value(), where, &table) : ReadRow(cells.value(), where, &table);
+    if (!read.ok()) return read.error();
+    if (!header) table.line.push_back(number);
   }
   if (table.names.empty()) return Error{name, "is empty", "a header row and rows of numbers", ""};
   if (table.line.empty()) return Error{name, "has a header but no rows", "at least one row", ""};
@@ -122,12 +143,13 @@ Result<Table> ReadCsv(const std::string& path) {
 }
 
 Result<Table> ReadTable(const std::string& path) {
-  const bool is_mat = path.size() > 4 && path.compare(path.size() - 4, 4, ".mat") == 0;
-  return is_mat ? ReadMat(path) : ReadCsv(path);
+  return path.ends_with(".mat") ? ReadMat(path) : ReadCsv(path);
 }
 
 Status WriteCsv(const std::string& path, const std::vector<std::string>& names,
                 const std::vector<std::vector<double>>& columns) {
+  PHS_CHECK(names.size() == columns.size());
+  for (const auto& column : columns) PHS_CHECK(column.size() == columns[0].size());
   std::string text;
   for (size_t i = 0; i < names.size(); ++i) text += (i == 0 ? "" : ",") + names[i];
   text += '\n';
@@ -135,8 +157,7 @@ Status WriteCsv(const std::string& path, const std::vector<std::string>& names,
   for (size_t row = 0; row < rows; ++row) {
     for (size_t i = 0; i < columns.size(); ++i) {
       if (i > 0) text += ',';
-      // fmt prints the shortest form that reads back exactly.
-      text += fmt::format("{}", columns[i][row]);
+      text += Shortest(columns[i][row]);
     }
     text += '\n';
   }

@@ -25,15 +25,19 @@ struct Table {
   Result<std::vector<double>> Column(std::string_view name) const;
 };
 
-/// Reads a CSV with one header row. `#` lines are comments. Ragged rows and empty files are errors.
+/// Reads a CSV with one header row: commas, '.' as decimal mark, line ends of any system. `#` lines
+/// are comments. Ragged rows, unclosed quotes, doubled names and empty files are errors; a cell
+/// that is no finite number is NaN and stays readable in `text`.
 Result<Table> ReadCsv(const std::string& path);
 Result<Table> ParseCsv(const std::string& text, const std::string& name);
-/// Reads the numeric vectors of a MATLAB file (v5/v7.3): each variable or struct field one column.
+/// Reads the real numeric vectors of a MATLAB file (v5/v7.3): each variable or struct field one
+/// column of its name (`struct.field` where two structs share a field name). Scalars, text and
+/// matrices are no channels and are passed over; vectors of different length are an error.
 Result<Table> ReadMat(const std::string& path);
 /// Reads by extension: .csv, .txt, .mat.
 Result<Table> ReadTable(const std::string& path);
 
-/// Writes `columns` as CSV with full precision (%.17g shortened to the shortest exact form).
+/// Writes `columns` as CSV, each number in the shortest form that reads back exactly.
 Status WriteCsv(const std::string& path, const std::vector<std::string>& names,
                 const std::vector<std::vector<double>>& columns);
 

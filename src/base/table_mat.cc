@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <matio.h>
 
 #include <memory>
@@ -18,7 +19,8 @@ std::vector<double> Values(const matvar_t& variable, size_t count) {
 
 /// Numbers of a real numeric vector; empty for anything else.
 std::vector<double> VectorOf(const matvar_t& variable) {
-  if (variable.isComplex || variable.data == nullptr || variable.rank != 2) return {};
+  const bool numeric = variable.class_type >= MAT_C_DOUBLE && variable.class_type <= MAT_C_UINT64;
+  if (!numeric || variable.isComplex || variable.data == nullptr || variable.rank != 2) return {};
   const size_t count = variable.dims[0] * variable.dims[1];
   if (count == 0 || (variable.dims[0] != 1 && variable.dims[1] != 1)) return {};
   switch (variable.data_type) {
@@ -38,31 +40,55 @@ std::vector<double> VectorOf(const matvar_t& variable) {
       return Values<int32_t>(variable, count);
     case MAT_T_UINT32:
       return Values<uint32_t>(variable, count);
+    case MAT_T_INT64:
+      return Values<int64_t>(variable, count);
+    case MAT_T_UINT64:
+      return Values<uint64_t>(variable, count);
     default:
       return {};
   }
 }
 
-/// Adds a variable, or the fields of a struct; scalars are no channels.
-void Add(const matvar_t& variable, Table* table) {
+/// Adds a variable, or the fields of a struct (`parent` is its name); scalars are no channels.
+void Add(const matvar_t& variable, const std::string& parent, Table* table) {
+  if (variable.name == nullptr) return;
   if (variable.class_type == MAT_C_STRUCT) {
-    const unsigned count = Mat_VarGetNumberOfFields(const_cast<matvar_t*>(&variable));
+    matvar_t* all = const_cast<matvar_t*>(&variable);  // matio's readers are not const
+    const unsigned count = Mat_VarGetNumberOfFields(all);
     for (unsigned i = 0; i < count; ++i) {
-      const matvar_t* field = Mat_VarGetStructFieldByIndex(const_cast<matvar_t*>(&variable), i, 0);
-      if (field != nullptr) Add(*field, table);
+      const matvar_t* field = Mat_VarGetStructFieldByIndex(all, i, 0);
+      if (field != nullptr) Add(*field, parent + variable.name + ".", table);
     }
     return;
   }
   std::vector<double> values = VectorOf(variable);
-  if (values.size() < 2 || variable.name == nullptr) return;
-  table->names.emplace_back(variable.name);
+  if (values.size() < 2) return;
+  const std::string name = variable.name;
+  table->names.push_back(table->Find(name) < 0 ? name : parent + name);
   table->columns.push_back(std::move(values));
   table->text.emplace_back();
+}
+
+/// Every channel as long as the first.
+Status CheckLengths(const Table& table) {
+  if (table.columns.empty()) {
+    return Error{table.source, "holds no numeric vectors", "one per channel", ""};
+  }
+  const size_t rows = table.columns[0].size();
+  for (size_t i = 1; i < table.columns.size(); ++i) {
+    if (table.columns[i].size() == rows) continue;
+    return Error{table.source,
+                 fmt::format("'{}' has {} values, '{}' {}", table.names[i], table.columns[i].size(),
+                             table.names[0], rows),
+                 "channels of equal length", ""};
+  }
+  return {};
 }
 
 }  // namespace
 
 Result<Table> ReadMat(const std::string& path) {
+  Mat_LogInitFunc("phs", [](int, char*) {});  // we report in our own words
   const MatPtr file(Mat_Open(path.c_str(), MAT_ACC_RDONLY), &Mat_Close);
   if (file == nullptr) return Error{path, "cannot be read", "a MATLAB file (v5 or v7.3)", ""};
   Table table;
@@ -70,18 +96,9 @@ Result<Table> ReadMat(const std::string& path) {
   while (true) {
     const VarPtr variable(Mat_VarReadNext(file.get()), &Mat_VarFree);
     if (variable == nullptr) break;
-    Add(*variable, &table);
+    Add(*variable, "", &table);
   }
-  if (table.columns.empty()) return Error{path, "holds no numeric vectors", "one per channel", ""};
-  for (size_t i = 1; i < table.columns.size(); ++i) {
-    if (table.columns[i].size() != table.columns[0].size()) {
-      return Error{path,
-                   "'" + table.names[i] + "' has " + std::to_string(table.columns[i].size()) +
-                       " values, '" + table.names[0] + "' " +
-                       std::to_string(table.columns[0].size()),
-                   "channels of equal length", ""};
-    }
-  }
+  if (Status s = CheckLengths(table); !s.ok()) return s.error();
   for (size_t i = 0; i < table.columns[0].size(); ++i) {
     table.line.push_back(static_cast<int>(i) + 1);
   }

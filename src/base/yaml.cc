@@ -1,72 +1,24 @@
 #include "base/yaml.h"
 
 #include <fmt/format.h>
-#include <yaml-cpp/yaml.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <fstream>
 #include <map>
 #include <set>
-#include <sstream>
+
+#include "base/numbers.h"
+#include "base/result_dir.h"
+#include "base/yaml_document.h"
 
 namespace phs {
 namespace {
-
-constexpr int kMaxDepth = 64;
 
 /// What all maps of one document share.
 struct Document {
   std::string path;
   std::optional<Error> error;
 };
-
-std::optional<double> ParseNumber(const std::string& text) {
-  const char* begin = text.c_str();
-  const char* end = begin + text.size();
-  if (begin != end && *begin == '+') ++begin;
-  double value = 0;
-  const auto [rest, fault] = std::from_chars(begin, end, value);
-  if (fault != std::errc() || rest != end || !std::isfinite(value)) return std::nullopt;
-  return value;
-}
-
-std::string Join(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
-  return text;
-}
-
-int LineOf(const YAML::Node& node) { return node.Mark().line + 1; }
-
-/// Refuses what a map of this reader cannot hold: aliases that nest too deeply, repeated keys.
-std::optional<Error> CheckTree(const YAML::Node& node, const std::string& path, int depth) {
-  if (depth > kMaxDepth) {
-    return Error{fmt::format("{}:{}", path, LineOf(node)), "nests too deeply",
-                 fmt::format("{} levels", kMaxDepth), ""};
-  }
-  if (node.IsSequence()) {
-    for (const auto& item : node) {
-      if (auto error = CheckTree(item, path, depth + 1)) return error;
-    }
-  }
-  if (!node.IsMap()) return std::nullopt;
-  std::set<std::string> keys;
-  for (const auto& item : node) {
-    if (!item.first.IsScalar()) {
-      return Error{fmt::format("{}:{}", path, LineOf(item.first)), "a key is not a word", "words",
-                   ""};
-    }
-    const std::string key = item.first.Scalar();
-    if (!keys.insert(key).second) {
-      return Error{fmt::format("{}:{}: {}", path, LineOf(item.first), key), "is given twice",
-                   "each key once", "remove one of the two"};
-    }
-    if (auto error = CheckTree(item.second, path, depth + 1)) return error;
-  }
-  return std::nullopt;
-}
 
 }  // namespace
 
@@ -79,10 +31,10 @@ std::string Range::Text() const {
   const bool has_min = std::isfinite(min);
   const bool has_max = std::isfinite(max);
   if (has_min && has_max) {
-    return fmt::format("{:g} {} x {} {:g}", min, open_min ? "<" : "<=", open_max ? "<" : "<=", max);
+    return fmt::format("{} {} x {} {}", min, open_min ? "<" : "<=", open_max ? "<" : "<=", max);
   }
-  if (has_min) return fmt::format("x {} {:g}", open_min ? ">" : ">=", min);
-  if (has_max) return fmt::format("x {} {:g}", open_max ? "<" : "<=", max);
+  if (has_min) return fmt::format("x {} {}", open_min ? ">" : ">=", min);
+  if (has_max) return fmt::format("x {} {}", open_max ? "<" : "<=", max);
   return "finite numbers";
 }
 
@@ -95,8 +47,8 @@ struct YamlMap::Impl {
   int line = 1;
 
   void Read(const YAML::Node& node) {
-    line = LineOf(node);
     if (!node.IsMap()) return;
+    line = LineOf(node);
     for (const auto& item : node) entries.emplace_back(item.first.Scalar(), item.second);
   }
   const YAML::Node* Find(std::string_view key) {
@@ -106,12 +58,14 @@ struct YamlMap::Impl {
     }
     return nullptr;
   }
-  std::string Where(std::string_view key) const {
-    int at = line;
+  int LineOfKey(std::string_view key) const {
     for (const auto& entry : entries) {
-      if (entry.first == key) at = LineOf(entry.second);
+      if (entry.first == key && LineOf(entry.second) > 0) return LineOf(entry.second);
     }
-    return fmt::format("{}:{}: {}{}", document->path, at, prefix, key);
+    return line;
+  }
+  std::string Where(std::string_view key) const {
+    return fmt::format("{}:{}: {}{}", document->path, LineOfKey(key), prefix, key);
   }
   void Fail(Error error) {
     if (!document->error) document->error = std::move(error);
@@ -119,66 +73,54 @@ struct YamlMap::Impl {
   void Missing(std::string_view key, const std::string& allowed) {
     Fail({Where(key), "is missing", allowed, "add it"});
   }
-  double ToNumber(std::string_view key, const YAML::Node& node, const Range& range) {
+  double ToNumber(const std::string& where, const YAML::Node& node, const Range& range) {
     const auto value = node.IsScalar() ? ParseNumber(node.Scalar()) : std::nullopt;
-    if (!value) {
-      Fail({Where(key),
-            fmt::format("'{}' is no number", node.IsScalar() ? node.Scalar() : "a list"),
-            range.Text(), ""});
-      return 0;
+    if (value && range.Contains(*value)) return *value;
+    if (value) {
+      Fail({where, Shortest(*value) + " is out of range", range.Text(), ""});
+    } else {
+      Fail({where, Described(node) + " is no number", range.Text(), ""});
     }
-    if (!range.Contains(*value)) {
-      Fail({Where(key), fmt::format("{:g} is out of range", *value), range.Text(), ""});
-      return 0;
-    }
-    return *value;
+    return 0;
   }
   std::shared_ptr<Impl> Child(const std::string& name, const YAML::Node& node) {
     if (const auto known = children.find(name); known != children.end()) return known->second;
     auto child = std::make_shared<Impl>();
     child->document = document;
     child->prefix = prefix + name + ".";
+    child->line = line;
     child->Read(node);
     children[name] = child;
     return child;
   }
-  /// The first unknown key of this map and those read from it.
-  std::optional<Error> Unknown() const {
+  /// Keeps in `first` the topmost unknown key of this map and those read from it.
+  void FindUnknown(std::optional<std::pair<int, Error>>* first) const {
     for (const auto& [key, node] : entries) {
       if (asked.count(key) > 0) continue;
+      const int at = LineOfKey(key);
+      if (*first && (*first)->first <= at) break;
       const std::vector<std::string> known(asked.begin(), asked.end());
-      const std::string nearest = NearestWord(key, known);
-      return Error{Where(key), "unknown key", Join(known),
-                   nearest.empty() ? "remove it" : "did you mean '" + nearest + "'?"};
+      *first = {at, Error{Where(key), "unknown key", JoinWords(known),
+                          DidYouMean(key, known, "remove it")}};
+      break;
     }
-    for (const auto& [name, child] : children) {
-      if (auto error = child->Unknown()) return error;
-    }
-    return std::nullopt;
+    for (const auto& [name, child] : children) child->FindUnknown(first);
   }
 };
 
 Result<YamlMap> YamlMap::Load(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  if (!file || !(text << file.rdbuf())) {
-    return Error{path, "cannot be read", "a readable YAML file", "check the path"};
-  }
-  return Parse(text.str(), path);
+  auto text = ReadFile(path);
+  if (!text.ok()) return text.error();
+  return Parse(text.value(), path);
 }
 
 Result<YamlMap> YamlMap::Parse(const std::string& text, const std::string& name) {
+  auto root = ParseYamlDocument(text, name);
+  if (!root.ok()) return root.error();
   auto impl = std::make_shared<Impl>();
   impl->document = std::make_shared<Document>();
   impl->document->path = name;
-  try {
-    const YAML::Node root = YAML::Load(text);
-    if (!root.IsMap()) return Error{name + ":1", "is no map", "lines of 'key: value'", ""};
-    if (auto error = CheckTree(root, name, 0)) return *error;
-    impl->Read(root);
-  } catch (const YAML::Exception& e) {
-    return Error{fmt::format("{}:{}", name, e.mark.line + 1), e.msg, "YAML", "mend the syntax"};
-  }
+  impl->Read(root.value());
   return YamlMap(impl);
 }
 
@@ -190,19 +132,19 @@ double YamlMap::Number(std::string_view key, const Range& range) {
     impl_->Missing(key, range.Text());
     return 0;
   }
-  return impl_->ToNumber(key, *node, range);
+  return impl_->ToNumber(impl_->Where(key), *node, range);
 }
 
 double YamlMap::Number(std::string_view key, const Range& range, double otherwise) {
   const YAML::Node* node = impl_->Find(key);
-  return node == nullptr ? otherwise : impl_->ToNumber(key, *node, range);
+  return node == nullptr ? otherwise : impl_->ToNumber(impl_->Where(key), *node, range);
 }
 
 int YamlMap::Integer(std::string_view key, int min, int max) {
   const Range range{static_cast<double>(min), static_cast<double>(max)};
   const double value = Number(key, range);
   if (value != std::floor(value)) {
-    Fail(key, fmt::format("{:g} is no whole number", value), "whole numbers, " + range.Text());
+    Fail(key, Shortest(value) + " is no whole number", "whole numbers, " + range.Text());
     return min;
   }
   return static_cast<int>(value);
@@ -218,7 +160,7 @@ bool YamlMap::Bool(std::string_view key, bool otherwise) {
   const std::string text = node->IsScalar() ? node->Scalar() : "";
   if (text == "true" || text == "yes" || text == "on") return true;
   if (text == "false" || text == "no" || text == "off") return false;
-  Fail(key, "'" + text + "' is neither true nor false", "true, false");
+  Fail(key, Described(*node) + " is neither true nor false", "true, false");
   return otherwise;
 }
 
@@ -235,7 +177,7 @@ std::string YamlMap::Text(std::string_view key, std::string_view otherwise) {
   const YAML::Node* node = impl_->Find(key);
   if (node == nullptr) return std::string(otherwise);
   if (!node->IsScalar()) {
-    Fail(key, "is no word", "a word");
+    Fail(key, Described(*node) + " is no word", "a word");
     return std::string(otherwise);
   }
   return node->Scalar();
@@ -243,7 +185,7 @@ std::string YamlMap::Text(std::string_view key, std::string_view otherwise) {
 
 std::string YamlMap::Word(std::string_view key, const std::vector<std::string>& words) {
   if (impl_->Find(key) == nullptr) {
-    impl_->Missing(key, Join(words));
+    impl_->Missing(key, JoinWords(words));
     return words.empty() ? "" : words[0];
   }
   return Word(key, words, words.empty() ? "" : words[0]);
@@ -253,9 +195,7 @@ std::string YamlMap::Word(std::string_view key, const std::vector<std::string>& 
                           std::string_view otherwise) {
   const std::string word = Text(key, otherwise);
   if (word == otherwise || std::find(words.begin(), words.end(), word) != words.end()) return word;
-  const std::string nearest = NearestWord(word, words);
-  Fail(key, "'" + word + "' is unknown", Join(words),
-       nearest.empty() ? "" : "did you mean '" + nearest + "'?");
+  Fail(key, Quoted(word) + " is unknown", JoinWords(words), DidYouMean(word, words));
   return std::string(otherwise);
 }
 
@@ -272,11 +212,16 @@ std::vector<double> YamlMap::Numbers(std::string_view key, const Range& range,
   const YAML::Node* node = impl_->Find(key);
   if (node == nullptr) return otherwise;
   if (!node->IsSequence()) {
-    Fail(key, "is no list", "a list of numbers, " + range.Text());
+    Fail(key, Described(*node) + " is no list", "a list of numbers, " + range.Text());
     return otherwise;
   }
   std::vector<double> values;
-  for (const auto& item : *node) values.push_back(impl_->ToNumber(key, item, range));
+  values.reserve(node->size());
+  for (const auto& item : *node) {
+    const std::string where =
+        fmt::format("{}:{}: {}{}[{}]", path(), LineOf(item), impl_->prefix, key, values.size() + 1);
+    values.push_back(impl_->ToNumber(where, item, range));
+  }
   return values;
 }
 
@@ -285,12 +230,12 @@ std::vector<std::string> YamlMap::Texts(std::string_view key) {
   std::vector<std::string> words;
   if (node == nullptr) return words;
   if (!node->IsSequence()) {
-    Fail(key, "is no list", "a list of words");
+    Fail(key, Described(*node) + " is no list", "a list of words");
     return words;
   }
   for (const auto& item : *node) {
     if (!item.IsScalar()) {
-      Fail(key, "holds something that is no word", "a list of words");
+      Fail(key, "holds " + Described(item) + " as a word", "a list of words");
       return {};
     }
     words.push_back(item.Scalar());
@@ -301,7 +246,7 @@ std::vector<std::string> YamlMap::Texts(std::string_view key) {
 YamlMap YamlMap::Map(std::string_view key) {
   const YAML::Node* node = impl_->Find(key);
   if (node != nullptr && !node->IsMap() && !node->IsNull()) {
-    Fail(key, "is no map", "lines of 'key: value'");
+    Fail(key, Described(*node) + " is no map", "lines of 'key: value'");
   }
   return YamlMap(impl_->Child(std::string(key), node == nullptr ? YAML::Node() : *node));
 }
@@ -311,7 +256,7 @@ std::vector<YamlMap> YamlMap::Maps(std::string_view key) {
   std::vector<YamlMap> maps;
   if (node == nullptr) return maps;
   if (!node->IsSequence()) {
-    Fail(key, "is no list", "a list of maps");
+    Fail(key, Described(*node) + " is no list", "a list of maps");
     return maps;
   }
   int index = 0;
@@ -337,8 +282,9 @@ const std::string& YamlMap::path() const { return impl_->document->path; }
 
 Status YamlMap::Finish() const {
   if (impl_->document->error) return *impl_->document->error;
-  if (auto error = impl_->Unknown()) return *error;
-  return {};
+  std::optional<std::pair<int, Error>> first;
+  impl_->FindUnknown(&first);
+  return first ? Status(first->second) : Status();
 }
 
 }  // namespace phs

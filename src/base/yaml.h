@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "base/result.h"
+#include "base/words.h"
 
 namespace phs {
 
@@ -35,7 +36,9 @@ struct Range {
 /// A YAML map being read. Copies share the same error and the same record of used keys.
 class YamlMap {
  public:
-  /// Parses a file / a text. The root must be a map. Errors carry `path:line`.
+  /// Parses a file / a text: one document whose root is a map. Errors carry `path:line`. Refused:
+  /// keys given twice, more than 64 levels, more than 16 MB or a million values (aliases counted
+  /// wherever they are used).
   static Result<YamlMap> Load(const std::string& path);
   static Result<YamlMap> Parse(const std::string& text, const std::string& name);
 
@@ -69,7 +72,7 @@ class YamlMap {
   std::string Where(std::string_view key) const;
   /// The path the document was loaded from.
   const std::string& path() const;
-  /// First error of the whole document, else the first key of this map (or of maps read from it)
+  /// First error of the whole document, else the topmost key of this map (or of maps read from it)
   /// that nobody asked for, with the nearest known key.
   Status Finish() const;
 
@@ -78,8 +81,5 @@ class YamlMap {
   explicit YamlMap(std::shared_ptr<Impl> impl) : impl_(std::move(impl)) {}
   std::shared_ptr<Impl> impl_;
 };
-
-/// The word of `words` nearest to `word` by edit distance; empty if none is close.
-std::string NearestWord(std::string_view word, const std::vector<std::string>& words);
 
 }  // namespace phs
