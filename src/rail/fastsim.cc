@@ -18,14 +18,15 @@ Fastsim::Fastsim(const FastsimParams& params) : params_(params) {
   PHS_CHECK(params.slices >= 2 && params.slices <= 1000);
   const int n = params.strips;
   const int m = params.slices;
+  const bool uniform = params.cells == FastsimCells::kUniform;
+  const double width = uniform ? params.margin : 1.0;
   double sum = 0;
   for (int j = 0; j < n; ++j) {
     // Mirrored exactly about y = 0.
-    const double y = (2 * j + 1 - n) / static_cast<double>(n);
+    const double y = width * (2 * j + 1 - n) / static_cast<double>(n);
     y_[j] = y;
-    half_[j] = std::sqrt(1 - y * y);
-    const bool uniform = params.cells == FastsimCells::kUniform;
-    const double dx = uniform ? 2.0 / m : 2 * half_[j] / m;
+    half_[j] = std::sqrt(std::max(0.0, 1 - y * y));
+    const double dx = uniform ? 2 * width / m : 2 * half_[j] / m;
     for (int i = 0; i < m; ++i) {
       const double x = (m - 1 - 2 * i) * (0.5 * dx);
       const double rest = std::max(0.0, half_[j] * half_[j] - x * x);
@@ -112,7 +113,7 @@ NormalisedForce Fastsim::MarchStrips(const NormalisedCreepage& c) const noexcept
 
 NormalisedForce Fastsim::CalcUniform(const NormalisedCreepage& c) const noexcept {
   const int m = params_.slices;
-  const double dx = 2.0 / m;
+  const double dx = 2 * params_.margin / m;
   NormalisedForce f;
   for (int j = 0; j < params_.strips; ++j) {
     const double y = y_[j];
@@ -138,7 +139,7 @@ NormalisedForce Fastsim::CalcUniform(const NormalisedCreepage& c) const noexcept
   }
   // The published grid is not rescaled: its sum of the bound differs from N by its own error.
   const double whole = params_.elliptic_bound ? 2 * kPi / 3 : kPi / 2;
-  const double cell = dx * (2.0 / params_.strips) / whole;
+  const double cell = dx * (2 * params_.margin / params_.strips) / whole;
   return {f.x * cell, f.y * cell, f.moment * cell};
 }
 

@@ -31,6 +31,7 @@ struct FastsimParams {
   int slices = 40;  ///< along, 2 … 1000
   bool elliptic_bound = false;
   FastsimCells cells = FastsimCells::kStrip;
+  double margin = 1;  ///< kUniform: the rectangle is this much larger than the ellipse, 1 … 2
 };
 
 /// The four numbers above.
