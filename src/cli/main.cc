@@ -17,6 +17,7 @@ int Main(int argc, char** argv) {
   phs::cli::Action action;
   phs::cli::AddSimulate(&app, &action);
   phs::cli::AddCompare(&app, &action);
+  phs::cli::AddContact(&app, &action);
   phs::cli::AddModes(&app, &action);
   phs::cli::AddReport(&app, &action);
   try {
