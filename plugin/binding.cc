@@ -224,8 +224,13 @@ void Binding::LendDamping(mjModel* m, const mjData* d) {
         damping += f11 * patch.rolling_radius * patch.rolling_radius / speed;
       }
     }
-    wheelsets_[i].lent_damping = damping;
-    m->dof_damping[wheelsets_[i].spin_dof] += damping;
+    // Only what the step needs: with the inertia I the explicit step is stable to c h/I = 2 and
+    // rings from 1 on; lending c - 1.6 I/h keeps c h/(I + h B) at or below 1.6. Whatever is lent
+    // acts like an added inertia h B, so none is lent without need.
+    const int dof = wheelsets_[i].spin_dof;
+    const double inertia = 1 / m->dof_invweight0[dof];
+    wheelsets_[i].lent_damping = std::max(0.0, damping - 1.6 * inertia / m->opt.timestep);
+    m->dof_damping[dof] += wheelsets_[i].lent_damping;
   }
 }
 

@@ -123,6 +123,22 @@ double Settle(const mjModel* m, const std::vector<int>& dofs, mjData* d) {
   return r.lpNorm<Eigen::Infinity>();
 }
 
+/// Spin speeds at which no wheelset is driven or braked by its creep forces (secant per wheelset).
+void RollFreely(const mjModel* m, const Binding& binding, mjData* d) {
+  for (int iteration = 0; iteration < 8; ++iteration) {
+    for (const WheelsetBinding& w : binding.wheelsets()) {
+      constexpr double kSpinStep = 1e-5;
+      const double spin = d->qvel[w.spin_dof];
+      mj_forward(m, d);
+      const double here = d->qfrc_passive[w.spin_dof];
+      d->qvel[w.spin_dof] = spin + kSpinStep;
+      mj_forward(m, d);
+      const double slope = (d->qfrc_passive[w.spin_dof] - here) / kSpinStep;
+      d->qvel[w.spin_dof] = slope < 0 ? spin - here / slope : spin;
+    }
+  }
+}
+
 void StoreStart(mjModel* m, const mjData* d) {
   const int key = mj_name2id(m, mjOBJ_KEY, "test");
   if (key < 0) return;
@@ -137,7 +153,10 @@ Status PrepareStart(mjModel* m, Binding* binding) {
   if (!binding->has_rail()) return {};
   const DataPtr data(mj_makeData(m), &mj_deleteData);
   PlaceVehicle(m, *binding, data.get());
-  const double left = Settle(m, SettlingDofs(m, *binding), data.get());
+  const std::vector<int> dofs = SettlingDofs(m, *binding);
+  Settle(m, dofs, data.get());
+  RollFreely(m, *binding, data.get());
+  const double left = Settle(m, dofs, data.get());
   // A vehicle that is left with more than a thousandth of gravity does not stand.
   if (!(left < 1e-2)) {
     return Error{ObjectName(m, mjOBJ_BODY, m->body_rootid[binding->wheelsets()[0].body]),
@@ -145,14 +164,6 @@ Status PrepareStart(mjModel* m, Binding* binding) {
                      "' (acceleration left: " + std::to_string(left) + ")",
                  "wheelsets that stand on straight, level track at the start",
                  "check wheel radius, flange-back distance, gauge and start position"};
-  }
-  for (size_t i = 0; i < binding->wheelsets().size(); ++i) {
-    const WheelsetState state = binding->CalcWheelset(m, data.get(), static_cast<int>(i));
-    if (state.wheel[0].count > 0 && state.wheel[1].count > 0) {
-      data->qvel[binding->wheelsets()[i].spin_dof] =
-          2 * state.speed /
-          (state.wheel[0].patch[0].rolling_radius + state.wheel[1].patch[0].rolling_radius);
-    }
   }
   mj_forward(m, data.get());
   binding->LendDamping(m, data.get());

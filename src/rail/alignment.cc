@@ -100,6 +100,11 @@ double Alignment::TwistAt(double s) const noexcept {
   return knot.cant.SlopeAt(u) / (cant_base_ * std::sqrt(1 - sine * sine));
 }
 
+double Alignment::CurvatureAt(double s) const noexcept {
+  const Knot& knot = KnotFor(s);
+  return knot.curvature + knot.curvature_rate * (s - knot.s);
+}
+
 double Alignment::Project(const Vec3& point) const noexcept {
   double s = knots_[static_cast<size_t>(NearestKnot(point))].s;
   // Newton on f(s) = (point - origin(s)) . (cos th, sin th, z'). Steps are bounded so that a point

@@ -73,6 +73,8 @@ class Alignment {
   Quadratic WideningAt(double s) const noexcept;
   /// d(cant angle)/ds [rad/m], the twist of the track.
   double TwistAt(double s) const noexcept;
+  /// Curvature in plan, > 0 left [1/m].
+  double CurvatureAt(double s) const noexcept;
 
  private:
   struct Knot {

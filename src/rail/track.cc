@@ -97,7 +97,10 @@ RailOffset Track::Rail(Side side, double s) const noexcept {
   const Quadratic widening = impl_->alignment.WideningAt(s);
   offset.lateral += half * widening.value;
   offset.lateral_slope += half * widening.slope;
-  offset.vertical_slope -= half * cant_base() * impl_->alignment.TwistAt(s);
+  offset.twist = impl_->alignment.TwistAt(s);
+  offset.half_base = 0.5 * cant_base();
+  offset.vertical_slope -= half * cant_base() * offset.twist;
+  offset.curvature = impl_->alignment.CurvatureAt(s);
   return offset;
 }
 

@@ -30,6 +30,9 @@ struct RailOffset {
   double vertical = 0;        ///< along z_T: irregularities [m]
   double lateral_slope = 0;   ///< d lateral / ds
   double vertical_slope = 0;  ///< d vertical / ds + twist (left rail: -(e/2) dcant/ds)
+  double twist = 0;           ///< dcant/ds: turns the slopes across the rail head [rad/m]
+  double half_base = 0;       ///< distance e/2 from the centre at which vertical_slope holds [m]
+  double curvature = 0;       ///< of the centre line in plan, > 0 left [1/m]
 };
 
 /// Elastic support of each rail; absent (rigid) when stiffness is zero.

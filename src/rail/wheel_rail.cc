@@ -62,6 +62,18 @@ double SupportDamping(const Vec3& normal, double contact_stiffness, const RailSu
          part(normal[2], s.vertical_stiffness_N_per_m, s.vertical_damping_Ns_per_m);
 }
 
+/// Slopes of the rail against x at one patch, C axes. The rail's own slopes hold on its axis; on a
+/// cant ramp they change across the head (the section turns about the track's axis), and in a curve
+/// the rail turns along the small distance by which a yawed wheel touches ahead of its axle.
+Vec3 SlopesAt(const TouchingPoint& p, const WheelsetMotion& motion, Side side,
+              const RailOffset& rail) {
+  Vec3 slopes = MirrorPolar({0, rail.lateral_slope, rail.vertical_slope}, side);
+  const double hand = side == Side::kLeft ? 1 : -1;
+  slopes[1] += hand * (rail.curvature * p.arm[0] - rail.twist * (motion.vertical + p.arm[2]));
+  slopes[2] += hand * rail.twist * (motion.lateral + p.arm[1] - rail.half_base);
+  return slopes;
+}
+
 Status Validate(const WheelRailParams& p) {
   const auto in = [](double x, double low, double high) { return x >= low && x <= high; };
   if (!in(p.gauge, 0.3, 2.0)) return Error{"gauge", "is out of range", "0.3 … 2 m", ""};
@@ -198,10 +210,15 @@ void WheelRail::Impl::Press(const WheelsetMotion& motion, const TouchingPoint& p
   // Forces act half-way into the overlap.
   patch.point = point.arm;
   for (size_t i = 0; i < 3; ++i) patch.point[i] -= 0.5 * point.depth * axes.normal[i];
+  // On a sloping rail the wheel touches ahead of or behind its lowest point: where its own normal
+  // is the rail's. (The search leaves this out; the change of height there is of second order.)
+  patch.point[0] += point.radius * std::sqrt(1 + point.slope * point.slope) * axes.normal[0];
   patch.angle = -std::atan(point.slope);
   patch.approach = approach;
-  patch.a = hertzian.a;
-  patch.b = hertzian.b;
+  // A patch that merges with its neighbour keeps its pressure and loses area with its load.
+  const double scale = std::sqrt(point.weight);
+  patch.a = scale * hertzian.a;
+  patch.b = scale * hertzian.b;
   patch.peak_pressure = hertzian.peak_pressure;
   patch.rolling_radius = point.radius;
 
@@ -251,7 +268,6 @@ void WheelRail::Calc(const WheelsetMotion& motion, Side side, const RailOffset& 
                      const RailSupport& support, WheelRailForces* out) const noexcept {
   *out = WheelRailForces{};
   const Vec3 shift = MirrorPolar({0, rail.lateral, rail.vertical}, side);
-  const Vec3 slopes = MirrorPolar({0, rail.lateral_slope, rail.vertical_slope}, side);
   const TouchingPoints points =
       impl_->search->Find({motion.lateral, motion.vertical, motion.roll, motion.yaw},
                           impl_->rail_y + shift[1], shift[2]);
@@ -263,7 +279,7 @@ void WheelRail::Calc(const WheelsetMotion& motion, Side side, const RailOffset& 
                               support.vertical_stiffness_N_per_m * bend[2] * bend[2]);
   for (int i = 0; i < points.count; ++i) {
     const TouchingPoint& p = points.point[static_cast<size_t>(i)];
-    const PatchAxes axes = AxesOf(p, slopes);
+    const PatchAxes axes = AxesOf(p, SlopesAt(p, motion, side, rail));
     const double approach = p.depth - Dot(axes.normal, bend);
     if (approach > 0 && out->count < kMaxPatches) {
       impl_->Press(motion, p, axes, approach, support, out);

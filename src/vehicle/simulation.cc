@@ -71,6 +71,10 @@ class EnergyKeeper {
       book->work_in += h * d->actuator_force[w.drive_actuator] * 0.5 *
                        (before[w.spin_dof] + d->qvel[w.spin_dof]);
     }
+    for (const auto& w : binding_.wheelsets()) {
+      const double after = d->qvel[w.spin_dof];
+      book->lent += 0.5 * h * w.lent_damping * (after * after - before[w.spin_dof] * before[w.spin_dof]);
+    }
     for (int i = 0; i < m->nv; ++i) {
       book->lost_dampers += h * damping_[i] * d->qvel[i] * 0.5 * (before[i] + d->qvel[i]);
     }

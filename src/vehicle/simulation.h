@@ -25,6 +25,7 @@ struct EnergyBook {
   double lost_contact = 0;
   double lost_dampers = 0;  ///< joint dampers, without lent damping
   double lost_phs = 0;
+  double lent = 0;         ///< kinetic energy of the inertia that lent damping adds (binding.h)
   double start_kinetic = 0;
   double Error() const {
     return work_in - (kinetic - start_kinetic) - stored - lost_creep - lost_contact - lost_dampers -

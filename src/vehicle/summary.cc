@@ -159,6 +159,7 @@ Json WholeRun(const Simulation& sim, const RunOutcome& run) {
           {"lost_contact_J", e.lost_contact},
           {"lost_dampers_J", e.lost_dampers},
           {"lost_phs_J", e.lost_phs},
+          {"energy_lent_J", e.lent},
           {"end_time_s", run.end_time_s},
           {"steps", run.steps}};
 }
