@@ -169,6 +169,29 @@ TEST(CreepTable, ContinuousAlongLines) {
   }
 }
 
+// Quadratic splines: the slope is continuous within a face of the cube and nearly so across its
+// edges (there only the force is continuous by construction).
+TEST(CreepTable, SlopeHasNoNotableJumps) {
+  std::mt19937 random(17);
+  std::uniform_real_distribution<> one(-1, 1);
+  double largest = 0;
+  for (int line = 0; line < 400; ++line) {
+    const NormalisedCreepage p{2 * one(random), 2 * one(random), 3 * one(random),
+                               0.5 + 0.3 * one(random)};
+    const double du = one(random), dv = one(random), dw = 2 * one(random);
+    const double h = 1e-4;
+    const auto at = [&](double s) {
+      return Built().At({p.u + s * du, p.v + s * dv, p.w + s * dw, p.chi});
+    };
+    for (double s = 0; s < 1; s += 0.0013) {
+      const NormalisedForce a = at(s - h), b = at(s), c = at(s + h);
+      largest = std::max(largest, std::hypot(a.x - 2 * b.x + c.x, a.y - 2 * b.y + c.y) / h);
+    }
+  }
+  std::printf("  largest change of slope over %g: %.4f\n", 1e-4, largest);
+  EXPECT_LT(largest, 0.05);
+}
+
 TEST(CreepTable, SlopeAtSmallCreepageHasNoDeadZone) {
   const auto law = Law("kalker_table");
   const auto linear = Law("linear");
