@@ -11,9 +11,8 @@
 namespace phs::analysis {
 
 /// Butterworth filters of 4th order (24 dB per octave), run once forwards, started as if the first
-/// value had lasted for ever. Bilinear transform with the
-/// cut-off frequency kept exact. Errors: interval <= 0, cut-off not between 0 and half the sampling
-/// rate.
+/// value had lasted for ever. Bilinear transform with the cut-off frequency kept exact. Errors:
+/// interval <= 0, cut-off not between 0 and half the sampling rate.
 Result<std::vector<double>> LowPass(const std::vector<double>& signal, double interval_s,
                                     double cutoff_Hz);
 Result<std::vector<double>> HighPass(const std::vector<double>& signal, double interval_s,
