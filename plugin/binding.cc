@@ -121,15 +121,11 @@ Status Binding::BindWheelsets(mjModel* m) {
     w.dofs = DofChain(m, w.body);
     wheelsets_.push_back(std::move(w));
   }
-  if (!wheelsets_.empty() && m->nuserdata < UserData::kHeader) {
-    return Error{"MJCF <size nuserdata>", "is too small for the plugin's values",
-                 "at least " + std::to_string(UserData::kHeader), "write <size nuserdata=\"96\"/>"};
-  }
   return {};
 }
 
 Status Binding::BindPhs(mjModel* m, const AttachOptions& options) {
-  int next = UserData::kHeader;
+  int next = UserData::kHeader + UserData::kPerWheelset * static_cast<int>(wheelsets_.size());
   for (const NamedTuple& tuple : TuplesWithPrefix(m, "phs:")) {
     PhsBinding p;
     p.name = tuple.name;

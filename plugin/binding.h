@@ -67,7 +67,8 @@ struct PhsBinding {
   int rates_at = 0;                 ///< userdata: mean state rate per state
 };
 
-/// d->userdata, first entries; PHS blocks follow.
+/// d->userdata, first entries; then six values per wheelset (moment about the centre of mass of the
+/// tree, force, of the elastic contact forces, world axes: for the books of energy); then the PHS.
 struct UserData {
   static constexpr int kCreepPower = 0;     ///< lost to slip, all wheels [W]
   static constexpr int kContactPower = 1;   ///< lost to contact and support damping [W]
@@ -78,6 +79,7 @@ struct UserData {
   static constexpr int kBeyondProfile = 6;  ///< number of wheels at the end of a profile
   static constexpr int kMaxLateral = 7;     ///< largest |lateral| of a wheelset [m]
   static constexpr int kHeader = 8;
+  static constexpr int kPerWheelset = 6;
 };
 
 /// Forces and motion of one wheelset at one instant (T axes: x forward, y left, z up).

@@ -59,6 +59,8 @@ WheelsetState Binding::CalcWheelset(const mjModel* m, const mjData* d, int index
   Vec3 rotation;
   PlaceOnTrack(m, d, *track_, wheelsets_[index].body, &out, &velocity, &rotation);
   Vec3 force_T{};
+  Vec3 elastic_force_T{};
+  Vec3 elastic_moment_T{};
   for (const Side side : {Side::kLeft, Side::kRight}) {
     const Vec3 place = rail::MirrorPolar({0, out.lateral, out.vertical}, side);
     const Vec3 attitude = rail::MirrorAxial({out.roll, 0, out.yaw}, side);
@@ -74,9 +76,13 @@ WheelsetState Binding::CalcWheelset(const mjModel* m, const mjData* d, int index
     wheel_rail_->Calc(motion, side, track_->Rail(side, out.frame.s), track_->support(), wheel);
     Add(&force_T, rail::MirrorPolar(wheel->force, side));
     Add(&out.moment_T, rail::MirrorAxial(wheel->moment, side));
+    Add(&elastic_force_T, rail::MirrorPolar(wheel->elastic_force, side));
+    Add(&elastic_moment_T, rail::MirrorAxial(wheel->elastic_moment, side));
   }
   out.force = ToWorld(out.frame, force_T);
   out.moment = ToWorld(out.frame, out.moment_T);
+  out.elastic_force = ToWorld(out.frame, elastic_force_T);
+  out.elastic_moment = ToWorld(out.frame, elastic_moment_T);
   return out;
 }
 

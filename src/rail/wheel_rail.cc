@@ -250,7 +250,10 @@ void WheelRail::Impl::Press(const WheelsetMotion& motion, const TouchingPoint& p
                patch.creep.x * axes.forward[i];
   }
   const Vec3 moment = Cross(patch.point, force);
+  const Vec3 elastic_moment = Cross(patch.point, axes.normal);
   for (size_t i = 0; i < 3; ++i) {
+    out->elastic_force[i] -= elastic * axes.normal[i];
+    out->elastic_moment[i] -= elastic * elastic_moment[i];
     out->force[i] += force[i];
     out->moment[i] += moment[i] - patch.creep.moment * axes.normal[i];
   }

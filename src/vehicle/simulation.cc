@@ -43,65 +43,6 @@ class DerailmentWatch {
   double airborne_ = 0;
 };
 
-/// Integrates powers over the steps (trapezoidal) and reads the stores.
-class EnergyKeeper {
- public:
-  explicit EnergyKeeper(const mjModel* m, const plugin::Binding& binding)
-      : binding_(binding), damping_(m->dof_damping, m->dof_damping + m->nv) {
-    for (const auto& w : binding.wheelsets()) damping_[w.spin_dof] -= w.lent_damping;
-  }
-
-  /// After mj_step: userdata, actuator forces are those of the step's start, `before` its qvel.
-  void Step(const mjModel* m, const mjData* d, const std::vector<double>& before,
-            EnergyBook* book) {
-    const double h = m->opt.timestep;
-    const double* user = d->userdata;
-    const double now[4] = {user[UserData::kCreepPower], user[UserData::kContactPower],
-                           user[UserData::kPhsPower], 0};
-    double* sums[3] = {&book->lost_creep, &book->lost_contact, &book->lost_phs};
-    for (int i = 0; i < 3; ++i) {
-      *sums[i] += first_ ? 0 : 0.5 * h * (last_[i] + now[i]);
-      last_[i] = now[i];
-    }
-    first_ = false;
-    // Drive torques and joint dampers act over the mean speed of the step: then the change of
-    // kinetic energy is met exactly by what the step did.
-    for (const auto& w : binding_.wheelsets()) {
-      if (w.drive_actuator < 0) continue;
-      book->work_in += h * d->actuator_force[w.drive_actuator] * 0.5 *
-                       (before[w.spin_dof] + d->qvel[w.spin_dof]);
-    }
-    for (const auto& w : binding_.wheelsets()) {
-      const double after = d->qvel[w.spin_dof];
-      book->lent += 0.5 * h * w.lent_damping * (after * after - before[w.spin_dof] * before[w.spin_dof]);
-    }
-    for (int i = 0; i < m->nv; ++i) {
-      book->lost_dampers += h * damping_[i] * d->qvel[i] * 0.5 * (before[i] + d->qvel[i]);
-    }
-  }
-
-  /// Stores at the start of the step just made (mjENBL_ENERGY was on).
-  void Read(const mjData* d, EnergyBook* book) {
-    const double stored =
-        d->energy[0] + d->userdata[UserData::kContactEnergy] + d->userdata[UserData::kPhsEnergy];
-    if (!has_start_) {
-      start_stored_ = stored;
-      book->start_kinetic = d->energy[1];
-      has_start_ = true;
-    }
-    book->kinetic = d->energy[1];
-    book->stored = stored - start_stored_;
-  }
-
- private:
-  const plugin::Binding& binding_;
-  std::vector<double> damping_;
-  double last_[4] = {};
-  double start_stored_ = 0;
-  bool first_ = true;
-  bool has_start_ = false;
-};
-
 const char* const kEnergyChannels[] = {"energy_kinetic_J", "energy_stored_J", "work_in_J",
                                        "lost_creep_J",     "lost_contact_J",  "lost_dampers_J",
                                        "lost_phs_J",       "drive_torque_Nm"};
@@ -122,13 +63,6 @@ double TotalDriveTorque(const mjData* d, const plugin::Binding& binding) {
 }
 
 }  // namespace
-
-double EnergyBook::RelativeError() const {
-  const double lost = lost_creep + lost_contact + lost_dampers + lost_phs;
-  const double scale =
-      std::max({std::abs(work_in), std::abs(lost), std::abs(kinetic - start_kinetic)});
-  return scale > 0 ? Error() / scale : 0;
-}
 
 int RunOutcome::Find(const std::string& name) const {
   for (size_t i = 0; i < channels.size(); ++i) {
@@ -199,7 +133,6 @@ Result<RunOutcome> Simulation::Run(const Progress& progress) {
   EnergyKeeper keeper(m, bound);
   DerailmentWatch watch;
   std::vector<double> row(run.channels.size());
-  std::vector<double> before(m->nv);
   const double begin = ThreadSeconds();
   double front_s = scenario_.start_s_m;
   for (long step = 0; step <= last_step; ++step) {
@@ -209,7 +142,7 @@ Result<RunOutcome> Simulation::Run(const Progress& progress) {
     } else {
       m->opt.enableflags &= ~mjENBL_ENERGY;
     }
-    std::copy(d->qvel, d->qvel + m->nv, before.begin());
+    keeper.Before(m, d);
     const double time = d->time;
     try {
       mj_step(m, d);
@@ -225,9 +158,9 @@ Result<RunOutcome> Simulation::Run(const Progress& progress) {
     }
     run.steps = step + 1;
     run.end_time_s = time;
-    keeper.Step(m, d, before, &run.energy);
     if (record) {
-      keeper.Read(d, &run.energy);
+      keeper.Read(d);
+      run.energy = keeper.book();
       observer.Observe(m, d, row.data());
       row[0] = time;
       const EnergyBook& e = run.energy;
@@ -238,6 +171,7 @@ Result<RunOutcome> Simulation::Run(const Progress& progress) {
       for (size_t i = 0; i < row.size(); ++i) run.columns[i].push_back(row[i]);
       front_s = row[1];
     }
+    keeper.After(m, d);
     if (std::string why = watch.Check(d, h, num_wheels); !why.empty()) {
       run.status = "derailed";
       run.reason = why + " at s = " + std::to_string(front_s) + " m";

@@ -10,30 +10,11 @@
 #include "base/hdf5_series.h"
 #include "plugin/binding.h"
 #include "plugin/observer.h"
+#include "vehicle/energy_book.h"
 #include "vehicle/engine.h"
 #include "vehicle/scenario.h"
 
 namespace phs::vehicle {
-
-/// Energies and works since the start [J]. Work in = change of kinetic, potential and stored energy
-/// + losses; `error` is what is left over.
-struct EnergyBook {
-  double kinetic = 0;
-  double stored = 0;   ///< gravity, springs, contacts, PHS; relative to the start
-  double work_in = 0;  ///< drives
-  double lost_creep = 0;
-  double lost_contact = 0;
-  double lost_dampers = 0;  ///< joint dampers, without lent damping
-  double lost_phs = 0;
-  double lent = 0;         ///< kinetic energy of the inertia that lent damping adds (binding.h)
-  double start_kinetic = 0;
-  double Error() const {
-    return work_in - (kinetic - start_kinetic) - stored - lost_creep - lost_contact - lost_dampers -
-           lost_phs;
-  }
-  /// Error over the largest of work in and losses.
-  double RelativeError() const;
-};
 
 struct RunOutcome {
   std::string status = "ok";  ///< ok | derailed | diverged
