@@ -2,6 +2,7 @@
 // `description`, file attributes for the run; appended in blocks so that recording stays cheap.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -16,7 +17,9 @@ struct Channel {
   std::string description;
 };
 
-/// Writes rows of doubles to a chunked, compressed HDF5 file. Rows are buffered in memory.
+/// Writes rows of doubles to a chunked, compressed HDF5 file. The file is built in memory and
+/// written whole by Close(): HDF5 1.10 ends the program by a fault when a disk is full while it
+/// writes. After the first failure every further call fails.
 class SeriesWriter {
  public:
   static Result<SeriesWriter> Create(const std::string& path, std::vector<Channel> channels);
@@ -27,7 +30,7 @@ class SeriesWriter {
   Status Append(const double* row);
   /// File attribute (text).
   Status Note(const std::string& name, const std::string& value);
-  /// Flushes and closes; errors (disk full) surface here.
+  /// Writes the file, whole or not at all; errors (disk full) surface here. Once, at the end.
   Status Close();
 
  private:
@@ -36,12 +39,14 @@ class SeriesWriter {
   std::unique_ptr<Impl> impl_;
 };
 
-/// A series read back.
+/// A series read back, channels in the order they were written.
 struct Series {
   std::vector<Channel> channels;
   std::vector<std::vector<double>> columns;  ///< [channel][row]
+  std::map<std::string, std::string> notes;  ///< file attributes
   int Find(const std::string& name) const;   ///< -1 if absent
 };
+/// Reads a series; columns of different length, text and matrices are errors.
 Result<Series> ReadSeries(const std::string& path);
 
 }  // namespace phs

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <matio.h>
 
+#include <map>
 #include <memory>
 
 #include "base/table.h"
@@ -49,24 +50,41 @@ std::vector<double> VectorOf(const matvar_t& variable) {
   }
 }
 
+/// A channel found in the file.
+struct Found {
+  std::string parent;  ///< "struct." of a field, else empty
+  std::string name;
+  std::vector<double> values;
+};
+
 /// Adds a variable, or the fields of a struct (`parent` is its name); scalars are no channels.
-void Add(const matvar_t& variable, const std::string& parent, Table* table) {
+void Add(const matvar_t& variable, const std::string& parent, std::vector<Found>* found) {
   if (variable.name == nullptr) return;
   if (variable.class_type == MAT_C_STRUCT) {
     matvar_t* all = const_cast<matvar_t*>(&variable);  // matio's readers are not const
     const unsigned count = Mat_VarGetNumberOfFields(all);
     for (unsigned i = 0; i < count; ++i) {
       const matvar_t* field = Mat_VarGetStructFieldByIndex(all, i, 0);
-      if (field != nullptr) Add(*field, parent + variable.name + ".", table);
+      if (field != nullptr) Add(*field, parent + variable.name + ".", found);
     }
     return;
   }
   std::vector<double> values = VectorOf(variable);
-  if (values.size() < 2) return;
-  const std::string name = variable.name;
-  table->names.push_back(table->Find(name) < 0 ? name : parent + name);
-  table->columns.push_back(std::move(values));
-  table->text.emplace_back();
+  if (values.size() >= 2) found->push_back({parent, variable.name, std::move(values)});
+}
+
+/// A field's own name where it is the only one of that name, else with the name of its struct.
+Table ToTable(const std::string& path, std::vector<Found> found) {
+  std::map<std::string, int> count;
+  for (const Found& one : found) ++count[one.name];
+  Table table;
+  table.source = path;
+  for (Found& one : found) {
+    table.names.push_back(count[one.name] > 1 ? one.parent + one.name : one.name);
+    table.columns.push_back(std::move(one.values));
+    table.text.emplace_back();
+  }
+  return table;
 }
 
 /// Every channel as long as the first.
@@ -91,13 +109,13 @@ Result<Table> ReadMat(const std::string& path) {
   Mat_LogInitFunc("phs", [](int, char*) {});  // we report in our own words
   const MatPtr file(Mat_Open(path.c_str(), MAT_ACC_RDONLY), &Mat_Close);
   if (file == nullptr) return Error{path, "cannot be read", "a MATLAB file (v5 or v7.3)", ""};
-  Table table;
-  table.source = path;
+  std::vector<Found> found;
   while (true) {
     const VarPtr variable(Mat_VarReadNext(file.get()), &Mat_VarFree);
     if (variable == nullptr) break;
-    Add(*variable, "", &table);
+    Add(*variable, "", &found);
   }
+  Table table = ToTable(path, std::move(found));
   if (Status s = CheckLengths(table); !s.ok()) return s.error();
   for (size_t i = 0; i < table.columns[0].size(); ++i) {
     table.line.push_back(static_cast<int>(i) + 1);

@@ -41,7 +41,12 @@ std::string Range::Text() const {
 struct YamlMap::Impl {
   std::shared_ptr<Document> document;
   std::string prefix;  ///< "a.b."
-  std::vector<std::pair<std::string, YAML::Node>> entries;
+  struct Entry {
+    std::string key;
+    int line;
+    YAML::Node node;
+  };
+  std::vector<Entry> entries;
   std::set<std::string> asked;
   std::map<std::string, std::shared_ptr<Impl>> children;  ///< by name: asked twice, the same one
   int line = 1;
@@ -49,18 +54,20 @@ struct YamlMap::Impl {
   void Read(const YAML::Node& node) {
     if (!node.IsMap()) return;
     line = LineOf(node);
-    for (const auto& item : node) entries.emplace_back(item.first.Scalar(), item.second);
+    for (const auto& item : node) {
+      entries.push_back({item.first.Scalar(), LineOf(item.first), item.second});
+    }
   }
   const YAML::Node* Find(std::string_view key) {
     asked.insert(std::string(key));
-    for (const auto& entry : entries) {
-      if (entry.first == key) return &entry.second;
+    for (const Entry& entry : entries) {
+      if (entry.key == key) return &entry.node;
     }
     return nullptr;
   }
   int LineOfKey(std::string_view key) const {
-    for (const auto& entry : entries) {
-      if (entry.first == key && LineOf(entry.second) > 0) return LineOf(entry.second);
+    for (const Entry& entry : entries) {
+      if (entry.key == key) return entry.line;
     }
     return line;
   }
@@ -95,9 +102,8 @@ struct YamlMap::Impl {
   }
   /// Keeps in `first` the topmost unknown key of this map and those read from it.
   void FindUnknown(std::optional<std::pair<int, Error>>* first) const {
-    for (const auto& [key, node] : entries) {
+    for (const auto& [key, at, node] : entries) {
       if (asked.count(key) > 0) continue;
-      const int at = LineOfKey(key);
       if (*first && (*first)->first <= at) break;
       const std::vector<std::string> known(asked.begin(), asked.end());
       *first = {at, Error{Where(key), "unknown key", JoinWords(known),
@@ -269,7 +275,7 @@ std::vector<YamlMap> YamlMap::Maps(std::string_view key) {
 
 std::vector<std::string> YamlMap::Keys() const {
   std::vector<std::string> keys;
-  for (const auto& entry : impl_->entries) keys.push_back(entry.first);
+  for (const auto& entry : impl_->entries) keys.push_back(entry.key);
   return keys;
 }
 

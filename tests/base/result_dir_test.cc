@@ -1,0 +1,180 @@
+#include "base/result_dir.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+
+#include <fstream>
+#include <thread>
+
+#include "scratch_dir.h"
+
+namespace phs {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+void Write(const std::string& path, const std::string& text) { std::ofstream(path) << text; }
+std::string TextOf(const std::string& path) { return ReadFile(path).value(); }
+
+TEST(ResultDir, CompleteAfterCommitAndInvisibleBefore) {
+  const ScratchDir scratch;
+  auto dir = ResultDir::Create(scratch.File("deep/er/out/"), false);
+  ASSERT_TRUE(dir.ok()) << dir.error().Line();
+  Write(dir.value().File("a.json"), "1");
+  EXPECT_FALSE(fs::exists(scratch.File("deep/er/out")));
+  ASSERT_TRUE(dir.value().Commit().ok());
+  EXPECT_EQ(TextOf(scratch.File("deep/er/out/a.json")), "1");
+  EXPECT_THAT(NamesIn(scratch.File("deep/er")), ElementsAre("out"));
+}
+
+TEST(ResultDir, LeavesNothingWithoutCommit) {
+  const ScratchDir scratch;
+  {
+    auto dir = ResultDir::Create(scratch.File("out"), false);
+    ASSERT_TRUE(dir.ok());
+    Write(dir.value().File("half.json"), "{");
+    ResultDir moved = std::move(dir).value();
+    EXPECT_EQ(NamesIn(scratch.path()).size(), 1u);
+  }
+  EXPECT_THAT(NamesIn(scratch.path()), IsEmpty());
+}
+
+TEST(ResultDir, ExistingIsReplacedOnlyByForce) {
+  const ScratchDir scratch;
+  fs::create_directory(scratch.File("out"));
+  Write(scratch.File("out/old.json"), "old");
+  EXPECT_EQ(ResultDir::Create(scratch.File("out"), false).error().Line(),
+            scratch.File("out") +
+                ": exists already; allowed: a new directory; choose another, or --force");
+  auto dir = ResultDir::Create(scratch.File("out"), true);
+  ASSERT_TRUE(dir.ok());
+  Write(dir.value().File("new.json"), "new");
+  EXPECT_EQ(TextOf(scratch.File("out/old.json")), "old");
+  ASSERT_TRUE(dir.value().Commit().ok());
+  EXPECT_THAT(NamesIn(scratch.File("out")), ElementsAre("new.json"));
+  EXPECT_THAT(NamesIn(scratch.path()), ElementsAre("out"));
+}
+
+TEST(ResultDir, FileInTheWayIsReplacedByForceToo) {
+  const ScratchDir scratch;
+  Write(scratch.File("out"), "a file");
+  auto dir = ResultDir::Create(scratch.File("out"), true);
+  ASSERT_TRUE(dir.ok());
+  ASSERT_TRUE(dir.value().Commit().ok());
+  EXPECT_TRUE(fs::is_directory(scratch.File("out")));
+  EXPECT_THAT(NamesIn(scratch.path()), ElementsAre("out"));
+}
+
+TEST(ResultDir, SecondWriterDoesNotOverwriteTheFirst) {
+  const ScratchDir scratch;
+  auto first = ResultDir::Create(scratch.File("out"), false);
+  auto second = ResultDir::Create(scratch.File("out"), false);
+  ASSERT_TRUE(first.ok() && second.ok());
+  Write(first.value().File("who"), "first");
+  ASSERT_TRUE(first.value().Commit().ok());
+  EXPECT_THAT(second.value().Commit().error().Line(), HasSubstr("exists already"));
+  EXPECT_EQ(TextOf(scratch.File("out/who")), "first");
+}
+
+TEST(ResultDir, RemovesWhatAKilledWriterLeft) {
+  const ScratchDir scratch;
+  const pid_t child = fork();
+  if (child == 0) {
+    auto dir = ResultDir::Create(scratch.File("out"), false);
+    Write(dir.value().File("half"), "x");
+    _exit(0);  // as if killed: no destructor
+  }
+  waitpid(child, nullptr, 0);
+  ASSERT_EQ(NamesIn(scratch.path()).size(), 1u);
+  auto other = ResultDir::Create(scratch.File("out2"), false);
+  EXPECT_EQ(NamesIn(scratch.path()).size(), 2u) << "another directory's leavings are not ours";
+  auto dir = ResultDir::Create(scratch.File("out"), false);
+  ASSERT_TRUE(dir.ok());
+  ASSERT_TRUE(dir.value().Commit().ok());
+  ASSERT_TRUE(other.value().Commit().ok());
+  EXPECT_THAT(NamesIn(scratch.path()), ElementsAre("out", "out2"));
+}
+
+TEST(ResultDir, RefusesPlacesThatCannotBeReplaced) {
+  EXPECT_THAT(ResultDir::Create(".", true).error().Line(),
+              HasSubstr("current directory lies in it"));
+  EXPECT_THAT(ResultDir::Create("/", true).error().Line(),
+              HasSubstr("current directory lies in it"));
+  EXPECT_THAT(ResultDir::Create("", true).error().Line(), HasSubstr("result directory ''"));
+  EXPECT_EQ(
+      ResultDir::Create("/proc/out", false).error().Line(),
+      "/proc/out: cannot be created (No such file or directory); allowed: a place that can be "
+      "written");
+  const ScratchDir scratch;
+  Write(scratch.File("file"), "");
+  EXPECT_THAT(ResultDir::Create(scratch.File("file/out"), false).error().Line(),
+              HasSubstr("cannot be created (Not a directory)"));
+}
+
+TEST(WriteFileAtomically, ReplacesWholeAndReportsWhy) {
+  const ScratchDir scratch;
+  ASSERT_TRUE(WriteFileAtomically(scratch.File("f"), "one").ok());
+  ASSERT_TRUE(WriteFileAtomically(scratch.File("f"), "two").ok());
+  EXPECT_EQ(TextOf(scratch.File("f")), "two");
+  ASSERT_TRUE(WriteFileAtomically(scratch.File("empty"), "").ok());
+  EXPECT_EQ(TextOf(scratch.File("empty")), "");
+  EXPECT_EQ(WriteFileAtomically(scratch.File("no/f"), "x").error().Line(),
+            scratch.File("no/f") +
+                ": cannot be written (No such file or directory); allowed: a place with room that "
+                "can be written");
+  EXPECT_THAT(NamesIn(scratch.path()), ElementsAre("empty", "f"));
+  EXPECT_TRUE(WriteFileAtomically("/dev/null", "x").ok());
+  EXPECT_TRUE(fs::is_character_file("/dev/null")) << "a device is written to, not replaced";
+}
+
+TEST(WriteFileAtomically, FullDiskIsAnErrorAndKeepsTheOld) {
+  const ScratchDir scratch;
+  ASSERT_TRUE(WriteFileAtomically(scratch.File("f"), "old").ok());
+  const pid_t child = fork();
+  if (child == 0) {
+    signal(SIGXFSZ, SIG_IGN);
+    const rlimit limit{100000, 100000};
+    setrlimit(RLIMIT_FSIZE, &limit);
+    const Status status = WriteFileAtomically(scratch.File("f"), std::string(200000, 'x'));
+    _exit(!status.ok() && status.error().what == "cannot be written (File too large)" ? 0 : 1);
+  }
+  int how = 0;
+  waitpid(child, &how, 0);
+  EXPECT_EQ(how, 0);
+  EXPECT_EQ(TextOf(scratch.File("f")), "old");
+  EXPECT_THAT(NamesIn(scratch.path()), ElementsAre("f"));
+}
+
+TEST(ReadFile, Messages) {
+  const ScratchDir scratch;
+  EXPECT_EQ(ReadFile(scratch.path()).error().Line(),
+            scratch.path() + ": is a directory; allowed: a readable file; check the path");
+  EXPECT_THAT(ReadFile(scratch.File("none")).error().Line(),
+              HasSubstr("cannot be read (No such file or directory)"));
+}
+
+TEST(Error, LineJoinsWhatIsThere) {
+  EXPECT_EQ((Error{"a.yaml:3: k", "is wrong", "right", "mend it"}.Line()),
+            "a.yaml:3: k: is wrong; allowed: right; mend it");
+  EXPECT_EQ((Error{.what = "is\nwrong"}.Line()), "is wrong");
+}
+
+TEST(Result, BrokenPromisesThrow) {
+  const Result<int> value = 3;
+  const Result<int> fault = Error{.what = "x"};
+  EXPECT_EQ(value.value(), 3);
+  EXPECT_TRUE(value.status().ok());
+  EXPECT_FALSE(fault.status().ok());
+  EXPECT_THROW((void)fault.value(), std::logic_error);
+  EXPECT_THROW((void)value.error(), std::logic_error);
+  EXPECT_THROW((void)Status().error(), std::logic_error);
+}
+
+}  // namespace
+}  // namespace phs
