@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "analysis/running_statistics.h"
 #include "rail/running_safety.h"
@@ -16,6 +15,7 @@ constexpr double kStep_m = 0.5;
 constexpr double kLow = 0.15;
 constexpr double kHigh = 99.85;
 constexpr double kYOverQLimit = 0.8;
+constexpr double kUnloadingLimit = 1;
 constexpr double kLargestQ_N = 200e3;
 constexpr double kQuasiStaticQ_N = 145e3;
 constexpr double kQuasiStaticY_N = 60e3;
@@ -36,20 +36,44 @@ Signal Sum(const Signal& a, const Signal& b) {
   return sum;
 }
 
-/// A wheel that has lifted off has no quotient.
+/// Mean over 2 m of the filtered signal.
+Result<Signal> TwoMetre(const Signal& distance, const Signal& signal, double interval_s) {
+  const auto filtered = LowPass(signal, interval_s, kForceCutoff_Hz);
+  if (!filtered.ok()) return filtered.error();
+  return SlidingMean(distance, filtered.value(), kWindow_m, kStep_m);
+}
+
+/// A wheel that has lifted off guides nothing.
 Signal Quotient(const Signal& y, const Signal& q) {
   Signal quotient = y;
   for (std::size_t i = 0; i < y.size(); ++i) quotient[i] = q[i] > 0 ? y[i] / q[i] : 0.0;
   return quotient;
 }
 
-/// Larger percentile of the mean over 2 m of the filtered signal.
-Result<double> TwoMetre(const Signal& distance, const Signal& signal, double interval_s) {
-  const auto filtered = LowPass(signal, interval_s, kForceCutoff_Hz);
-  if (!filtered.ok()) return filtered.error();
-  const auto means = SlidingMean(distance, filtered.value(), kWindow_m, kStep_m);
-  if (!means.ok()) return means.error();
-  return LargerPercentile(means.value());
+struct WheelValues {
+  double y_over_q = 0;
+  double q_largest = 0;
+  double y_quasi_static = 0;
+  double q_quasi_static = 0;
+  double unloading = 0;
+};
+
+Result<WheelValues> AssessWheel(const Signal& distance, const Signal& y, const Signal& q,
+                                const SectionConditions& c) {
+  const auto y_mean = TwoMetre(distance, y, c.interval_s);
+  const auto q_mean = TwoMetre(distance, q, c.interval_s);
+  const auto y_low = LowPass(y, c.interval_s, kForceCutoff_Hz);
+  const auto q_low = LowPass(q, c.interval_s, kForceCutoff_Hz);
+  for (const auto* result : {&y_mean, &q_mean, &y_low, &q_low}) {
+    if (!result->ok()) return result->error();
+  }
+  WheelValues v;
+  v.y_over_q = LargerPercentile(Quotient(y_mean.value(), q_mean.value()));
+  v.q_largest = Percentile(q_low.value(), kHigh);
+  v.y_quasi_static = std::abs(Percentile(y_low.value(), 50));
+  v.q_quasi_static = Percentile(q_low.value(), 50);
+  v.unloading = 1 - Percentile(q_low.value(), kLow) / c.static_wheel_load_N;
+  return v;
 }
 
 Status Validate(const WheelsetForces& f, const SectionConditions& c) {
@@ -91,30 +115,23 @@ Result<std::vector<AssessedQuantity>> AssessWheelset(const WheelsetForces& f,
   if (Status s = Validate(f, c); !s.ok()) return s.error();
   const auto sum_y = TwoMetre(f.distance_m, Sum(f.y_left_N, f.y_right_N), c.interval_s);
   if (!sum_y.ok()) return sum_y.error();
-  double y_over_q = 0;
-  double q_largest = 0;
-  double y_quasi_static = 0;
-  double q_quasi_static = 0;
-  for (const auto& [y, q] : {std::pair{&f.y_left_N, &f.q_left_N}, {&f.y_right_N, &f.q_right_N}}) {
-    const auto quotient = TwoMetre(f.distance_m, Quotient(*y, *q), c.interval_s);
-    const auto y_low = LowPass(*y, c.interval_s, kForceCutoff_Hz);
-    const auto q_low = LowPass(*q, c.interval_s, kForceCutoff_Hz);
-    if (!quotient.ok()) return quotient.error();
-    if (!y_low.ok()) return y_low.error();
-    if (!q_low.ok()) return q_low.error();
-    y_over_q = std::max(y_over_q, quotient.value());
-    q_largest = std::max(q_largest, Percentile(q_low.value(), kHigh));
-    y_quasi_static = std::max(y_quasi_static, std::abs(Percentile(y_low.value(), 50)));
-    q_quasi_static = std::max(q_quasi_static, Percentile(q_low.value(), 50));
-  }
+  const auto left = AssessWheel(f.distance_m, f.y_left_N, f.q_left_N, c);
+  if (!left.ok()) return left.error();
+  const auto right = AssessWheel(f.distance_m, f.y_right_N, f.q_right_N, c);
+  if (!right.ok()) return right.error();
+  const auto worse = [&](double WheelValues::*part) {
+    return std::max(left.value().*part, right.value().*part);
+  };
   const double shift = rail::CalcTrackShiftLimit(c.static_wheel_load_N, c.prudhomme_factor);
   const bool small = c.radius_m > 0 && c.radius_m < kSmallRadius_m;
   std::vector<AssessedQuantity> rows = {
-      {"sum_Y_N", sum_y.value(), shift},
-      {"Y_over_Q", y_over_q, kYOverQLimit},
-      {"Q_N", q_largest, std::min(90e3 + c.static_wheel_load_N, kLargestQ_N)},
-      {"Y_qst_N", y_quasi_static, small ? 30e3 + 10500e3 / c.radius_m : kQuasiStaticY_N},
-      {"Q_qst_N", q_quasi_static, kQuasiStaticQ_N},
+      {"sum_Y_N", LargerPercentile(sum_y.value()), shift},
+      {"Y_over_Q", worse(&WheelValues::y_over_q), kYOverQLimit},
+      {"Q_N", worse(&WheelValues::q_largest), std::min(90e3 + c.static_wheel_load_N, kLargestQ_N)},
+      {"Y_qst_N", worse(&WheelValues::y_quasi_static),
+       small ? 30e3 + 10500e3 / c.radius_m : kQuasiStaticY_N},
+      {"Q_qst_N", worse(&WheelValues::q_quasi_static), kQuasiStaticQ_N},
+      {"unloading", worse(&WheelValues::unloading), kUnloadingLimit},
   };
   if (c.hunting_Hz > 0) {
     const auto rms = InstabilityRms(f, c);

@@ -2,11 +2,12 @@
 //
 //   sum_Y      low-pass 20 Hz, mean over 2 m every 0.5 m, larger size of the 0.15 and 99.85 %
 //              percentiles; limit of Prud'homme
-//   Y_over_Q   of each wheel: the same treatment of the quotient; limit 0.8
+//   Y_over_Q   quotient of a wheel's two means over 2 m, the same percentiles; limit 0.8
 //   Q          low-pass 20 Hz, 99.85 %; limit 90 kN + Q0, at most 200 kN
 //   Y_qst      low-pass 20 Hz, median, outer wheel; limit 60 kN, and on radii below 400 m
 //              30 kN + 10500 kN m/R
 //   Q_qst      low-pass 20 Hz, median; limit 145 kN
+//   unloading  1 - Q/Q0, low-pass 20 Hz, 99.85 %; limit 1: the wheel has lifted off (ours)
 //   sum_Y_rms  band f0 +- 2 Hz, root mean square over 100 m every 10 m, largest; limit half of
 //              Prud'homme's (instability; only when f0 is given)
 // The limits hold for 1435 mm track and 22.5 t; on Cape gauge and 26 t they are orientation. Limits
@@ -23,7 +24,7 @@ namespace phs::analysis {
 
 /// Forces of one wheelset over a section, sampled at equal intervals.
 struct WheelsetForces {
-  std::vector<double> distance_m;  ///< place along the track, rising
+  std::vector<double> distance_m;  ///< place along the track, never falls
   std::vector<double> y_left_N;    ///< guiding force of the wheel on the rail, > 0 to the left
   std::vector<double> y_right_N;
   std::vector<double> q_left_N;  ///< vertical wheel force > 0
@@ -45,8 +46,8 @@ struct AssessedQuantity {
   bool kept() const { return value <= limit; }
 };
 
-/// Rows in the order above; Y_over_Q, Q, Y_qst and Q_qst are those of the worse wheel. Fails when
-/// the sizes differ, the section is shorter than 2 m, or sampling is too slow.
+/// Rows in the order above; Y_over_Q, Q, Y_qst, Q_qst and unloading are those of the worse wheel.
+/// Fails when the sizes differ, the section is shorter than 2 m, or sampling is too slow.
 Result<std::vector<AssessedQuantity>> AssessWheelset(const WheelsetForces& forces,
                                                      const SectionConditions& conditions);
 

@@ -66,6 +66,7 @@ double IntegralTo(const std::vector<double>& distance, const std::vector<double>
   while (*at + 2 < distance.size() && distance[*at + 1] <= place) ++*at;
   const std::size_t i = *at;
   const double way = place - distance[i];
+  if (!(way > 0)) return integral[i];
   const double slope = (signal[i + 1] - signal[i]) / (distance[i + 1] - distance[i]);
   return integral[i] + way * (signal[i] + 0.5 * slope * way);
 }
@@ -99,10 +100,9 @@ Result<std::vector<double>> SlidingMean(const std::vector<double>& distance,
   std::vector<double> integral(distance.size(), 0.0);
   for (std::size_t i = 1; i < distance.size(); ++i) {
     const double way = distance[i] - distance[i - 1];
-    if (!(way > 0)) {
-      return Error{"sliding mean",
-                   "the vehicle stands or runs back at " + std::to_string(distance[i]) + " m",
-                   "rising distance", "assess a part of the run where it moves"};
+    if (!(way >= 0)) {
+      return Error{"sliding mean", "the vehicle runs back at " + std::to_string(distance[i]) + " m",
+                   "distance that never falls", ""};
     }
     integral[i] = integral[i - 1] + 0.5 * way * (signal[i] + signal[i - 1]);
   }

@@ -1,7 +1,7 @@
 // Signal processing of running tests: filters, sliding means over distance, percentiles.
 //
 // Signals are sampled at equal intervals of time; `distance` is the place along the track of each
-// sample, rising. After EN 14363 and UIC 518.
+// sample, which never falls. After EN 14363 and UIC 518.
 #pragma once
 
 #include <vector>
@@ -22,7 +22,8 @@ Result<std::vector<double>> BandPass(const std::vector<double>& signal, double i
                                      double low_Hz, double high_Hz);
 
 /// Means over windows [d, d + window], d = first place, first place + step, … as long as a whole
-/// window fits; the signal is taken as linear between samples. @pre equal sizes, rising distance.
+/// window fits; the signal is taken as linear between samples. @pre equal sizes. Standing
+/// still carries no weight; running back is an error.
 Result<std::vector<double>> SlidingMean(const std::vector<double>& distance,
                                         const std::vector<double>& signal, double window_m,
                                         double step_m);
