@@ -69,6 +69,8 @@ struct WheelRailForces {
   std::array<ContactPatch, kMaxPatches> patch{};
   Vec3 force{};              ///< on the wheelset, C axes [N]
   Vec3 moment{};             ///< about the wheelset centre, C axes [N m]
+  Vec3 elastic_force{};      ///< the part of `force` that stores energy (normal, undamped)
+  Vec3 elastic_moment{};     ///< its moment about the wheelset centre
   double t_gamma = 0;        ///< sum of |Tx xi| + |Ty eta| [N]
   double t_gamma_spin = 0;   ///< sum of |Mz phi| [N]
   double creep_power = 0;    ///< power lost to slip, >= 0 [W]
