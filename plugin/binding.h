@@ -85,10 +85,7 @@ struct UserData {
 /// Forces and motion of one wheelset at one instant (T axes: x forward, y left, z up).
 struct WheelsetState {
   rail::TrackFrame frame;
-  rail::Vec3 centre {
-    rail::Vec3 elastic_force{};    ///< elastic part of `force`, world [N]
-    rail::Vec3 elastic_moment{};   ///< about the centre, world [N m]
-  };                               ///< world [m]
+  rail::Vec3 centre{};             ///< world [m]
   double lateral = 0;              ///< y_T of the centre [m]
   double vertical = 0;             ///< z_T of the centre [m]
   double yaw = 0;                  ///< against the radial direction = angle of attack [rad]
@@ -98,6 +95,8 @@ struct WheelsetState {
   rail::Vec3 force{};              ///< on the wheelset, world [N]
   rail::Vec3 moment{};             ///< about its centre, world [N m]
   rail::Vec3 moment_T{};           ///< the same in T axes [N m]
+  rail::Vec3 elastic_force{};      ///< elastic part of `force`, world [N]
+  rail::Vec3 elastic_moment{};     ///< about the centre, world [N m]
 };
 
 /// PHS values at one instant; vectors sized by the system.
