@@ -94,10 +94,16 @@ void Binding::AddWheelsetForces(const mjModel* m, mjData* d) const noexcept {
     const WheelsetState state = CalcWheelset(m, d, static_cast<int>(i));
     // Generalised force = cdof . wrench, both about the centre of mass of the tree.
     const Vec3 com = Load(d->subtree_com + 3 * m->body_rootid[w.body]);
+    const Vec3 arm = {state.centre[0] - com[0], state.centre[1] - com[1], state.centre[2] - com[2]};
     Vec3 moment = state.moment;
-    Add(&moment,
-        Cross({state.centre[0] - com[0], state.centre[1] - com[1], state.centre[2] - com[2]},
-              state.force));
+    Add(&moment, Cross(arm, state.force));
+    Vec3 elastic = state.elastic_moment;
+    Add(&elastic, Cross(arm, state.elastic_force));
+    mjtNum* keep = user + UserData::kHeader + UserData::kPerWheelset * static_cast<int>(i);
+    for (size_t k = 0; k < 3; ++k) {
+      keep[k] = elastic[k];
+      keep[3 + k] = state.elastic_force[k];
+    }
     for (const int dof : w.dofs) {
       const mjtNum* c = d->cdof + 6 * dof;
       d->qfrc_passive[dof] += c[0] * moment[0] + c[1] * moment[1] + c[2] * moment[2] +
