@@ -220,12 +220,12 @@ void Binding::LendDamping(mjModel* m, const mjData* d) {
         damping += f11 * patch.rolling_radius * patch.rolling_radius / speed;
       }
     }
-    // Only what the step needs: with the inertia I the explicit step is stable to c h/I = 2 and
-    // rings from 1 on; lending c - 1.6 I/h keeps c h/(I + h B) at or below 1.6. Whatever is lent
-    // acts like an added inertia h B, so none is lent without need.
+    // Only what the step needs: with inertia I the explicit step rings for c h/I > 1 and fails near 2,
+    // less what the longitudinal creep of the same wheels takes of it. Lending c - I/h keeps
+    // c h/(I + h B) at or below 1. It acts like an added inertia h B, so none is lent without need.
     const int dof = wheelsets_[i].spin_dof;
     const double inertia = 1 / m->dof_invweight0[dof];
-    wheelsets_[i].lent_damping = std::max(0.0, damping - 1.6 * inertia / m->opt.timestep);
+    wheelsets_[i].lent_damping = std::max(0.0, damping - inertia / m->opt.timestep);
     m->dof_damping[dof] += wheelsets_[i].lent_damping;
   }
 }

@@ -12,7 +12,8 @@
 namespace phs::vehicle {
 namespace {
 
-constexpr double kGrowth = 1.2;       ///< per step: above it is numerical, below may be hunting
+/// Growth faster than this is numerical; hunting grows by a few per second [1/s].
+constexpr double kGrowthRate = 20;
 constexpr double kProbe = 1e-7;       ///< of position [m, rad] and activation
 constexpr double kSpeedProbe = 1e-5;  ///< of speed [m/s, rad/s]
 constexpr double kSmallest = 1e-5;    ///< [s]
@@ -69,22 +70,30 @@ double StepSpectralRadius(mjModel* m, const mjData* d, double h) {
   return transition.eigenvalues().cwiseAbs().maxCoeff();
 }
 
+namespace {
+
+bool Stable(mjModel* m, const mjData* d, double h) {
+  return StepSpectralRadius(m, d, h) <= std::exp(kGrowthRate * h);
+}
+
+}  // namespace
+
 Status CheckStep(mjModel* m, const mjData* d, double* largest) {
   const double h = m->opt.timestep;
   double low = kSmallest;
   double high = std::max(kLargest, h);
-  if (StepSpectralRadius(m, d, high) <= kGrowth) {
+  if (Stable(m, d, high)) {
     low = high;
-  } else if (StepSpectralRadius(m, d, low) > kGrowth) {
+  } else if (!Stable(m, d, low)) {
     low = 0;
   } else {
     for (int i = 0; i < 10; ++i) {
       const double middle = std::sqrt(low * high);
-      (StepSpectralRadius(m, d, middle) <= kGrowth ? low : high) = middle;
+      (Stable(m, d, middle) ? low : high) = middle;
     }
   }
   *largest = low;
-  if (h <= low || StepSpectralRadius(m, d, h) <= kGrowth) return {};
+  if (h <= low || Stable(m, d, h)) return {};
   return Error{"timestep_s", "is too large for the stiffness of this vehicle",
                "at most " + std::to_string(low) + " s", "make it smaller"};
 }

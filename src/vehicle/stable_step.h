@@ -15,7 +15,7 @@ double StepSpectralRadius(mjModel* m, const mjData* d, double h);
 
 /// Error if the model's step is unstable, with the largest stable step found by bisection, which is
 /// also stored in `*largest` (0 if not even 1e-5 s is stable). Slow physical growth (hunting) is
-/// allowed: only growth by more than 20 % in a single step counts.
+/// allowed: only growth faster than exp(20 t/s) counts.
 Status CheckStep(mjModel* m, const mjData* d, double* largest);
 
 }  // namespace phs::vehicle
