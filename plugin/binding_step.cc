@@ -27,6 +27,16 @@ void Add(Vec3* a, const Vec3& b) {
   for (int i = 0; i < 3; ++i) (*a)[i] += b[i];
 }
 
+/// Velocity of a body's frame; MuJoCo keeps velocities at the centre of mass of the whole tree.
+Vec3 CentreVelocity(const mjModel* m, const mjData* d, int body) {
+  const mjtNum* centre = d->xpos + 3 * body;
+  const mjtNum* com = d->subtree_com + 3 * m->body_rootid[body];
+  Vec3 velocity = Load(d->cvel + 6 * body + 3);
+  Add(&velocity, Cross(Load(d->cvel + 6 * body),
+                       {centre[0] - com[0], centre[1] - com[1], centre[2] - com[2]}));
+  return velocity;
+}
+
 /// Position, attitude and speed of a wheelset in T axes (forces still empty).
 void PlaceOnTrack(const mjModel* m, const mjData* d, const rail::Track& track, int body,
                   WheelsetState* out, Vec3* velocity_T, Vec3* rotation_T) {
@@ -40,12 +50,8 @@ void PlaceOnTrack(const mjModel* m, const mjData* d, const rail::Track& track, i
   const Vec3 axle = ToTrack(out->frame, {r[1], r[4], r[7]});
   out->yaw = std::atan2(-axle[0], axle[1]);
   out->roll = std::asin(std::clamp(axle[2], -1.0, 1.0));
-  // MuJoCo keeps velocities at the centre of mass of the whole tree.
   const Vec3 omega = Load(d->cvel + 6 * body);
-  const Vec3 com = Load(d->subtree_com + 3 * m->body_rootid[body]);
-  Vec3 velocity = Load(d->cvel + 6 * body + 3);
-  Add(&velocity,
-      Cross(omega, {out->centre[0] - com[0], out->centre[1] - com[1], out->centre[2] - com[2]}));
+  const Vec3 velocity = CentreVelocity(m, d, body);
   *velocity_T = ToTrack(out->frame, velocity);
   *rotation_T = ToTrack(out->frame, omega);
   out->speed = (*velocity_T)[0];
@@ -152,14 +158,16 @@ void Binding::Passive(const mjModel* m, mjData* d) const noexcept {
 
 void Binding::Control(const mjModel* m, mjData* d) const noexcept {
   if (!has_rail() || target_speed_ <= 0 || root_body_ < 0) return;
+  // Each axle holds its own speed: torque and speed at the same place damp every mode, while the
+  // speed of the frame, felt through the springs of the axle guidance, would drive the bogie to
+  // longitudinal oscillation against its wheelsets.
   const mjtNum* r = d->xmat + 9 * root_body_;
-  const mjtNum* v = d->cvel + 6 * root_body_ + 3;
-  const double speed = r[0] * v[0] + r[3] * v[1] + r[6] * v[2];
+  const Vec3 forward = {r[0], r[3], r[6]};
   for (const WheelsetBinding& w : wheelsets_) {
     if (w.drive_actuator < 0) continue;
+    const double speed = Dot(forward, CentreVelocity(m, d, w.body));
     d->ctrl[w.drive_actuator] = speed_gain_ * (target_speed_ - speed);
   }
-  (void)m;
 }
 
 double Binding::ActDyn(const mjModel*, const mjData* d, int actuator) const noexcept {

@@ -48,7 +48,9 @@ plugin::AttachOptions ConedLinear(const std::string& track, double cone, double 
 
 TEST(LinearLawsTest, KlingelWavelengthOfAFreeConedWheelsetWithinOnePercent) {
   // L = 2 pi sqrt(r0 b0 / lambda) (Klingel 1883). Slow enough for the motion to be kinematic.
-  for (const double cone : {0.05, 0.1}) {
+  // True cones deviate from the formula in proportion to the cone (2 % at 0.05; Antali, Stepan,
+  // Hogan 2015), so that slight cones are the test.
+  for (const double cone : {0.01, 0.02}) {
     const laws::TestFolder folder;
     ModelPtr m = std::move(LoadMjcf(folder.Write("w.xml", laws::FreeWheelset(2000, 0.46)))).value();
     const auto options = ConedLinear(folder.Write("t.yaml", laws::StraightTrack(200)), cone, 5.0);
