@@ -82,9 +82,9 @@ inline std::string LightBogie(double k_yaw, double k_lateral) {
         "<body name='{0}_boxes' pos='{1} 0 0'>"
         "<joint name='{0}_x' type='slide' axis='1 0 0' stiffness='1e7' damping='2e4'/>"
         "<joint name='{0}_y' type='slide' axis='0 1 0' stiffness='{3}' damping='2e4'/>"
-        "<joint name='{0}_z' type='slide' axis='0 0 1' stiffness='1e7' damping='2e4'/>"
+        "<joint name='{0}_z' type='slide' axis='0 0 1' stiffness='1e6' damping='2e4'/>"
         "<joint name='{0}_yaw' type='hinge' axis='0 0 1' stiffness='{2}' damping='1e4'/>"
-        "<joint name='{0}_roll' type='hinge' axis='1 0 0' stiffness='1e7' damping='2e4'/>"
+        "<joint name='{0}_roll' type='hinge' axis='1 0 0' stiffness='1e5' damping='2e3'/>"
         "<inertial pos='0 0 0' mass='50' diaginertia='20 20 20'/><body name='{0}_wheelset'>"
         "<joint name='{0}_spin' axis='0 1 0'/>"
         "<inertial pos='0 0 0' mass='200' diaginertia='80 40 80'/></body></body>",
