@@ -1,0 +1,94 @@
+// LD_PRELOAD: a program that knows MuJoCo alone runs the steered bogie, to the last bit as `phs
+// simulate` does; Debian's own mujoco-testspeed runs it too.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "tests/plugin/attached_model.h"
+
+namespace phs::plugin {
+namespace {
+
+const char kPreload[] = "LD_PRELOAD=" PHS_BINARY_DIR "/plugin/libphs_mujoco.so ";
+
+struct Output {
+  int status = -1;
+  std::string text;
+};
+
+Output Run(const std::string& command) {
+  Output out;
+  std::FILE* pipe = popen((command + " 2>&1").c_str(), "r");
+  if (pipe == nullptr) return out;
+  std::array<char, 4096> buffer{};
+  while (const size_t n = fread(buffer.data(), 1, buffer.size(), pipe))
+    out.text.append(buffer.data(), n);
+  out.status = pclose(pipe);
+  return out;
+}
+
+std::vector<double> Numbers(const std::string& text) {
+  std::istringstream in(text);
+  std::vector<double> numbers;
+  for (double x = 0; in >> x;) numbers.push_back(x);
+  return numbers;
+}
+
+TEST(PreloadTest, AForeignProgramFollowsTheSameTrajectoryBitForBit) {
+  for (const char* bogie : {"phs", "rigid_link"}) {
+    const Output foreign = Run(std::string(kPreload) + PHS_BINARY_DIR + "/tests/foreign_host " +
+                               BogiePath(bogie) + " 3000");
+    ASSERT_EQ(foreign.status, 0) << foreign.text;
+    EngineGuard guard;
+    const ModelPtr m = LoadFile(BogiePath(bogie));
+    ASSERT_TRUE(Attach(m.get(), {}).ok());
+    const DataPtr d(mj_makeData(m.get()));
+    ResetToStart(m.get(), d.get());
+    for (int i = 0; i < 3000; ++i) mj_step(m.get(), d.get());
+    EXPECT_EQ(Numbers(foreign.text), std::vector<double>(d->qpos, d->qpos + m->nq)) << bogie;
+  }
+}
+
+TEST(PreloadTest, WithoutThePluginTheSameProgramFallsFreely) {
+  const Output bare =
+      Run(std::string(PHS_BINARY_DIR) + "/tests/foreign_host " + BogiePath("phs") + " 1000");
+  ASSERT_EQ(bare.status, 0) << bare.text;
+  EXPECT_LT(Numbers(bare.text).at(2), -1);  // one second of free fall
+}
+
+TEST(PreloadTest, AModelThatCannotBeAttachedIsRefusedWithTheReason) {
+  const Output out = Run("PHS_OPTIONS=track=nowhere " + std::string(kPreload) + PHS_BINARY_DIR +
+                         "/tests/foreign_host " + BogiePath("phs") + " 10");
+  EXPECT_NE(out.status, 0);
+  EXPECT_NE(out.text.find("track 'nowhere'"), std::string::npos) << out.text;
+}
+
+TEST(PreloadTest, DebiansOwnTestspeedRunsTheSteeredBogie) {
+  if (Run("command -v mujoco-testspeed").status != 0)
+    GTEST_SKIP() << "libmujoco-samples not installed";
+  const std::string trace = testing::TempDir() + "/phs_trace.csv";
+  const Output out =
+      Run("PHS_TRACE=" + trace + " " + kPreload + "mujoco-testspeed " + BogiePath("phs") + " 2000");
+  ASSERT_EQ(out.status, 0) << out.text;
+  EXPECT_NE(out.text.find("Simulation time"), std::string::npos) << out.text;
+  // Its trajectory is the same one.
+  EngineGuard guard;
+  const ModelPtr m = LoadFile(BogiePath("phs"));
+  ASSERT_TRUE(Attach(m.get(), {}).ok());
+  const DataPtr d(mj_makeData(m.get()));
+  ResetToStart(m.get(), d.get());
+  for (int i = 0; i < 2000; ++i) mj_step(m.get(), d.get());
+  const Output last = Run("tail -n 1 " + trace + " | tr ',' ' '");
+  std::vector<double> expected = {d->time};
+  expected.insert(expected.end(), d->qpos, d->qpos + m->nq);
+  EXPECT_EQ(Numbers(last.text), expected);
+  std::remove(trace.c_str());
+}
+
+}  // namespace
+}  // namespace phs::plugin
