@@ -73,6 +73,10 @@ AxleMode Measure(const mjModel* m, mjData* d, const Pattern& pattern, const Join
       const int dof = joints.dof[k];
       force += pattern.sign[k] * (d->qfrc_passive[dof] + d->qfrc_actuator[dof]);
     }
+    // States go on over the step that the motion really makes, so that they do not lag behind it.
+    const double next = amplitude * std::sin(omega * h * (i + 1));
+    for (int k = 0; k < 2; ++k) d->qvel[joints.dof[k]] = pattern.sign[k] * (next - u) / h;
+    mj_forward(m, d);
     for (int a = 0; a < m->na; ++a) d->act[a] += h * d->act_dot[a];
     d->time += h;
     if (i == 0) mean_start = force;
