@@ -1,0 +1,146 @@
+// The program from outside: exit codes, one clear line per error, results complete or absent.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+struct Output {
+  int code = -1;
+  std::string text;
+};
+
+Output Execute(const std::string& command) {
+  Output out;
+  std::FILE* pipe = popen((command + " 2>&1 </dev/null").c_str(), "r");
+  if (pipe == nullptr) return out;
+  std::array<char, 4096> buffer{};
+  while (const size_t n = fread(buffer.data(), 1, buffer.size(), pipe)) {
+    out.text.append(buffer.data(), n);
+  }
+  out.code = WEXITSTATUS(pclose(pipe));
+  return out;
+}
+
+Output Phs(const std::string& arguments) { return Execute(PHS_BINARY_DIR "/src/cli/phs " + arguments); }
+
+class ProgramTest : public testing::Test {
+ protected:
+  ProgramTest()
+      : folder_(
+            fs::path(testing::TempDir()) /
+            ("phs_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()))) {
+    fs::create_directories(folder_);
+  }
+  ~ProgramTest() override { fs::remove_all(folder_); }
+  std::string Write(const std::string& name, const std::string& text) const {
+    const std::string path = (folder_ / name).string();
+    std::ofstream(path) << text;
+    return path;
+  }
+  std::string Path(const std::string& name) const { return (folder_ / name).string(); }
+  /// A scenario that differs from a short straight run by the lines given.
+  std::string Scenario(const std::string& lines) const {
+    return Write("scenario.yaml", "speed_km_h: 60\nduration_s: 0.2\n" + lines);
+  }
+  /// Runs a scenario that must fail; nothing may be left of its result.
+  void ExpectRefused(const std::string& scenario, int code, const std::string& words) const {
+    const Output out = Phs("simulate " + scenario + " --quiet --out " + Path("out"));
+    EXPECT_EQ(out.code, code) << out.text;
+    EXPECT_THAT(out.text, HasSubstr(words));
+    if (code == 3) {
+      EXPECT_EQ(std::count(out.text.begin(), out.text.end(), '\n'), 1) << out.text;
+      for (const auto& entry : fs::directory_iterator(folder_)) {
+        EXPECT_THAT(entry.path().string(), testing::Not(HasSubstr("/out")));
+      }
+    }
+  }
+  fs::path folder_;
+};
+
+TEST_F(ProgramTest, WrongUsageIsExitCodeTwo) {
+  EXPECT_EQ(Phs("").code, 2);
+  EXPECT_EQ(Phs("simulat curve_r550").code, 2);
+  EXPECT_EQ(Phs("simulate curve_r550 --no-such-option").code, 2);
+  EXPECT_EQ(Phs("--help").code, 0);
+  EXPECT_EQ(Phs("simulate --help").code, 0);
+  EXPECT_THAT(Phs("--version").text, HasSubstr("phs "));
+}
+
+TEST_F(ProgramTest, UnknownNamesAreBadInput) {
+  ExpectRefused("no_such_scenario", 3, "curve_r550");
+  ExpectRefused(Scenario("track: straight\nbogie: rigid_lnk\n"), 3, "did you mean 'rigid_link'");
+  ExpectRefused(Scenario("track: strait\n"), 3, "did you mean 'straight'");
+  ExpectRefused(Scenario("track: straight\nwheel: S1003\n"), 3, "S1002");
+  ExpectRefused(Scenario("track: straight\nspeeed: 3\n"), 3, "speeed");
+  ExpectRefused(Scenario("track: straight\nphs: bo_bb\n"), 3, "bo_bo");
+}
+
+TEST_F(ProgramTest, BrokenFilesAreBadInputWithPlace) {
+  const std::string profile = Write("broken.prw", "1 2\n3 x\n");
+  ExpectRefused(Scenario("track: straight\nwheel: " + profile + "\n"), 3, "broken.prw");
+  const std::string jump = Write("jump.yaml",
+                                 "name: jump\nsegments:\n  - {kind: tangent, length_m: 50}\n"
+                                 "  - {kind: curve, radius_m: 300, hand: left, length_m: 50}\n"
+                                 "  - {kind: tangent, length_m: 50}\n");
+  ExpectRefused(Scenario("track: " + jump + "\n"), 3, "jump.yaml");
+  const std::string soft = Write("soft.yaml",
+                                 "name: s\nsupport: {vertical_stiffness_N_per_m: -1}\n"
+                                 "segments:\n  - {kind: tangent, length_m: 50}\n");
+  ExpectRefused(Scenario("track: " + soft + "\n"), 3, "vertical_stiffness_N_per_m");
+  const std::string bogie = Write("bogie.xml", "<mujoco><worldbody><bdy/></worldbody></mujoco>");
+  ExpectRefused(Scenario("track: straight\nbogie: " + bogie + "\n"), 3, "bogie.xml");
+}
+
+TEST_F(ProgramTest, ACylinderThatTheModelLacksIsNamed) {
+  const std::string bogie =
+      Write("bogie.xml",
+            "<mujoco><worldbody><body><joint name='j'/><geom size='1'/></body></worldbody><custom>"
+            "<tuple name='phs:x'><element objtype='actuator' "
+            "objname='cylinder_9'/></tuple></custom></mujoco>");
+  ExpectRefused(Scenario("track: straight\nbogie: " + bogie + "\n"), 3, "cylinder");
+}
+
+TEST_F(ProgramTest, AStepTooLargeForTheStiffnessIsRefused) {
+  ExpectRefused(Scenario("track: straight\nbogie: rigid_link\ntimestep_s: 0.02\n"), 3,
+                "timestep_s");
+}
+
+TEST_F(ProgramTest, DerailingIsExitCodeOneAndTheResultSaysWhy) {
+  const std::string scenario =
+      Write("fast.yaml", "track: curve_r150\nbogie: rigid_link\nspeed_km_h: 160\n");
+  const Output out = Phs("simulate " + scenario + " --quiet --out " + Path("out"));
+  EXPECT_EQ(out.code, 1) << out.text;
+  EXPECT_THAT(out.text, HasSubstr("derailed"));
+  EXPECT_TRUE(fs::exists(Path("out/summary.json")));
+}
+
+TEST_F(ProgramTest, ResultsAreCompleteAndNeverOverwrittenSilently) {
+  const std::string scenario = Scenario("track: straight\n");
+  ASSERT_EQ(Phs("simulate " + scenario + " --quiet --csv --out " + Path("out")).code, 0);
+  for (const char* file : {"summary.json", "timeseries.h5", "timeseries.csv", "report.html"}) {
+    EXPECT_TRUE(fs::exists(folder_ / "out" / file)) << file;
+  }
+  const Output again = Phs("simulate " + scenario + " --quiet --out " + Path("out"));
+  EXPECT_EQ(again.code, 3);
+  EXPECT_THAT(again.text, HasSubstr("--force"));
+  EXPECT_EQ(Phs("simulate " + scenario + " --quiet --force --out " + Path("out")).code, 0);
+}
+
+TEST_F(ProgramTest, TheSameInputsGiveTheSameBytes) {
+  const std::string scenario = Scenario("track: curve_r250\nstart_s_m: 60\n");
+  ASSERT_EQ(Phs("simulate " + scenario + " --quiet --csv --out " + Path("a")).code, 0);
+  ASSERT_EQ(Phs("simulate " + scenario + " --quiet --csv --out " + Path("b")).code, 0);
+  EXPECT_EQ(Execute("cmp " + Path("a/timeseries.csv") + " " + Path("b/timeseries.csv")).code, 0);
+}
+
+}  // namespace
