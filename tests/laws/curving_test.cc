@@ -141,8 +141,8 @@ TEST(CurvingTest, LoadTransferAtCantDeficiencyFollowsStatics) {
     }
     expected += m->body_mass[b] * (down * y - inward * z);
   }
-  // Each wheelset turns with the curve: its spin of 300 kg m^2 adds a gyroscopic roll moment.
-  expected += 2 * 300 * (speed / 0.625) * frame.curvature * speed;
+  // The spin of each wheelset (300 kg m^2, about +y) turns left with the curve: dL/dt is along -x.
+  expected -= 2 * 300 * (speed / 0.625) * frame.curvature * speed;
   EXPECT_NEAR(roll_moment / expected, 1, 0.03);
   EXPECT_NEAR(lateral / (52000 * inward), 1, 0.01);
   EXPECT_GT(transfer, 2 * 26000 * inward);  // and the outer wheels do carry more
