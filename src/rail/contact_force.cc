@@ -42,9 +42,7 @@ double SupportDamping(const Vec3& normal, double contact_stiffness, const RailSu
 /// Where along x a force along `n` passes through the axle, as normals of a surface of revolution
 /// do: n.(e x r) = 0. Ahead of or behind the axle for a yawed flange and on a sloping rail. So
 /// normal forces do no work on the spin.
-double ArmAhead(const WheelsetMotion& motion, const Vec3& r, const Vec3& n) {
-  const Vec3 e = {-std::sin(motion.yaw) * std::cos(motion.roll),
-                  std::cos(motion.yaw) * std::cos(motion.roll), std::sin(motion.roll)};
+double ArmAhead(const Vec3& e, const Vec3& r, const Vec3& n) {
   return (n[0] * (e[1] * r[2] - e[2] * r[1]) + e[0] * (n[2] * r[1] - n[1] * r[2])) /
          (n[2] * e[1] - n[1] * e[2]);
 }
@@ -66,13 +64,14 @@ double CurvatureAlong(const Overlap& overlap) noexcept {
   return 0.5 / (overlap.radius * std::sqrt(1 + overlap.slope * overlap.slope));
 }
 
-Overlaps ContactForceLaw::FindOnSupport(const ContactSearch& search, const WheelPlacement& wheel,
-                                        double rail_y, double rail_z, const RailSupport& s,
-                                        Vec3* bend) const noexcept {
+void ContactForceLaw::FindOnSupport(const ContactSearch& search, const WheelPlacement& wheel,
+                                    double rail_y, double rail_z, const RailSupport& s, Vec3* bend,
+                                    Overlaps* overlaps) const noexcept {
   *bend = {};
   const double k[2] = {s.lateral_stiffness_N_per_m, s.vertical_stiffness_N_per_m};
-  Overlaps found = search.Find(wheel, rail_y, rail_z);
-  if (!(k[0] > 0) && !(k[1] > 0)) return found;
+  Overlaps& found = *overlaps;
+  search.Find(wheel, rail_y, rail_z, &found);
+  if (!(k[0] > 0) && !(k[1] > 0)) return;
   const double give[2] = {k[0] > 0 ? 1 / k[0] : 0, k[1] > 0 ? 1 / k[1] : 0};
   Vec3& w = *bend;
   for (int iteration = 0; iteration < kSupportIterations && found.count > 0; ++iteration) {
@@ -95,15 +94,14 @@ Overlaps ContactForceLaw::FindOnSupport(const ContactSearch& search, const Wheel
     const double step_z = (r[1] * j[0][0] - r[0] * j[1][0]) / determinant;
     w[1] -= step_y;
     w[2] -= step_z;
-    found = search.Find(wheel, rail_y + w[1], rail_z + w[2]);
+    search.Find(wheel, rail_y + w[1], rail_z + w[2], &found);
     if (std::abs(step_y) + std::abs(step_z) < 1e-13) break;
   }
-  return found;
 }
 
-void ContactForceLaw::AddPatch(const WheelsetMotion& motion, const Overlap& overlap,
-                               const PatchAxes& axes, const RailSupport& support,
-                               WheelRailForces* out) const noexcept {
+void ContactForceLaw::AddPatch(const WheelsetMotion& motion, const Vec3& axle,
+                               const Overlap& overlap, const PatchAxes& axes,
+                               const RailSupport& support, WheelRailForces* out) const noexcept {
   const HertzContact h = hertz.AtApproach(overlap.depth, CurvatureAlong(overlap), overlap.across);
   ContactPatch& patch = out->patch[static_cast<size_t>(out->count++)];
   patch.rail_y = overlap.y;
@@ -113,7 +111,7 @@ void ContactForceLaw::AddPatch(const WheelsetMotion& motion, const Overlap& over
   // Forces act half-way into the overlap.
   patch.point = overlap.arm;
   for (size_t i = 0; i < 3; ++i) patch.point[i] -= 0.5 * overlap.depth * axes.normal[i];
-  patch.point[0] = ArmAhead(motion, patch.point, axes.normal);
+  patch.point[0] = ArmAhead(axle, patch.point, axes.normal);
   patch.angle = -std::atan(overlap.slope);
   patch.approach = overlap.depth;
   patch.a = h.a;

@@ -48,11 +48,13 @@ struct ContactForceLaw {
   Hertz hertz{82e9, 0.28};
 
   /// Adds the patch to `out`.
-  void AddPatch(const WheelsetMotion& motion, const Overlap& overlap, const PatchAxes& axes,
-                const RailSupport& support, WheelRailForces* out) const noexcept;
+  void AddPatch(const WheelsetMotion& motion, const Vec3& axle, const Overlap& overlap,
+                const PatchAxes& axes, const RailSupport& support,
+                WheelRailForces* out) const noexcept;
   /// Overlaps with the rail where its support holds it; `bend` is its displacement w in C.
-  Overlaps FindOnSupport(const ContactSearch& search, const WheelPlacement& wheel, double rail_y,
-                         double rail_z, const RailSupport& support, Vec3* bend) const noexcept;
+  void FindOnSupport(const ContactSearch& search, const WheelPlacement& wheel, double rail_y,
+                     double rail_z, const RailSupport& support, Vec3* bend,
+                     Overlaps* overlaps) const noexcept;
 };
 
 }  // namespace phs::rail

@@ -6,19 +6,23 @@
 namespace phs::rail {
 namespace {
 
-constexpr double kWheelStep = 0.8e-3;   ///< of the samples [m]
+constexpr double kWheelStep = 1.2e-3;   ///< of the samples [m]
 constexpr double kRailStep = 0.125e-3;  ///< of the table for the samples [m]
-/// A sample this deep below mere touch can hide a hump between samples (curvature up to 1/4 mm).
-constexpr double kNear = 0.2e-3;
+/// A hump between samples rises above them by less than B step^2/4; B = 1/(12 mm) at most.
+constexpr double kNear = 0.1e-3;
 /// Humps whose ridge is this near to the shallower one are one hump.
 constexpr double kSameHump = 0.98;
 constexpr int kMaxRidges = 12;
 
 /// Ten-point Gauss-Legendre rule on [-1, 1].
-constexpr double kNode[] = {0.1488743389816312, 0.4333953941292472, 0.6794095682990244,
-                            0.8650633666889845, 0.9739065285171717};
-constexpr double kWeight[] = {0.2955242247147529, 0.2692667193099964, 0.2190863625159820,
-                              0.1494513491505806, 0.0666713443086881};
+constexpr double kNode[] = {-0.9739065285171717, -0.8650633666889845, -0.6794095682990244,
+                            -0.4333953941292472, -0.1488743389816312, 0.1488743389816312,
+                            0.4333953941292472,  0.6794095682990244,  0.8650633666889845,
+                            0.9739065285171717};
+constexpr double kWeight[] = {0.0666713443086881, 0.1494513491505806, 0.2190863625159820,
+                              0.2692667193099964, 0.2955242247147529, 0.2955242247147529,
+                              0.2692667193099964, 0.2190863625159820, 0.1494513491505806,
+                              0.0666713443086881};
 
 /// 0 at 0, 1 at 1, level at both.
 double SmoothStep(double x) {
@@ -42,8 +46,10 @@ ContactSearch::ContactSearch(Profile wheel, Profile rail, double half_tape, doub
   step_ = width / (samples_ - 1);
   for (int i = 0; i < samples_; ++i) {
     const Profile::Sample s = wheel_.At(WheelY(i));
-    radius_at_.push_back(radius_ + s.z);
-    slope_at_.push_back(s.slope);
+    const double r = radius_ + s.z;
+    radius_at_.push_back(r);
+    radius_slope_.push_back(r * s.slope);
+    radius_square_.push_back(0.5 * r * s.slope * s.slope);
     cosine_at_.push_back(1 / std::sqrt(1 + s.slope * s.slope));
   }
   const double rail_width = rail_.max_y() - rail_.min_y();
@@ -99,52 +105,86 @@ void ContactSearch::Sample(const Axle& a, Samples* samples) const noexcept {
   samples->first =
       std::clamp(static_cast<int>((rail_.min_y() - centre - begin_) / step_) + 1, 0, last);
   samples->last = std::clamp(static_cast<int>((rail_.max_y() - centre - begin_) / step_), 0, last);
+  // y and z of the locus with beta = 1 - t^2 side^2/2; place in the rail's table.
   const double side = a.side * a.side;
-  const double rail_end = static_cast<double>(rail_z_.size() - 2);
-  for (int i = samples->first; i <= samples->last; ++i) {
-    const auto k = static_cast<size_t>(i);
-    const double t = slope_at_[k];
-    const double along = half_tape_ + WheelY(i);
-    const double square = t * t * side;
-    const double beta = 1 - square * (0.5 + 0.125 * square);
-    const double y = a.y + a.ey * along + radius_at_[k] * (beta * a.beta_y - t * a.alpha_y);
-    const double z = a.z + a.ez * along + radius_at_[k] * (beta * a.beta_z - t * a.alpha_z);
-    const double place = std::clamp((y - rail_begin_) * rail_per_step_, 0.0, rail_end);
-    const auto j = static_cast<size_t>(static_cast<int>(place));
-    const double rail_z =
-        rail_z_[j] + (place - static_cast<double>(j)) * (rail_z_[j + 1] - rail_z_[j]);
-    samples->depth[i] = (z - rail_z) * cosine_at_[k];
+  const double rail_end = static_cast<double>(rail_z_.size() - 2) - 1e-9;
+  const double y0 = (a.y + a.ey * (half_tape_ + begin_) - rail_begin_) * rail_per_step_;
+  const double y1 = a.ey * step_ * rail_per_step_;
+  const double y2 = a.beta_y * rail_per_step_;
+  const double y3 = a.alpha_y * rail_per_step_;
+  const double z0 = a.z + a.ez * (half_tape_ + begin_);
+  const double z1 = a.ez * step_;
+  double place[kMaxSamples];
+  double z[kMaxSamples];
+  const int first = samples->first;
+  const int end = samples->last + 1;
+  for (int i = first; i < end; ++i) {
+    const double down = radius_at_[i] - side * radius_square_[i];
+    const double at = y0 + y1 * i + y2 * down - y3 * radius_slope_[i];
+    place[i] = std::min(std::max(at, 0.0), rail_end);
+    z[i] = z0 + z1 * i + a.beta_z * down - a.alpha_z * radius_slope_[i];
+  }
+  for (int i = first; i < end; ++i) {
+    const int j = static_cast<int>(place[i]);
+    const double below = rail_z_[j];
+    const double rail_z = below + (place[i] - j) * (rail_z_[j + 1] - below);
+    samples->depth[i] = (z[i] - rail_z) * cosine_at_[i];
   }
 }
 
-double ContactSearch::EdgeBetween(const Axle& axle, double inside, double outside) const noexcept {
+double ContactSearch::EdgeBetween(const Axle& axle, double inside, double outside,
+                                  double at) const noexcept {
   // Newton on the overlap, kept between the ends; the integrals feel its error squared.
-  double at = inside;
   double low = std::min(inside, outside);
   double high = std::max(inside, outside);
-  const double outwards = outside > inside ? 1 : -1;
-  at = 0.5 * (low + high);
-  for (int i = 0; i < 30; ++i) {
+  const bool outwards = outside > inside;
+  for (int i = 0; i < 40; ++i) {
     const Locus l = LocusAt(axle, at);
-    ((l.overlap > 0) == (outwards > 0) ? low : high) = at;
-    const double derivative = (l.slope - l.rail_slope) * l.stretch;
-    double next = at - l.overlap / derivative;
+    ((l.overlap > 0) == outwards ? low : high) = at;
+    double next = at - l.overlap / ((l.slope - l.rail_slope) * l.stretch);
     if (!(next > low && next < high)) next = 0.5 * (low + high);
     const double step = std::abs(next - at);
     at = next;
-    if (step < 1e-9) break;
+    if (step < 1e-6) break;
   }
   return at;
 }
 
+double ContactSearch::EdgeOfRun(const Axle& axle, const Samples& s, int sample,
+                                int next) const noexcept {
+  const double share = s.depth[sample] / (s.depth[sample] - s.depth[next]);
+  const double inside = WheelY(sample);
+  const double outside = WheelY(next);
+  return EdgeBetween(axle, inside, outside, inside + share * (outside - inside));
+}
+
 double ContactSearch::DeepestNear(const Axle& axle, double low, double high) const noexcept {
-  // The slopes of wheel and rail agree; bisection with Newton's step where it stays inside.
-  double at = 0.5 * (low + high);
-  for (int i = 0; i < 40 && high - low > 1e-12; ++i) {
+  // The slopes of wheel and rail agree: false position that does not get stuck (Illinois).
+  const auto difference = [&](double at) {
     const Locus l = LocusAt(axle, at);
-    const double difference = l.slope - l.rail_slope;  // > 0: deeper further out
-    (difference > 0 ? low : high) = at;
-    at = 0.5 * (low + high);
+    return l.slope - l.rail_slope;  // > 0: deeper further out
+  };
+  double f_low = difference(low);
+  double f_high = difference(high);
+  if (!(f_low > 0 && f_high < 0)) return 0.5 * (low + high);
+  int side = 0;
+  double at = low;
+  for (int i = 0; i < 30; ++i) {
+    const double next = (low * f_high - high * f_low) / (f_high - f_low);
+    if (std::abs(next - at) < 1e-9) return next;
+    at = next;
+    const double f = difference(at);
+    if (f > 0) {
+      low = at;
+      f_low = f;
+      if (side == 1) f_high *= 0.5;
+      side = 1;
+    } else {
+      high = at;
+      f_high = f;
+      if (side == -1) f_low *= 0.5;
+      side = -1;
+    }
   }
   return at;
 }
@@ -168,8 +208,8 @@ void ContactSearch::FindHumps(const Axle& axle, const Samples& s, Humps* humps) 
     const Locus l = LocusAt(axle, middle);
     if (!(l.overlap > 0)) continue;
     Hump& h = humps->hump[humps->count++];
-    h.begin = EdgeBetween(axle, middle, WheelY(i - 1));
-    h.end = EdgeBetween(axle, middle, WheelY(i + 1));
+    h.begin = EdgeBetween(axle, middle, WheelY(i - 1), 0.5 * (middle + WheelY(i - 1)));
+    h.end = EdgeBetween(axle, middle, WheelY(i + 1), 0.5 * (middle + WheelY(i + 1)));
     h.depth = l.overlap;
     h.merge_next = 0;
     h.at_end = false;
@@ -211,14 +251,14 @@ void ContactSearch::SplitRun(const Axle& axle, const Samples& s, int begin, int 
   }
   const bool open_begin = begin == s.first;
   const bool open_end = end == s.last;
-  double from = open_begin ? WheelY(begin) : EdgeBetween(axle, WheelY(begin), WheelY(begin - 1));
+  double from = open_begin ? WheelY(begin) : EdgeOfRun(axle, s, begin, begin - 1);
   for (int k = 0; k <= ridges; ++k) {
     Hump& h = humps->hump[humps->count++];
     h.begin = from;
     h.merge_next = 0;
     h.at_end = (k == 0 && open_begin) || (k == ridges && open_end);
     if (k == ridges) {
-      h.end = open_end ? WheelY(end) : EdgeBetween(axle, WheelY(end), WheelY(end + 1));
+      h.end = open_end ? WheelY(end) : EdgeOfRun(axle, s, end, end + 1);
     } else {
       const int i = ridge[k].sample;
       const double rise = s.depth[i + 1] - s.depth[i - 1];
@@ -242,33 +282,57 @@ void ContactSearch::Moments::Add(const Moments& m) {
   nz += m.nz;
 }
 
-ContactSearch::Moments ContactSearch::Integrate(const Axle& axle, const Hump& hump) const noexcept {
+ContactSearch::Moments ContactSearch::Integrate(const Axle& a, const Hump& hump) const noexcept {
   const double middle = 0.5 * (hump.begin + hump.end);
   const double half = 0.5 * (hump.end - hump.begin);
+  // Pass by pass, so that the arithmetic between the look-ups is done two nodes at a time.
+  double at[kNodes], radius[kNodes], slope[kNodes], second[kNodes];
+  double y[kNodes], z[kNodes], dy[kNodes], rail_z[kNodes], rail_slope[kNodes];
+  for (int k = 0; k < kNodes; ++k) {
+    at[k] = middle + half * kNode[k];
+    const Profile::Sample s = wheel_.At(at[k]);
+    radius[k] = radius_ + s.z;
+    slope[k] = s.slope;
+    second[k] = s.second;
+  }
+  const double side = a.side * a.side;
+  for (int k = 0; k < kNodes; ++k) {
+    const double t = slope[k];
+    const double along = half_tape_ + at[k];
+    const double square = t * t * side;
+    const double beta = 1 - square * (0.5 + square * (0.125 + square * 0.0625));
+    const double uy = beta * a.beta_y - t * a.alpha_y;
+    const double uz = beta * a.beta_z - t * a.alpha_z;
+    y[k] = a.y + a.ey * along + radius[k] * uy;
+    z[k] = a.z + a.ez * along + radius[k] * uz;
+    slope[k] = -(uy - t * a.ey) / (uz - t * a.ez);
+    dy[k] = a.ey + t * uy - radius[k] * second[k] * (a.alpha_y + t * side * a.beta_y);
+  }
+  for (int k = 0; k < kNodes; ++k) {
+    const Profile::Sample r = rail_.At(y[k]);
+    rail_z[k] = r.z;
+    rail_slope[k] = r.slope;
+  }
   Moments m;
   for (int k = 0; k < kNodes; ++k) {
-    const int pair = k >> 1;
-    const double x = (k & 1) ? kNode[pair] : -kNode[pair];
-    const double wheel_y = middle + half * x;
-    const Locus l = LocusAt(axle, wheel_y);
-    const double h = std::max(l.overlap, 0.0) * l.stretch * half * kWeight[pair];
-    const double slope = 0.5 * (l.slope + l.rail_slope);
-    const double cosine = 1 / std::sqrt(1 + slope * slope);
+    const double h = std::max(z[k] - rail_z[k], 0.0) * dy[k] * half * kWeight[k];
+    const double mean = 0.5 * (slope[k] + rail_slope[k]);
+    const double part = h / std::sqrt(1 + mean * mean);
     m.i += h;
-    m.wheel += h * wheel_y;
-    m.y += h * l.y;
-    m.z += h * l.z;
-    m.yy += h * l.y * l.y;
-    m.yz += h * l.y * l.z;
-    m.zz += h * l.z * l.z;
-    m.ny -= h * slope * cosine;
-    m.nz += h * cosine;
+    m.wheel += h * at[k];
+    m.y += h * y[k];
+    m.z += h * z[k];
+    m.yy += h * y[k] * y[k];
+    m.yz += h * y[k] * z[k];
+    m.zz += h * z[k] * z[k];
+    m.ny -= part * mean;
+    m.nz += part;
   }
   return m;
 }
 
-Overlap ContactSearch::Describe(const Axle& a, const Moments& m) const noexcept {
-  Overlap p;
+void ContactSearch::Describe(const Axle& a, const Moments& m, Overlap* patch) const noexcept {
+  Overlap& p = *patch;
   const double inverse = 1 / m.i;
   p.wheel_y = m.wheel * inverse;
   const Profile::Sample s = wheel_.At(p.wheel_y);
@@ -293,17 +357,17 @@ Overlap ContactSearch::Describe(const Axle& a, const Moments& m) const noexcept 
   const double half_width = std::sqrt(5 * std::max(along_tangent, 1e-14));
   p.depth = 0.75 * m.i / half_width;
   p.across = p.depth / (half_width * half_width);
-  return p;
 }
 
-Overlaps ContactSearch::Find(const WheelPlacement& wheel, double rail_y,
-                             double rail_z) const noexcept {
+void ContactSearch::Find(const WheelPlacement& wheel, double rail_y, double rail_z,
+                         Overlaps* found) const noexcept {
   const Axle axle = PlaceAxle(wheel, rail_y, rail_z);
   Samples samples;
   Sample(axle, &samples);
   Humps humps;
   FindHumps(axle, samples, &humps);
-  Overlaps found;
+  found->count = 0;
+  found->axle = {axle.ex, axle.ey, axle.ez};
   Moments moments[kMaxHumps];
   for (int k = 0; k < humps.count; ++k) moments[k] = Integrate(axle, humps.hump[k]);
   // Every way of reading neighbours as one patch, with its weight.
@@ -318,13 +382,12 @@ Overlaps ContactSearch::Find(const WheelPlacement& wheel, double rail_y,
       const double share = weight * (1 - merge);
       weight *= merge;
       if (!(share > 0) || !(sum.i > 0)) continue;
-      Overlap& patch = found.patch[static_cast<size_t>(found.count++)];
-      patch = Describe(axle, sum);
+      Overlap& patch = found->patch[static_cast<size_t>(found->count++)];
+      Describe(axle, sum, &patch);
       patch.weight = share;
       patch.at_end = at_end;
     }
   }
-  return found;
 }
 
 }  // namespace phs::rail

@@ -55,8 +55,10 @@ struct Overlap {
   bool at_end = false;  ///< reaches the end of the wheel's or the rail's profile
 };
 
+/// Patches beyond `count` hold nothing.
 struct Overlaps {
   int count = 0;
+  Vec3 axle{};  ///< unit vector e
   std::array<Overlap, kMaxOverlaps> patch{};
 };
 
@@ -67,7 +69,8 @@ class ContactSearch {
   ContactSearch(Profile wheel, Profile rail, double half_tape, double radius);
 
   /// `rail_y`, `rail_z`: origin of the rail profile in C. Pure; no allocation.
-  Overlaps Find(const WheelPlacement& wheel, double rail_y, double rail_z) const noexcept;
+  void Find(const WheelPlacement& wheel, double rail_y, double rail_z,
+            Overlaps* found) const noexcept;
 
   const Profile& wheel() const { return wheel_; }
   const Profile& rail() const { return rail_; }
@@ -118,13 +121,16 @@ class ContactSearch {
   Locus LocusAt(const Axle& axle, double wheel_y) const noexcept;
   void Sample(const Axle& axle, Samples* samples) const noexcept;
   /// Where the overlap ends between `inside` (h >= 0) and `outside` (h <= 0).
-  double EdgeBetween(const Axle& axle, double inside, double outside) const noexcept;
+  /// starting from `at`.
+  double EdgeBetween(const Axle& axle, double inside, double outside, double at) const noexcept;
+  /// Edge of a run next to `sample` on the side of `next` = sample +- 1.
+  double EdgeOfRun(const Axle& axle, const Samples& samples, int sample, int next) const noexcept;
   double DeepestNear(const Axle& axle, double low, double high) const noexcept;
   void FindHumps(const Axle& axle, const Samples& samples, Humps* humps) const noexcept;
   void SplitRun(const Axle& axle, const Samples& samples, int begin, int end,
                 Humps* humps) const noexcept;
   Moments Integrate(const Axle& axle, const Hump& hump) const noexcept;
-  Overlap Describe(const Axle& axle, const Moments& moments) const noexcept;
+  void Describe(const Axle& axle, const Moments& moments, Overlap* patch) const noexcept;
   double WheelY(int sample) const { return begin_ + step_ * sample; }
 
   Profile wheel_;
@@ -134,7 +140,8 @@ class ContactSearch {
   double begin_;  ///< first sampled wheel position [m]
   double step_;
   int samples_;
-  std::vector<double> radius_at_, slope_at_, cosine_at_;  ///< [sample] of the wheel
+  /// [sample] of the wheel: R, R t, R t^2/2, cosine of the slope.
+  std::vector<double> radius_at_, radius_slope_, radius_square_, cosine_at_;
   double rail_begin_, rail_per_step_;
   std::vector<double> rail_z_;  ///< fine equidistant table for the samples
 };

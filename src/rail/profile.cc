@@ -93,28 +93,13 @@ Result<Profile> Profile::FromPoints(const std::string& name, std::vector<double>
   profile.outline_z_ = std::move(z);
   profile.begin_ = ty.front();
   profile.step_ = kStep;
+  profile.per_step_ = 1 / kStep;
   for (size_t i = 0; i + 1 < ky.size(); ++i) {
     profile.piece_.push_back({kz[i],
                               (kz[i + 1] - kz[i]) / kStep - kStep * (2 * bend[i] + bend[i + 1]) / 6,
                               bend[i] / 2, (bend[i + 1] - bend[i]) / (6 * kStep)});
   }
   return profile;
-}
-
-Profile::Sample Profile::At(double y) const noexcept {
-  const double place = (y - begin_) / step_;
-  const int last = static_cast<int>(piece_.size()) - 1;
-  const int i = std::clamp(static_cast<int>(place), 0, last);
-  const double t = y - (begin_ + step_ * i);
-  const Piece& p = piece_[static_cast<size_t>(i)];
-  if (t < 0) return {p.c0 + p.c1 * t, p.c1, 0};
-  if (t > step_) {
-    const double slope = p.c1 + step_ * (2 * p.c2 + 3 * p.c3 * step_);
-    const double z = p.c0 + step_ * (p.c1 + step_ * (p.c2 + step_ * p.c3));
-    return {z + slope * (t - step_), slope, 0};
-  }
-  return {p.c0 + t * (p.c1 + t * (p.c2 + t * p.c3)), p.c1 + t * (2 * p.c2 + 3 * p.c3 * t),
-          2 * p.c2 + 6 * p.c3 * t};
 }
 
 void Profile::Incline(double angle) {

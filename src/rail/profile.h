@@ -5,6 +5,7 @@
 // steeper than atan 6 (80 deg) is cut off.
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -46,8 +47,22 @@ class Profile {
   std::vector<double> outline_y_, outline_z_;  ///< all points given, also the steep ones
   double begin_ = 0;
   double step_ = 0;
+  double per_step_ = 0;
   std::vector<Piece> piece_;
 };
+
+inline Profile::Sample Profile::At(double y) const noexcept {
+  const int last = static_cast<int>(piece_.size()) - 1;
+  const double place = (y - begin_) * per_step_;
+  const int i = static_cast<int>(std::clamp(place, 0.0, static_cast<double>(last)));
+  const double t = y - (begin_ + step_ * i);
+  const Piece& p = piece_[static_cast<size_t>(i)];
+  const double inside = std::clamp(t, 0.0, step_);
+  const double over = t - inside;  // 0 but beyond the ends
+  const double slope = p.c1 + inside * (2 * p.c2 + 3 * p.c3 * inside);
+  return {p.c0 + inside * (p.c1 + inside * (p.c2 + p.c3 * inside)) + slope * over, slope,
+          over == 0 ? 2 * p.c2 + 6 * p.c3 * inside : 0};
+}
 
 enum class ProfileKind { kWheel, kRail };
 

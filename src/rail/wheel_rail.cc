@@ -39,6 +39,18 @@ Vec3 SlopesAt(const Overlap& p, const WheelsetMotion& motion, Side side, const R
   return slopes;
 }
 
+/// All but the patches, which are filled one by one.
+void ClearSums(WheelRailForces* out) {
+  out->count = 0;
+  for (Vec3* sum : {&out->force, &out->moment, &out->elastic_force, &out->elastic_moment}) {
+    *sum = {};
+  }
+  out->t_gamma = out->t_gamma_spin = 0;
+  out->creep_power = out->damping_power = out->stored_energy = 0;
+  out->rail_lateral = out->rail_vertical = 0;
+  out->beyond_profile = false;
+}
+
 }  // namespace
 
 struct WheelRail::Impl {
@@ -88,11 +100,13 @@ Result<WheelRail> WheelRail::Create(const WheelRailParams& params) {
   impl->search = std::make_unique<ContactSearch>(std::move(wheel).value(), std::move(rail).value(),
                                                  half_tape, params.wheel_radius);
   // Mere touch: lower a centred wheel from above until a minimum penetrates.
+  Overlaps found;
   double above = -params.wheel_radius - 0.05;
   double below = -params.wheel_radius + 0.05;
   for (int i = 0; i < 60; ++i) {
     const double z = 0.5 * (above + below);
-    (impl->search->Find({0, z, 0, 0}, impl->rail_y, 0).count == 0 ? above : below) = z;
+    impl->search->Find({0, z, 0, 0}, impl->rail_y, 0, &found);
+    (found.count == 0 ? above : below) = z;
   }
   impl->touching = 0.5 * (above + below);
   if (impl->touching > -params.wheel_radius + 0.049) {
@@ -104,12 +118,13 @@ Result<WheelRail> WheelRail::Create(const WheelRailParams& params) {
 
 void WheelRail::Calc(const WheelsetMotion& motion, Side side, const RailOffset& rail,
                      const RailSupport& support, WheelRailForces* out) const noexcept {
-  *out = WheelRailForces{};
   const Vec3 shift = MirrorPolar({0, rail.lateral, rail.vertical}, side);
   Vec3 bend{};
-  const Overlaps found = impl_->law.FindOnSupport(
-      *impl_->search, {motion.lateral, motion.vertical, motion.roll, motion.yaw},
-      impl_->rail_y + shift[1], shift[2], support, &bend);
+  Overlaps found;
+  impl_->law.FindOnSupport(*impl_->search,
+                           {motion.lateral, motion.vertical, motion.roll, motion.yaw},
+                           impl_->rail_y + shift[1], shift[2], support, &bend, &found);
+  ClearSums(out);
   if (found.count == 0) return;
   out->rail_lateral = bend[1];
   out->rail_vertical = bend[2];
@@ -117,7 +132,8 @@ void WheelRail::Calc(const WheelsetMotion& motion, Side side, const RailOffset& 
                               support.vertical_stiffness_N_per_m * bend[2] * bend[2]);
   for (int i = 0; i < found.count; ++i) {
     const Overlap& p = found.patch[static_cast<size_t>(i)];
-    impl_->law.AddPatch(motion, p, AxesOf(p.slope, SlopesAt(p, motion, side, rail)), support, out);
+    const PatchAxes axes = AxesOf(p.slope, SlopesAt(p, motion, side, rail));
+    impl_->law.AddPatch(motion, found.axle, p, axes, support, out);
   }
 }
 
