@@ -17,8 +17,7 @@
 
 namespace phs::rail {
 
-/// Three humps of overlap, and the ways of reading neighbours as one (contact_search.h).
-inline constexpr int kMaxPatches = 6;
+inline constexpr int kMaxPatches = 3;
 
 struct WheelRailParams {
   std::string wheel_profile;    ///< path: .prw, or a plain y,z table
@@ -63,9 +62,6 @@ struct ContactPatch {
   CreepForce creep;     ///< on the rail, CONTACT's sign and axes (x forward, y in plane outward)
   double friction = 0;  ///< coefficient in use
   double stored_energy = 0;  ///< elastic [J]
-  /// Share in (0, 1]: below 1 while two patches grow into one; normal, creep and stored_energy are
-  /// those shares, axes and pressure those of the whole patch.
-  double weight = 1;
 };
 
 struct WheelRailForces {
