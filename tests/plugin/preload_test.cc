@@ -21,7 +21,7 @@ struct Output {
   std::string text;
 };
 
-Output Run(const std::string& command) {
+Output Execute(const std::string& command) {
   Output out;
   std::FILE* pipe = popen((command + " 2>&1").c_str(), "r");
   if (pipe == nullptr) return out;
@@ -41,7 +41,7 @@ std::vector<double> Numbers(const std::string& text) {
 
 TEST(PreloadTest, AForeignProgramFollowsTheSameTrajectoryBitForBit) {
   for (const char* bogie : {"phs", "rigid_link"}) {
-    const Output foreign = Run(std::string(kPreload) + PHS_BINARY_DIR + "/tests/foreign_host " +
+    const Output foreign = Execute(std::string(kPreload) + PHS_BINARY_DIR + "/tests/foreign_host " +
                                BogiePath(bogie) + " 3000");
     ASSERT_EQ(foreign.status, 0) << foreign.text;
     EngineGuard guard;
@@ -56,24 +56,24 @@ TEST(PreloadTest, AForeignProgramFollowsTheSameTrajectoryBitForBit) {
 
 TEST(PreloadTest, WithoutThePluginTheSameProgramFallsFreely) {
   const Output bare =
-      Run(std::string(PHS_BINARY_DIR) + "/tests/foreign_host " + BogiePath("phs") + " 1000");
+      Execute(std::string(PHS_BINARY_DIR) + "/tests/foreign_host " + BogiePath("phs") + " 1000");
   ASSERT_EQ(bare.status, 0) << bare.text;
   EXPECT_LT(Numbers(bare.text).at(2), -1);  // one second of free fall
 }
 
 TEST(PreloadTest, AModelThatCannotBeAttachedIsRefusedWithTheReason) {
-  const Output out = Run("PHS_OPTIONS=track=nowhere " + std::string(kPreload) + PHS_BINARY_DIR +
+  const Output out = Execute("PHS_OPTIONS=track=nowhere " + std::string(kPreload) + PHS_BINARY_DIR +
                          "/tests/foreign_host " + BogiePath("phs") + " 10");
   EXPECT_NE(out.status, 0);
   EXPECT_NE(out.text.find("track 'nowhere'"), std::string::npos) << out.text;
 }
 
 TEST(PreloadTest, DebiansOwnTestspeedRunsTheSteeredBogie) {
-  if (Run("command -v mujoco-testspeed").status != 0)
+  if (Execute("command -v mujoco-testspeed").status != 0)
     GTEST_SKIP() << "libmujoco-samples not installed";
   const std::string trace = testing::TempDir() + "/phs_trace.csv";
   const Output out =
-      Run("PHS_TRACE=" + trace + " " + kPreload + "mujoco-testspeed " + BogiePath("phs") + " 2000");
+      Execute("PHS_TRACE=" + trace + " " + kPreload + "mujoco-testspeed " + BogiePath("phs") + " 2000");
   ASSERT_EQ(out.status, 0) << out.text;
   EXPECT_NE(out.text.find("Simulation time"), std::string::npos) << out.text;
   // Its trajectory is the same one.
@@ -83,7 +83,7 @@ TEST(PreloadTest, DebiansOwnTestspeedRunsTheSteeredBogie) {
   const DataPtr d(mj_makeData(m.get()));
   ResetToStart(m.get(), d.get());
   for (int i = 0; i < 2000; ++i) mj_step(m.get(), d.get());
-  const Output last = Run("tail -n 1 " + trace + " | tr ',' ' '");
+  const Output last = Execute("tail -n 1 " + trace + " | tr ',' ' '");
   std::vector<double> expected = {d->time};
   expected.insert(expected.end(), d->qpos, d->qpos + m->nq);
   EXPECT_EQ(Numbers(last.text), expected);
