@@ -7,7 +7,7 @@ namespace phs::rail {
 namespace {
 
 constexpr int kMaxSamples = 192;
-constexpr double kCoarseStep = 0.75e-3;  ///< [m]
+constexpr double kCoarseStep = 1.5e-3;  ///< [m]
 /// A coarse minimum this far above the rail can still touch between the samples of a steep flank.
 constexpr double kNear = 1.5e-3;
 /// Curvature is that of the gap averaged over +- this arc length: contact patches are that wide,
@@ -23,10 +23,15 @@ ContactSearch::ContactSearch(Profile wheel, Profile rail, double half_tape, doub
   begin_ = wheel_.min_y();
   samples_ = std::min(kMaxSamples, static_cast<int>((wheel_.max_y() - begin_) / kCoarseStep) + 1);
   step_ = (wheel_.max_y() - begin_) / (samples_ - 1);
+  for (int i = 0; i < samples_; ++i) sample_.push_back(wheel_.At(begin_ + step_ * i));
 }
 
 ContactSearch::Locus ContactSearch::LocusAt(const Axle& a, double wheel_y) const noexcept {
-  const Profile::Sample s = wheel_.At(wheel_y);
+  return LocusOf(a, wheel_y, wheel_.At(wheel_y));
+}
+
+ContactSearch::Locus ContactSearch::LocusOf(const Axle& a, double wheel_y,
+                                            const Profile::Sample& s) const noexcept {
   const double radius = radius_ + s.z;
   const double t = s.slope;
   const double along = half_tape_ + wheel_y;
@@ -124,7 +129,10 @@ TouchingPoints ContactSearch::Find(const WheelPlacement& wheel, double rail_y,
   const int first = std::clamp(static_cast<int>((over_begin - begin_) / step_), 0, samples_ - 1);
   const int last = std::clamp(static_cast<int>((over_end - begin_) / step_) + 1, 0, samples_ - 1);
   double gap[kMaxSamples];
-  for (int i = first; i <= last; ++i) gap[i] = GapAt(a, begin_ + step_ * i);
+  for (int i = first; i <= last; ++i) {
+    const Locus l = LocusOf(a, begin_ + step_ * i, sample_[static_cast<size_t>(i)]);
+    gap[i] = rail_.At(l.y).z - l.z;
+  }
 
   TouchingPoints found;
   int at_sample[kMaxMinima];

@@ -12,6 +12,7 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 #include "rail/frames.h"
 #include "rail/profile.h"
@@ -69,6 +70,7 @@ class ContactSearch {
     double radius;
   };
   Locus LocusAt(const Axle& axle, double wheel_y) const noexcept;
+  Locus LocusOf(const Axle& axle, double wheel_y, const Profile::Sample& s) const noexcept;
   double GapAt(const Axle& axle, double wheel_y) const noexcept;
   double SlopeDifference(const Axle& axle, double wheel_y) const noexcept;
   /// Where slopes agree between two wheel positions whose slope differences have opposite signs.
@@ -83,6 +85,7 @@ class ContactSearch {
   double begin_;  ///< first searched wheel position [m]
   double step_;   ///< coarse step [m]
   int samples_;
+  std::vector<Profile::Sample> sample_;  ///< of the wheel profile at the coarse positions
 };
 
 }  // namespace phs::rail
