@@ -233,11 +233,6 @@ RC_GTEST_PROP(Yaml, EveryFiniteNumberSurvivesTheWayThroughText, (double value)) 
   RC_ASSERT(map.Finish().ok());
 }
 
-RC_GTEST_PROP(Yaml, AnyTextIsReadOrRefused, (const std::string& text)) {
-  auto map = YamlMap::Parse(text, "x.yaml");
-  if (!map.ok()) RC_ASSERT(map.error().Line().find('\n') == std::string::npos);
-}
-
 TEST(Range, EndsAndWords) {
   const Range half_open{.min = 0, .max = 1, .open_max = true};
   EXPECT_TRUE(half_open.Contains(0));
