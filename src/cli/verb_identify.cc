@@ -1,0 +1,77 @@
+// phs identify: measured data and a declared model in, found effects and a corrected model out.
+#include <fmt/format.h>
+
+#include <memory>
+#include <string>
+
+#include "base/result_dir.h"
+#include "cli/verbs.h"
+#include "identify/identify_run.h"
+#include "identify/manifest.h"
+#include "report/identify_report.h"
+
+namespace phs::cli {
+namespace {
+
+struct IdentifyOptions {
+  std::string manifest;
+  CommonOptions common;
+  identify::search::SearchOptions search;
+};
+
+/// The page is made from the saved files; a page that fails does not spoil the result.
+void WriteReport(const ResultDir& dir, const std::string& manifest) {
+  const auto read = identify::LoadManifest(manifest);
+  if (!read.ok() || read.value().runs.empty()) return;
+  const Status s = report::WriteIdentifyReport({.result = dir.File("result.json"),
+                                                .measured = read.value().runs.front().data,
+                                                .predicted = dir.File("predicted.csv"),
+                                                .baseline = dir.File("baseline.csv")},
+                                               dir.File("report.html"));
+  if (!s.ok()) std::fprintf(stderr, "phs: report: %s\n", s.error().Line().c_str());
+}
+
+int RunIdentifyVerb(const IdentifyOptions& options) {
+  const std::string out = options.common.out.empty() ? "identify" : options.common.out;
+  Result<ResultDir> dir = ResultDir::Create(out, options.common.force);
+  if (!dir.ok()) return BadInput(dir.error());
+  Result<identify::search::IdentifyOutcome> outcome = [&] {
+    ProgressLine progress("identify", options.common.quiet);
+    return identify::search::RunIdentify(
+        options.manifest, options.search, [&](double share) { return progress(share); },
+        dir.value());
+  }();
+  if (!outcome.ok()) return BadInput(outcome.error());
+  if (outcome.value().cancelled) {
+    std::fprintf(stderr, "phs: stopped; nothing written\n");
+    return kFailed;
+  }
+  WriteReport(dir.value(), options.manifest);
+  if (Status s = dir.value().Commit(); !s.ok()) return BadInput(s.error());
+  if (options.common.format == "json") {
+    fmt::print("{}\n", outcome.value().result.dump(1));
+  } else {
+    fmt::print("{}{}/report.html\n", outcome.value().summary, out);
+  }
+  return kDone;
+}
+
+}  // namespace
+
+void AddIdentify(CLI::App* app, Action* action) {
+  CLI::App* verb = app->add_subcommand(
+      "identify", "Find the physical effect that a declared model lacks, add it, prove it");
+  auto options = std::make_shared<IdentifyOptions>();
+  verb->add_option("manifest", options->manifest, "Rig, model, data and windows (YAML)")
+      ->required();
+  verb->add_option("--threads", options->search.threads, "Candidates fitted at the same time")
+      ->check(CLI::Range(1, 64))
+      ->capture_default_str();
+  verb->add_option("--max-effects", options->search.max_effects, "Effects added at most")
+      ->check(CLI::Range(0, 6))
+      ->capture_default_str();
+  AddCommonOptions(verb, &options->common);
+  verb->callback([=] { *action = [=] { return RunIdentifyVerb(*options); }; });
+}
+
+}  // namespace phs::cli

@@ -1,0 +1,27 @@
+// The effects of the catalogue as candidates: which of their numbers are free, from which values a
+// fit may start, on which lines they may act. Several variants of one effect may be tried; the best
+// stands for it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "hydraulics/phs_params.h"
+#include "identify/search_fit.h"
+
+namespace phs::identify::search {
+
+struct Candidate {
+  std::string effect;
+  hydraulics::EffectParams params;          ///< with fixed values set
+  std::vector<FreeParameter> free;          ///< names with "effects." prefix
+  std::vector<std::vector<double>> starts;  ///< one value per free parameter
+};
+
+/// All candidates for a model of these lines, leaving out effects already in it.
+std::vector<Candidate> ListCandidates(const hydraulics::PhsParams& params, effects::RigKind kind);
+
+/// The model with the candidate switched on, its parameters free after those of the model.
+FreeModel WithCandidate(const FreeModel& model, const Candidate& candidate);
+
+}  // namespace phs::identify::search

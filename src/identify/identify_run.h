@@ -1,0 +1,27 @@
+// A whole run of `phs identify` and `phs rig`: from a manifest to a result directory
+// (docs/identify.md, docs/program.md).
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "base/result.h"
+#include "base/result_dir.h"
+#include "identify/effect_search.h"
+
+namespace phs::identify::search {
+
+struct IdentifyOutcome {
+  nlohmann::ordered_json result;  ///< what went into result.json
+  std::string summary;            ///< about ten lines for the terminal
+  bool cancelled = false;
+};
+
+/// Writes result.json, predicted.csv, baseline.csv and model.yaml into `dir` (not the report, not
+/// committed). A cancelled run writes nothing.
+Result<IdentifyOutcome> RunIdentify(const std::string& manifest_path, const SearchOptions& options,
+                                    const Progress& progress, const ResultDir& dir);
+/// The declared model as it is: result.json and predicted.csv.
+Result<IdentifyOutcome> RunRig(const std::string& manifest_path, const ResultDir& dir);
+
+}  // namespace phs::identify::search

@@ -1,0 +1,72 @@
+#include "identify/manifest.h"
+
+#include <filesystem>
+
+#include "base/yaml.h"
+
+namespace phs::identify {
+namespace {
+
+namespace fs = std::filesystem;
+
+Window ReadWindow(YamlMap& map, const std::string& key) {
+  if (!map.Has(key)) return {};
+  const std::vector<double> ends = map.Numbers(key, {});
+  if (ends.size() != 2 || !(ends[1] > ends[0])) {
+    map.Fail(key, "is no window", "[begin, end] in seconds, begin < end");
+    return {};
+  }
+  return {ends[0], ends[1]};
+}
+
+std::string Resolve(const std::string& manifest, const std::string& data) {
+  const fs::path given(data);
+  if (given.is_absolute()) return data;
+  const fs::path beside = fs::path(manifest).parent_path() / given;
+  return fs::exists(beside) || !fs::exists(given) ? beside.string() : data;
+}
+
+RunSpec ReadRun(YamlMap& map, const std::string& path) {
+  RunSpec run;
+  run.data = Resolve(path, map.Text("data"));
+  run.estimation = ReadWindow(map, "estimation");
+  run.validation = ReadWindow(map, "validation");
+  const Window &e = run.estimation, &v = run.validation;
+  if (!e.empty() && !v.empty() && e.begin < v.end && v.begin < e.end) {
+    map.Fail("validation", "overlaps the estimation window", "windows apart from each other",
+             "data used for fitting cannot judge the fit");
+  }
+  return run;
+}
+
+}  // namespace
+
+Result<Manifest> LoadManifest(const std::string& path) {
+  Result<YamlMap> loaded = YamlMap::Load(path);
+  if (!loaded.ok()) return loaded.error();
+  YamlMap& map = loaded.value();
+  Manifest m;
+  m.path = path;
+  m.rig = map.Word("rig", {"cylinder", "quarter", "full", "element", "steps", "bogie"});
+  m.model = map.Text("model");
+  if (map.Has("runs")) {
+    for (YamlMap& run : map.Maps("runs")) m.runs.push_back(ReadRun(run, path));
+    if (m.runs.empty()) map.Fail("runs", "names no run", "at least one");
+  } else {
+    m.runs.push_back(ReadRun(map, path));
+  }
+  YamlMap columns = map.Map("columns"), factors = map.Map("factors");
+  for (const std::string& key : columns.Keys()) m.columns[key] = columns.Text(key);
+  for (const std::string& key : factors.Keys()) m.factors[key] = factors.Number(key, {});
+  m.free = map.Texts("free");
+  m.low_pass_Hz = map.Number("low_pass_Hz", {.min = 0}, 0.0);
+  bool any_estimation = false;
+  for (const RunSpec& run : m.runs) any_estimation |= !run.estimation.empty();
+  if (!any_estimation && m.rig != "steps") {
+    map.Fail("estimation", "no run has an estimation window", "[begin, end] in seconds");
+  }
+  if (Status s = map.Finish(); !s.ok()) return s.error();
+  return m;
+}
+
+}  // namespace phs::identify

@@ -1,0 +1,52 @@
+// What an identification is asked to do: rig, declared model, measured runs and their windows.
+//
+//   rig: quarter            # cylinder | quarter | full | element | steps | bogie
+//   model: quarter_setup2   # name in models/phs, or a path
+//   data: run01.csv
+//   estimation: [0.0, 79.0]     # s
+//   validation: [79.0, 128.0]   # s, never used for fitting or choosing
+//
+// Beyond that, where wanted:
+//   runs: [{data: a.csv, estimation: [0, 60], validation: [60, 90]}, …]   instead of the three
+//   columns: {x_m: x_mm, force_N: F_N}    names in the file, where they differ; the unit is read
+//                                         from the ending: _mm, _ms, _bar, _MPa, _kPa, _kN, …
+//   factors: {force_N: 35.15}             on top of that, for a channel given in another quantity
+//   free: [L1.gas_volume_m3, …]           free parameters of the baseline, instead of the usual
+//   low_pass_Hz: 20                       all channels, forwards and backwards (no lag)
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+
+namespace phs::identify {
+
+/// Half-open span of time [s].
+struct Window {
+  double begin = 0;
+  double end = 0;
+  bool empty() const { return !(end > begin); }
+  bool Contains(double t) const { return t >= begin && t < end; }
+};
+
+struct RunSpec {
+  std::string data;  ///< path, already resolved against the manifest's folder
+  Window estimation, validation;
+};
+
+struct Manifest {
+  std::string path;
+  std::string rig;
+  std::string model;  ///< as written
+  std::vector<RunSpec> runs;
+  std::map<std::string, std::string> columns;  ///< our channel -> column of the file
+  std::map<std::string, double> factors;       ///< our channel -> factor
+  std::vector<std::string> free;
+  double low_pass_Hz = 0;  ///< 0: none
+};
+
+Result<Manifest> LoadManifest(const std::string& path);
+
+}  // namespace phs::identify

@@ -1,0 +1,42 @@
+// One measured run made ready for fitting: motion smoothed, noise known, checks passed.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "effects/rig_model.h"
+#include "identify/manifest.h"
+#include "identify/motion_smoother.h"
+
+namespace phs::identify::search {
+
+struct MeasuredChannel {
+  std::string name;            ///< "load_cell_N"
+  std::vector<double> values;  ///< NaN where a sample takes no part
+  double noise = 0;            ///< standard deviation of the sensor noise, unit of the channel
+};
+
+struct FitData {
+  effects::RigKind kind = effects::RigKind::kQuarter;
+  std::string source;
+  std::vector<double> time_s;
+  double step_s = 0;
+  std::array<double, 2> estimation = {0, 0}, validation = {0, 0};  ///< [s]
+  std::vector<MeasuredChannel> inputs;                             ///< as measured
+  std::vector<SmoothMotion> motion;                                ///< the same smoothed
+  std::vector<double> pressure_Pa;                                 ///< element rig, else empty
+  std::vector<MeasuredChannel> outputs;  ///< those measured, in the order of the model
+  std::vector<std::string> remarks;      ///< what was found and mended
+};
+
+/// Reads and checks the (first) run of a manifest. Errors say what cannot be identified and why:
+/// fewer than 200 samples in a window, an input that stands still or never reverses, no output.
+Result<FitData> ReadFitData(const Manifest& manifest);
+
+/// Compares measured with predicted channels of the declared model: swapped signs, channels under
+/// each other's name, units off by powers of ten.
+Status CheckChannels(const FitData& data, const std::vector<std::vector<double>>& predicted);
+
+}  // namespace phs::identify::search

@@ -1,0 +1,278 @@
+#include "identify/search_fit.h"
+
+#include <ceres/ceres.h>
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <thread>
+
+namespace phs::identify::search {
+
+using effects::RigModel;
+using effects::RigMotion;
+using effects::RigPrediction;
+using hydraulics::PhsParams;
+
+double FreeParameter::ToCoordinate(double value) const {
+  const double inside = std::clamp(value, low, high);
+  return logarithmic ? std::log(inside) : inside / scale;
+}
+
+double FreeParameter::FromCoordinate(double coordinate) const {
+  const double value = logarithmic ? std::exp(coordinate) : coordinate * scale;
+  return std::clamp(value, low, high);
+}
+
+FreeModel DeclaredModel(const PhsParams& declared) {
+  FreeModel model{declared, {}};
+  auto add = [&](const std::string& name, double value) {
+    model.free.push_back({name, value, 0.4 * value, 2.5 * value, true, 1});
+  };
+  for (const auto& line : declared.lines) {
+    add(line.name + ".oil_volume_m3", line.oil_volume_m3);
+    if (line.gas_volume_m3 > 0) add(line.name + ".gas_volume_m3", line.gas_volume_m3);
+  }
+  if (declared.friction.model != hydraulics::FrictionModel::kNone) {
+    add("friction.scale", declared.friction.scale);
+  }
+  return model;
+}
+
+Result<FitProblem> FitProblem::Create(const FitData& data, const PhsParams& declared) {
+  FitProblem problem;
+  problem.data_ = &data;
+  problem.full_.t0_s = data.time_s.front();
+  problem.full_.step_s = data.step_s;
+  for (const SmoothMotion& motion : data.motion) {
+    problem.full_.position_m.push_back(motion.position);
+    problem.full_.speed_m_s.push_back(motion.speed);
+  }
+  problem.full_.pressure_Pa = data.pressure_Pa;
+  for (size_t i = 0; i < data.time_s.size(); ++i) {
+    const double t = data.time_s[i];
+    if (t >= data.estimation[0] && t < data.estimation[1]) {
+      problem.rows_.push_back(static_cast<int>(i));
+    }
+  }
+  const size_t needed = static_cast<size_t>(problem.rows_.back()) + 1;
+  problem.short_ = problem.full_;
+  for (auto* rows : {&problem.short_.position_m, &problem.short_.speed_m_s}) {
+    for (auto& row : *rows) row.resize(needed);
+  }
+  if (!data.pressure_Pa.empty()) problem.short_.pressure_Pa.resize(needed);
+  Result<RigModel> model = RigModel::Create(data.kind, declared);
+  if (!model.ok()) return model.error();
+  const auto& names = model.value().output_names();
+  for (const MeasuredChannel& channel : data.outputs) {
+    problem.output_index_.push_back(
+        static_cast<int>(std::find(names.begin(), names.end(), channel.name) - names.begin()));
+  }
+  if (Status s = problem.SetWeights(declared); !s.ok()) return s.error();
+  return problem;
+}
+
+Status FitProblem::SetWeights(const PhsParams& params) {
+  Result<RigModel> model = RigModel::Create(data_->kind, params);
+  if (!model.ok()) return model.status();
+  RigPrediction fast, slow;
+  RigMotion shifted = short_;
+  for (const double sign : {1.0, -1.0}) {
+    for (size_t a = 0; a < shifted.speed_m_s.size(); ++a) {
+      for (size_t i = 0; i < shifted.speed_m_s[a].size(); ++i) {
+        shifted.speed_m_s[a][i] =
+            short_.speed_m_s[a][i] + sign * data_->motion[a].speed_deviation[i];
+      }
+    }
+    if (Status s = model.value().Run(shifted, sign > 0 ? &fast : &slow); !s.ok()) return s;
+  }
+  weight_.assign(output_index_.size(), std::vector<double>(rows_.size(), 0.0));
+  for (size_t c = 0; c < output_index_.size(); ++c) {
+    const MeasuredChannel& channel = data_->outputs[c];
+    const auto o = static_cast<size_t>(output_index_[c]);
+    for (size_t k = 0; k < rows_.size(); ++k) {
+      const auto i = static_cast<size_t>(rows_[k]);
+      if (!std::isfinite(channel.values[i])) continue;
+      const double input = 0.5 * (fast.channels[o][i] - slow.channels[o][i]);
+      weight_[c][k] = 1 / std::hypot(channel.noise, input);
+    }
+  }
+  return {};
+}
+
+PhsParams FitProblem::Params(const FreeModel& model, const std::vector<double>& values) const {
+  PhsParams params = model.params;
+  for (size_t i = 0; i < model.free.size(); ++i) {
+    PHS_CHECK(hydraulics::SetParameter(&params, model.free[i].name, values[i]).ok());
+  }
+  return params;
+}
+
+Eigen::VectorXd FitProblem::Residual(const FreeModel& model,
+                                     const std::vector<double>& values) const {
+  Result<RigModel> rig = RigModel::Create(data_->kind, Params(model, values));
+  RigPrediction prediction;
+  if (!rig.ok() || !rig.value().Run(short_, &prediction).ok()) return {};
+  const int n = samples();
+  Eigen::VectorXd out(n * num_channels());
+  for (int c = 0; c < num_channels(); ++c) {
+    const std::vector<double>& measured = data_->outputs[c].values;
+    const std::vector<double>& predicted = prediction.channels[output_index_[c]];
+    for (int k = 0; k < n; ++k) {
+      const double w = weight_[c][k];
+      out[c * n + k] = w > 0 ? w * (measured[rows_[k]] - predicted[rows_[k]]) : 0.0;
+    }
+  }
+  if (!out.allFinite()) return {};
+  return out;
+}
+
+bool FitProblem::Linearise(const FreeModel& model, const std::vector<double>& values, int first,
+                           Eigen::VectorXd* residual, Eigen::MatrixXd* jacobian) const {
+  *residual = Residual(model, values);
+  if (residual->size() == 0) return false;
+  const int count = static_cast<int>(model.free.size());
+  jacobian->resize(residual->size(), count - first);
+  for (int j = first; j < count; ++j) {
+    const FreeParameter& p = model.free[j];
+    const double at = p.ToCoordinate(values[j]);
+    double step = 1e-2;
+    if (p.FromCoordinate(at + step) >= p.high) step = -step;
+    std::vector<double> moved = values;
+    moved[j] = p.FromCoordinate(at + step);
+    const double really = p.ToCoordinate(moved[j]) - at;
+    const Eigen::VectorXd r = Residual(model, moved);
+    if (r.size() == 0 || really == 0) {
+      jacobian->col(j - first).setZero();
+    } else {
+      jacobian->col(j - first) = (r - *residual) / really;
+    }
+  }
+  return true;
+}
+
+namespace {
+
+/// The problem as Ceres sees it: one block of coordinates.
+class RigCost final : public ceres::CostFunction {
+ public:
+  RigCost(const FitProblem& problem, const FreeModel& model, int* runs)
+      : problem_(problem), model_(model), runs_(runs) {
+    set_num_residuals(problem.samples() * problem.num_channels());
+    mutable_parameter_block_sizes()->push_back(static_cast<int>(model.free.size()));
+  }
+  bool Evaluate(double const* const* x, double* residuals, double** jacobians) const override {
+    const size_t n = model_.free.size();
+    std::vector<double> values(n);
+    for (size_t i = 0; i < n; ++i) values[i] = model_.free[i].FromCoordinate(x[0][i]);
+    Eigen::VectorXd r;
+    if (jacobians != nullptr && jacobians[0] != nullptr) {
+      Eigen::MatrixXd j;
+      *runs_ += static_cast<int>(n) + 1;
+      if (!problem_.Linearise(model_, values, 0, &r, &j)) return false;
+      using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+      Eigen::Map<RowMajor>(jacobians[0], j.rows(), j.cols()) = j;
+    } else {
+      ++*runs_;
+      r = problem_.Residual(model_, values);
+      if (r.size() == 0) return false;
+    }
+    std::copy(r.data(), r.data() + r.size(), residuals);
+    return true;
+  }
+
+ private:
+  const FitProblem& problem_;
+  const FreeModel& model_;
+  int* runs_;
+};
+
+/// Half widths of the 95 % intervals; correlated residuals widen them.
+void SetIntervals(const FitProblem& problem, FitResult* result) {
+  const int n = problem.samples(), channels = problem.num_channels();
+  const auto count = result->jacobian.cols();
+  double mean = 0, independent = 0;
+  for (int c = 0; c < channels; ++c) {
+    result->channel_ms.push_back(result->residual.segment(c * n, n).squaredNorm() / n);
+    mean += result->channel_ms.back() / channels;
+    independent += EffectiveSamples(result->residual, c * n, n);
+  }
+  Eigen::MatrixXd normal = result->jacobian.transpose() * result->jacobian;
+  normal.diagonal().array() += 1e-12 * (normal.trace() + 1e-300);
+  const Eigen::MatrixXd inverse = normal.ldlt().solve(Eigen::MatrixXd::Identity(count, count));
+  const double inflate = mean * n * channels / std::max(1.0, independent);
+  for (int i = 0; i < count; ++i) {
+    result->half_95.push_back(1.96 * std::sqrt(std::max(0.0, inverse(i, i) * inflate)));
+  }
+}
+
+}  // namespace
+
+FitResult FitProblem::Fit(const FreeModel& model, const std::vector<double>& start,
+                          int max_steps) const {
+  FitResult result;
+  const int count = static_cast<int>(model.free.size());
+  std::vector<double> x(model.free.size());
+  ceres::Problem problem;
+  problem.AddParameterBlock(x.data(), count);
+  for (int i = 0; i < count; ++i) {
+    const FreeParameter& p = model.free[i];
+    x[i] = p.ToCoordinate(start[i]);
+    problem.SetParameterLowerBound(x.data(), i, p.ToCoordinate(p.low));
+    problem.SetParameterUpperBound(x.data(), i, p.ToCoordinate(p.high));
+  }
+  problem.AddResidualBlock(new RigCost(*this, model, &result.runs), nullptr, x.data());
+  ceres::Solver::Options options;
+  options.linear_solver_type = ceres::DENSE_NORMAL_CHOLESKY;
+  options.max_num_iterations = max_steps;
+  options.function_tolerance = 1e-4;
+  options.initial_trust_region_radius = 10;
+  options.max_num_consecutive_invalid_steps = 8;
+  options.logging_type = ceres::SILENT;
+  ceres::Solver::Summary summary;
+  ceres::Solve(options, &problem, &summary);
+  if (!summary.IsSolutionUsable()) return result;
+  for (int i = 0; i < count; ++i) result.values.push_back(model.free[i].FromCoordinate(x[i]));
+  result.ok = Linearise(model, result.values, 0, &result.residual, &result.jacobian);
+  result.runs += count + 1;
+  if (result.ok) SetIntervals(*this, &result);
+  return result;
+}
+
+Result<std::vector<std::vector<double>>> FitProblem::Predict(const PhsParams& params) const {
+  Result<RigModel> rig = RigModel::Create(data_->kind, params);
+  if (!rig.ok()) return rig.error();
+  RigPrediction prediction;
+  if (Status s = rig.value().Run(full_, &prediction); !s.ok()) return s.error();
+  std::vector<std::vector<double>> out;
+  for (int index : output_index_) out.push_back(std::move(prediction.channels[index]));
+  return out;
+}
+
+double EffectiveSamples(const Eigen::VectorXd& residual, int begin, int count) {
+  const Eigen::VectorXd r = residual.segment(begin, count);
+  const double power = r.squaredNorm();
+  if (!(power > 0)) return 1;
+  double sum = 1;
+  for (int lag = 1, stride = 1; lag < count / 4; lag += stride) {
+    const double rho = r.head(count - lag).dot(r.tail(count - lag)) / power;
+    if (rho < 0.05) break;
+    sum += 2 * rho * stride;
+    stride = lag < 20 ? 1 : lag / 10;
+  }
+  return std::max(4.0, count / sum);
+}
+
+void InParallel(int n, int threads, const std::function<void(int)>& work) {
+  std::atomic<int> next{0};
+  auto loop = [&] {
+    for (int i = next++; i < n; i = next++) work(i);
+  };
+  std::vector<std::thread> others;
+  for (int k = 1; k < std::min(n, threads); ++k) others.emplace_back(loop);
+  loop();
+  for (std::thread& thread : others) thread.join();
+}
+
+}  // namespace phs::identify::search

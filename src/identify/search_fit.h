@@ -1,0 +1,92 @@
+// Fit of a rig model's numbers to measured channels.
+//
+// Minimised: sum over channels c and samples i of the estimation window of
+//   w_ci² (y_ci - model_ci(theta))²,   1/w_ci² = noise_c² + (d y_c/d v sigma_v,i)²
+// The second term is the effect of the remaining uncertainty of the driving speed: where friction
+// is steep (near standstill) a sample says little. Each number is fitted as its logarithm (wide
+// positive range) or on a linear scale, inside bounds; Ceres, Levenberg–Marquardt, numeric
+// derivatives.
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "effects/rig_model.h"
+#include "hydraulics/phs_params.h"
+#include "identify/search_data.h"
+
+namespace phs::identify::search {
+
+/// One free number of a model.
+struct FreeParameter {
+  std::string name;  ///< as SetParameter takes it
+  double start = 0;
+  double low = 0, high = 0;  ///< bounds
+  bool logarithmic = false;
+  double scale = 1;  ///< linear only: size of one unit
+
+  double ToCoordinate(double value) const;
+  double FromCoordinate(double coordinate) const;
+};
+
+/// A declared structure (with effects switched on) and what is free in it.
+struct FreeModel {
+  hydraulics::PhsParams params;
+  std::vector<FreeParameter> free;
+};
+
+/// V_oil and V_g0 of every line and the friction scale, within factors 0.4 … 2.5 of the declared.
+FreeModel DeclaredModel(const hydraulics::PhsParams& declared);
+
+struct FitResult {
+  std::vector<double> values;      ///< of the free parameters
+  std::vector<double> half_95;     ///< half width of the 95 % interval, in coordinates
+  Eigen::VectorXd residual;        ///< weighted, channels one after the other
+  Eigen::MatrixXd jacobian;        ///< of `residual` over coordinates
+  std::vector<double> channel_ms;  ///< weighted mean square per channel
+  int runs = 0;
+  bool ok = false;
+};
+
+/// Data, driving motion and weights: everything a fit needs. Thread-safe for reading.
+class FitProblem {
+ public:
+  /// Sets weights with the declared model. `data` must outlive the problem.
+  static Result<FitProblem> Create(const FitData& data, const hydraulics::PhsParams& declared);
+
+  int num_channels() const { return static_cast<int>(output_index_.size()); }
+  int samples() const { return static_cast<int>(rows_.size()); }
+  const FitData& data() const { return *data_; }
+
+  hydraulics::PhsParams Params(const FreeModel& model, const std::vector<double>& values) const;
+  /// Weighted residual; empty if the model refuses the values.
+  Eigen::VectorXd Residual(const FreeModel& model, const std::vector<double>& values) const;
+  /// Residual and its derivative over the coordinates from `first` on.
+  bool Linearise(const FreeModel& model, const std::vector<double>& values, int first,
+                 Eigen::VectorXd* residual, Eigen::MatrixXd* jacobian) const;
+  FitResult Fit(const FreeModel& model, const std::vector<double>& start, int max_steps) const;
+  /// Measured channels as predicted on the whole time axis.
+  Result<std::vector<std::vector<double>>> Predict(const hydraulics::PhsParams& params) const;
+  /// Sets weights anew with this model's sensitivity to speed.
+  Status SetWeights(const hydraulics::PhsParams& params);
+
+ private:
+  const FitData* data_ = nullptr;
+  effects::RigMotion full_;   ///< whole record
+  effects::RigMotion short_;  ///< to the end of the estimation window
+  std::vector<int> rows_;          ///< samples of the estimation window
+  std::vector<int> output_index_;  ///< of each measured channel in the model's outputs
+  std::vector<std::vector<double>> weight_;  ///< [channel][row], 0 = missing
+};
+
+/// Independent samples in a correlated residual of N samples: N / (1 + 2 sum rho_k), over the lags
+/// until rho falls below 0.05 (Bayley and Hammersley 1946).
+double EffectiveSamples(const Eigen::VectorXd& residual, int begin, int count);
+
+/// Calls work(i) for i in 0 … n-1 on at most `threads` threads.
+void InParallel(int n, int threads, const std::function<void(int)>& work);
+
+}  // namespace phs::identify::search
