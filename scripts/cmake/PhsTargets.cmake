@@ -6,7 +6,8 @@ target_include_directories(phs_options INTERFACE
   $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src> $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>)
 # Contraction to fused multiply-add would make results depend on the compiler: identical bits are a
 # promise of this product.
-target_compile_options(phs_options INTERFACE -Wall -Wextra -Wpedantic -ffp-contract=off)
+target_compile_options(phs_options INTERFACE -Wall -Wextra -Wpedantic -ffp-contract=off
+  $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)  # false alarm of GCC 12 (its bug 105651)
 if(PHS_SANITIZE)
   target_compile_options(phs_options INTERFACE -fsanitize=${PHS_SANITIZE} -fno-omit-frame-pointer)
   target_link_options(phs_options INTERFACE -fsanitize=${PHS_SANITIZE})
@@ -40,7 +41,7 @@ function(phs_test_folder name)
                         rapidcheck::rapidcheck)
   target_compile_definitions(test_${name} PRIVATE
     PHS_SOURCE_DIR="${PROJECT_SOURCE_DIR}" PHS_BINARY_DIR="${PROJECT_BINARY_DIR}"
-    PHS_TEST_DATA="${PROJECT_SOURCE_DIR}/tests/reference/data")
+    PHS_TEST_DATA="${PROJECT_SOURCE_DIR}/models/reference")
   gtest_discover_tests(test_${name} TEST_PREFIX "${name}." DISCOVERY_TIMEOUT 60
                        # Property tests draw the same cases on every machine.
                        PROPERTIES LABELS "${ARG_LABELS}" ENVIRONMENT "RC_PARAMS=seed=20260")

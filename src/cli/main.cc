@@ -20,6 +20,7 @@ int Main(int argc, char** argv) {
   phs::cli::AddContact(&app, &action);
   phs::cli::AddModes(&app, &action);
   phs::cli::AddReport(&app, &action);
+  phs::cli::AddValidate(&app, &action);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {

@@ -1,0 +1,59 @@
+// Published checks: what this program computes beside a number from outside (a paper, a standard, a
+// measurement, another program, a closed formula), with the tolerance claimed. `phs validate`
+// prints them all; docs quote them.
+//
+// One file NAME_checks.cc per field adds its rows; all_checks.cc lists the files. A reference is
+// never a number of this program's own making.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+
+namespace phs::validate {
+
+/// How ours is held against the reference.
+enum class Claim {
+  kNear,     ///< |ours - reference| <= tolerance
+  kAtMost,   ///< ours <= reference + tolerance
+  kAtLeast,  ///< ours >= reference - tolerance
+};
+
+struct Check {
+  std::string group;  ///< field, e.g. "creep forces"; set by the group it belongs to
+  std::string what;   ///< the quantity, in the field's words
+  std::string unit;   ///< of ours, reference and tolerance; "-" for none
+  double ours = 0;
+  double reference = 0;
+  double tolerance = 0;  ///< absolute, >= 0
+  Claim claim = Claim::kNear;
+  std::string source;   ///< where the reference stands
+  std::string skipped;  ///< why it could not be made on this machine; empty = made
+
+  double Difference() const { return ours - reference; }
+  /// False for a number that is not finite. A skipped check is no failure.
+  bool Passed() const;
+};
+
+using Checks = std::vector<Check>;
+
+struct CheckGroup {
+  const char* name;
+  const char* about;
+  /// Appends the group's checks; an error if its reference data cannot be read.
+  Status (*add)(Checks* checks);
+};
+
+/// Every group, in the order of the table.
+const std::vector<CheckGroup>& AllCheckGroups();
+
+/// The checks of the groups named (all when empty). An unknown name is an error that lists them.
+Result<Checks> MakeChecks(const std::vector<std::string>& groups);
+
+/// The folder models/reference as a table file: `name` with its extension.
+Result<std::string> ReferenceFile(const std::string& name);
+
+Status AddCreepChecks(Checks* checks);
+
+}  // namespace phs::validate
