@@ -1,6 +1,5 @@
 #include "rail/creep_cases.h"
 
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -8,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/numbers.h"
 #include "base/result_dir.h"
 
 namespace phs::rail {
@@ -34,12 +34,6 @@ constexpr CaseColumn kColumns[] = {
     {"phi_rad_per_mm", -kMuch, kMuch, false, "a number"},
 };
 constexpr int kNumColumns = sizeof(kColumns) / sizeof(kColumns[0]);
-
-std::string Shortest(double value) {
-  char text[40];
-  const auto end = std::to_chars(text, text + sizeof text, value).ptr;
-  return std::string(text, end);
-}
 
 Status CheckCell(const Table& cases, const CaseColumn& column, int index, int row, double value) {
   if (std::isfinite(value) && value <= column.high &&
