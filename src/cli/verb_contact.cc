@@ -169,7 +169,8 @@ void AddContact(CLI::App* app, Action* action) {
       "contact", "Wheel-rail contact alone: creepage cases, or a wheelset placed on track");
   verb->footer(
       "--cases: columns a_mm,b_mm,FN_N,mu,G_MPa,nu,xi,eta,phi_rad_per_mm; adds Fx_N,Fy_N,Mz_Nmm.\n"
-      "--wheelset: columns y_mm, Fz_N or z_mm, roll_rad, yaw_rad, vs_mm_s, vpitch_rad_s (and side,\n"
+      "--wheelset: columns y_mm, Fz_N or z_mm, roll_rad, yaw_rad, vs_mm_s, vpitch_rad_s (and "
+      "side,\n"
       "vy_mm_s, vz_mm_s, vroll_rad_s, vyaw_rad_s), or CONTACT's names for them, or CONTACT's own\n"
       "input file; one row per contact patch. Other columns are passed through. Forces act on the\n"
       "rail (positive creepage gives negative force); y to the right, z down.");

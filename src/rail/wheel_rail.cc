@@ -204,7 +204,7 @@ void WheelRail::Impl::Press(const WheelsetMotion& motion, const TouchingPoint& p
   ContactPatch& patch = out->patch[static_cast<size_t>(out->count)];
   patch = {};
   patch.rail_y = point.y;
-  patch.rail_z = point.z;
+  patch.rail_z = point.z - point.depth * std::sqrt(1 + point.slope * point.slope);
   patch.wheel_y = point.wheel_y;
   patch.wheel_z = search->wheel().At(point.wheel_y).z;
   // Forces act half-way into the overlap.

@@ -27,30 +27,26 @@ struct PositionColumn {
   const char* limit_text;
 };
 
-const PositionColumn kY = {{{"y_mm", 1e-3}, {"y_m", 1}, {"Y", 1e-3}, {"Y_WS", 1e-3}},
-                           0.2,
-                           "a number from -200 to 200 mm"};
-const PositionColumn kZ = {{{"z_mm", 1e-3}, {"z_m", 1}, {"Z", 1e-3}, {"Z_WS", 1e-3}},
-                           0.2,
-                           "a number from -200 to 200 mm"};
+const PositionColumn kY = {
+    {{"y_mm", 1e-3}, {"y_m", 1}, {"Y", 1e-3}, {"Y_WS", 1e-3}}, 0.2, "a number from -200 to 200 mm"};
+const PositionColumn kZ = {
+    {{"z_mm", 1e-3}, {"z_m", 1}, {"Z", 1e-3}, {"Z_WS", 1e-3}}, 0.2, "a number from -200 to 200 mm"};
 const PositionColumn kLoad = {{{"Fz_N", 1}, {"FZ", 1}}, 1e7, "0 … 1e7 N"};
 const PositionColumn kRoll = {
     {{"roll_rad", 1}, {"ROLL", 1}, {"ROLL_WS", 1}}, 0.3, "a number from -0.3 to 0.3 rad"};
 const PositionColumn kYaw = {
     {{"yaw_rad", 1}, {"YAW", 1}, {"YAW_WS", 1}}, 0.3, "a number from -0.3 to 0.3 rad"};
-const PositionColumn kForward = {
-    {{"vs_mm_s", 1e-3}, {"vs_m_s", 1}, {"VS", 1e-3}, {"VX_WS", 1e-3}},
-    200,
-    "a number from -200 to 200 m/s"};
+const PositionColumn kForward = {{{"vs_mm_s", 1e-3}, {"vs_m_s", 1}, {"VS", 1e-3}, {"VX_WS", 1e-3}},
+                                 200,
+                                 "a number from -200 to 200 m/s"};
 const PositionColumn kSideways = {{{"vy_mm_s", 1e-3}, {"vy_m_s", 1}, {"VY", 1e-3}, {"VY_WS", 1e-3}},
                                   100,
                                   "a number from -100 to 100 m/s"};
 const PositionColumn kDown = {{{"vz_mm_s", 1e-3}, {"vz_m_s", 1}, {"VZ", 1e-3}, {"VZ_WS", 1e-3}},
                               100,
                               "a number from -100 to 100 m/s"};
-const PositionColumn kRollSpeed = {{{"vroll_rad_s", 1}, {"VROLL", 1}, {"VROLL_WS", 1}},
-                                   100,
-                                   "a number from -100 to 100 rad/s"};
+const PositionColumn kRollSpeed = {
+    {{"vroll_rad_s", 1}, {"VROLL", 1}, {"VROLL_WS", 1}}, 100, "a number from -100 to 100 rad/s"};
 const PositionColumn kYawSpeed = {
     {{"vyaw_rad_s", 1}, {"VYAW", 1}, {"VYAW_WS", 1}}, 100, "a number from -100 to 100 rad/s"};
 const PositionColumn kPitchSpeed = {{{"vpitch_rad_s", 1}, {"VPITCH", 1}, {"VPITCH_WS", 1}},

@@ -10,6 +10,7 @@ namespace phs::validate {
 const std::vector<CheckGroup>& AllCheckGroups() {
   static const std::vector<CheckGroup> groups = {
       {"creep", "creep forces on given patches", &AddCreepChecks},
+      {"contact", "wheel on rail, Hertz, FASTSIM, Carter", &AddContactChecks},
   };
   return groups;
 }

@@ -55,5 +55,6 @@ Result<Checks> MakeChecks(const std::vector<std::string>& groups);
 Result<std::string> ReferenceFile(const std::string& name);
 
 Status AddCreepChecks(Checks* checks);
+Status AddContactChecks(Checks* checks);
 
 }  // namespace phs::validate

@@ -31,7 +31,9 @@ Output Execute(const std::string& command) {
   return out;
 }
 
-Output Phs(const std::string& arguments) { return Execute(PHS_BINARY_DIR "/src/cli/phs " + arguments); }
+Output Phs(const std::string& arguments) {
+  return Execute(PHS_BINARY_DIR "/src/cli/phs " + arguments);
+}
 
 class ProgramTest : public testing::Test {
  protected:
@@ -141,6 +143,44 @@ TEST_F(ProgramTest, TheSameInputsGiveTheSameBytes) {
   ASSERT_EQ(Phs("simulate " + scenario + " --quiet --csv --out " + Path("a")).code, 0);
   ASSERT_EQ(Phs("simulate " + scenario + " --quiet --csv --out " + Path("b")).code, 0);
   EXPECT_EQ(Execute("cmp " + Path("a/timeseries.csv") + " " + Path("b/timeseries.csv")).code, 0);
+}
+
+TEST_F(ProgramTest, ContactPlacesAWheelsetOnTrack) {
+  const std::string cases = Write("cases.csv",
+                                  "note,y_mm,Fz_N,roll_rad,yaw_rad,vs_mm_s,vpitch_rad_s\n"
+                                  "a,5,10000,-0.00035540,0.012,2000,-4.33536370\n");
+  const std::string out = Path("out.csv");
+  const std::string call =
+      "contact --wheelset " + cases + " --wheel S1002 --rail UIC60 --out " + out;
+  const Output done = Phs(call);
+  EXPECT_EQ(done.code, 0) << done.text;
+  std::ifstream file(out);
+  std::string names;
+  std::getline(file, names);
+  EXPECT_THAT(names, HasSubstr("contact_angle_rad"));
+  EXPECT_EQ(Phs(call).code, 3);  // the file is there already
+  EXPECT_EQ(Phs(call + " --force").code, 0);
+}
+
+TEST_F(ProgramTest, ContactRefusesBadInputInOneLine) {
+  const std::string good = Write("c.csv", "y_mm,Fz_N,vs_mm_s,vpitch_rad_s\n0,10000,2000,-4.3\n");
+  const std::string bad = Write("b.csv", "y_mm,Fz_N,vs_mm_s,vpitch_rad_s\n0,1e9,2000,-4.3\n");
+  const auto refused = [&](const std::string& arguments, int code, const std::string& words) {
+    const Output out = Phs("contact " + arguments + " --out " + Path("o.csv"));
+    EXPECT_EQ(out.code, code) << out.text;
+    EXPECT_THAT(out.text, HasSubstr(words));
+    EXPECT_EQ(std::count(out.text.begin(), out.text.end(), '\n'), 1) << out.text;
+    EXPECT_FALSE(fs::exists(Path("o.csv")));
+  };
+  const std::string pair = " --wheel S1002 --rail UIC60";
+  refused("", 2, "--wheelset");
+  refused("--wheelset " + good + " --cases " + good, 2, "--wheelset");
+  refused("--wheelset " + good + " --wheel S1002", 3, "--rail");
+  refused("--wheelset " + good + " --wheel S1003 --rail UIC60", 3, "S1002");
+  refused("--wheelset " + bad + pair, 3, "b.csv:2");
+  refused("--wheelset " + good + pair + " --gauge_m 9", 3, "gauge");
+  refused("--wheelset " + Path("none.csv") + pair, 3, "none.csv");
+  refused("--wheelset " + Write("e.inp", "% nothing\n") + pair, 3, "e.inp");
 }
 
 }  // namespace

@@ -1,0 +1,164 @@
+// Case of the Manchester contact benchmark against CONTACT's printed result (Apache-2.0,
+// github eve70a/CONTACT): S1002 on UIC60, left wheel, 10 kN, y 0 … 10 mm with yaw 0 … 24 mrad.
+#include "rail/wheelset_cases.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact_pair.h"
+#include "creep_reference.h"
+
+namespace phs::rail {
+namespace {
+
+/// Input of CONTACT's case with the product's profiles (the same files by other names).
+WheelsetCases Cases(const std::string& method) {
+  auto read = ReadContactInput(std::string(PHS_TEST_DATA) + "/mbench_a22_left.inp");
+  if (!read.ok()) ADD_FAILURE() << read.error().Line();
+  WheelsetCases cases = std::move(read).value();
+  cases.wheel_rail.wheel_profile = ProfilePath("S1002.prw");
+  cases.wheel_rail.rail_profile = ProfilePath("UIC60.prr");
+  cases.wheel_rail.creep.method = method;
+  cases.wheel_rail.creep.use_disk_cache = false;
+  return cases;
+}
+
+TEST(ManchesterA22, InputFileIsRead) {
+  const WheelsetCases c = Cases("fastsim");
+  EXPECT_EQ(c.side, Side::kLeft);
+  EXPECT_EQ(c.table.num_rows(), 21);
+  EXPECT_DOUBLE_EQ(c.wheel_rail.gauge, 1.435);
+  EXPECT_DOUBLE_EQ(c.wheel_rail.wheel_radius, 0.46);
+  EXPECT_DOUBLE_EQ(c.wheel_rail.creep.material.shear_modulus_Pa, 82e9);
+  EXPECT_DOUBLE_EQ(Cell(c.table, "yaw_rad", 20), 0.024);
+  EXPECT_DOUBLE_EQ(Cell(c.table, "Fz_N", 20), 10000);
+}
+
+TEST(ManchesterA22, PositionAngleCreepageAndForcesOfAll21Positions) {
+  const auto result = CalcWheelsetCases(Cases("fastsim"));
+  ASSERT_TRUE(result.ok()) << result.error().Line();
+  const Table& t = result.value();
+  const Table ref = ReferenceTable("mbench_a22_left_ref.csv");
+  int compared = 0;
+  for (int row = 0; row < t.num_rows(); ++row) {
+    const int k = static_cast<int>(Cell(t, "case", row)) - 1;
+    // Row 1 lies where the contact jumps: two patches here, one wide patch in CONTACT.
+    if (k == 0) continue;
+    ++compared;
+    const auto ours = [&](const char* name) { return Cell(t, name, row); };
+    const auto theirs = [&](const char* name) { return Cell(ref, name, k); };
+    SCOPED_TRACE("position " + std::to_string(k + 1));
+    EXPECT_EQ(ours("patches"), 1);
+    EXPECT_NEAR(ours("ycp_rail_mm"), theirs("YCP(R)"), k == 1 ? 0.45 : 0.3);
+    EXPECT_NEAR(ours("ycp_wheel_mm"), theirs("YCP(W)"), k == 1 ? 0.45 : 0.3);
+    EXPECT_NEAR(ours("zcp_rail_mm"), theirs("ZCP(R)"), 0.02);
+    EXPECT_NEAR(ours("z_solved_mm"), theirs("Z_WS"), 0.005);
+    EXPECT_NEAR(ours("contact_angle_rad"), theirs("DELTCP(TR)"), 1.5e-3);
+    // CONTACT refers creepages to the mean of rolling and forward speed: 1.3 % at the largest slip.
+    EXPECT_NEAR(ours("xi"), theirs("CKSI"), 1e-4 + 0.013 * std::abs(theirs("CKSI")));
+    EXPECT_NEAR(ours("eta"), theirs("CETA"), 1e-4 + 0.013 * std::abs(theirs("CETA")));
+    EXPECT_NEAR(ours("phi_rad_per_mm"), theirs("CPHI"), 4e-6);
+    EXPECT_NEAR(ours("FN_N") / theirs("FN"), 1, 2e-3);
+    EXPECT_NEAR(ours("approach_mm") / theirs("APPROACH"), 1, 0.02);
+    EXPECT_NEAR(ours("pmax_MPa") / theirs("PMAX"), 1, 0.01);
+    // Tangential force: 10 % of the friction limit as a vector.
+    const double limit = 0.3 * theirs("FN");
+    EXPECT_LT(std::hypot(ours("FX_N") - theirs("FX(TR)"), ours("FY_N") - theirs("FY(TR)")),
+              0.1 * limit);
+    EXPECT_NEAR(ours("FZ_N"), 10000, 1);
+  }
+  EXPECT_EQ(compared, 20);
+}
+
+TEST(ManchesterA22, TheTableAgreesWithFastsim) {
+  const auto slow = CalcWheelsetCases(Cases("fastsim"));
+  const auto fast = CalcWheelsetCases(Cases("kalker_table"));
+  ASSERT_TRUE(slow.ok() && fast.ok());
+  ASSERT_EQ(slow.value().num_rows(), fast.value().num_rows());
+  for (int row = 0; row < slow.value().num_rows(); ++row) {
+    EXPECT_NEAR(Cell(slow.value(), "FX_N", row), Cell(fast.value(), "FX_N", row), 0.02 * 3000);
+    EXPECT_NEAR(Cell(slow.value(), "FY_N", row), Cell(fast.value(), "FY_N", row), 0.02 * 3000);
+  }
+}
+
+TEST(ManchesterA22, TheRightWheelOfTheMirroredWheelsetIsTheSame) {
+  WheelsetCases cases = Cases("polach");
+  const auto left = CalcWheelsetCases(cases);
+  for (const char* name : {"y_mm", "roll_rad", "yaw_rad", "vy_mm_s", "vroll_rad_s", "vyaw_rad_s"}) {
+    for (double& v : cases.table.columns[static_cast<size_t>(cases.table.Find(name))]) v = -v;
+  }
+  cases.side = Side::kRight;
+  const auto right = CalcWheelsetCases(cases);
+  ASSERT_TRUE(left.ok() && right.ok());
+  for (int row = 0; row < left.value().num_rows(); ++row) {
+    EXPECT_EQ(Cell(left.value(), "FX_N", row), Cell(right.value(), "FX_N", row));
+    EXPECT_EQ(Cell(left.value(), "FY_N", row), -Cell(right.value(), "FY_N", row));
+    EXPECT_EQ(Cell(left.value(), "contact_angle_rad", row),
+              -Cell(right.value(), "contact_angle_rad", row));
+  }
+}
+
+std::string ErrorOf(const std::string& csv) {
+  const auto t = ParseCsv(csv, "cases.csv");
+  if (!t.ok()) return t.error().Line();
+  WheelsetCases cases = Cases("polach");
+  cases.table = t.value();
+  const auto out = CalcWheelsetCases(cases);
+  return out.ok() ? "" : out.error().Line();
+}
+
+TEST(WheelsetCases, MessagesNameLineAndColumn) {
+  EXPECT_NE(ErrorOf("y_mm,vs_mm_s,Fz_N\n0,1,1\n").find("vpitch_rad_s"), std::string::npos);
+  EXPECT_NE(ErrorOf("y_mm,vs_mm_s,vpitch_rad_s\n0,1,1\n").find("neither Fz_N nor z_mm"),
+            std::string::npos);
+  const std::string head = "y_mm,vs_mm_s,vpitch_rad_s,Fz_N,side\n";
+  EXPECT_NE(ErrorOf(head + "0,2000,-4,x,left\n").find("cases.csv:2: Fz_N is 'x'"),
+            std::string::npos);
+  EXPECT_NE(ErrorOf(head + "0,2000,-4,10,up\n").find("side is 'up'"), std::string::npos);
+  EXPECT_NE(ErrorOf(head + "0,2000,-4,-10,left\n").find("0 … 1e7 N"), std::string::npos);
+  EXPECT_NE(ErrorOf(head + "0,2000,-4,1e6,left\n0,2000,-4,-1,left\n").find("cases.csv:3"),
+            std::string::npos);
+  EXPECT_EQ(ErrorOf(head + "0,2000,-4,10000,left\n"), "");
+}
+
+TEST(WheelsetCases, OneTableUnderThreeSetsOfNames) {
+  WheelsetCases cases = Cases("polach");
+  const char* tables[] = {
+      "y_mm,Fz_N,roll_rad,yaw_rad,vs_mm_s,vpitch_rad_s\n5,10000,-0.00035540,0.012,2000,-4."
+      "3353637\n",
+      "S,Y,FZ,ROLL,YAW,VS,VPITCH\n0,5,10000,-0.00035540,0.012,2000,-4.3353637\n",
+      "side,Y_WS,FZ,ROLL_WS,YAW_WS,VX_WS,VPITCH_WS\n"
+      "\"LEFT WHEEL\",5,10000,-0.00035540,0.012,2000.,-4.3353637\n"};
+  for (const char* text : tables) {
+    cases.table = ParseCsv(text, "c").value();
+    const auto out = CalcWheelsetCases(cases);
+    ASSERT_TRUE(out.ok()) << out.error().Line();
+    EXPECT_NEAR(Cell(out.value(), "pmax_MPa", 0), 552.8, 1);
+  }
+}
+
+TEST(WheelsetCases, ResultsThatTheInputHoldsAreReplaced) {
+  WheelsetCases cases = Cases("polach");
+  cases.table =
+      ParseCsv("case,patch,y_mm,z_mm,vs_mm_s,vpitch_rad_s\n9,7,0,0.2,2000,-4.3\n", "c").value();
+  const auto out = CalcWheelsetCases(cases);
+  ASSERT_TRUE(out.ok());
+  EXPECT_EQ(std::count(out.value().names.begin(), out.value().names.end(), "patch"), 1);
+  EXPECT_EQ(Cell(out.value(), "case", 0), 1);
+}
+
+TEST(WheelsetCases, AGivenHeightAboveTouchLeavesTheWheelLifted) {
+  WheelsetCases cases = Cases("polach");
+  cases.table = ParseCsv("note,y_mm,z_mm,vs_mm_s,vpitch_rad_s\nup,0,-5,2000,-4.3\n", "c").value();
+  const auto out = CalcWheelsetCases(cases);
+  ASSERT_TRUE(out.ok());
+  EXPECT_EQ(out.value().num_rows(), 1);
+  EXPECT_EQ(Cell(out.value(), "patch", 0), 0);
+  EXPECT_EQ(Cell(out.value(), "FZ_N", 0), 0);
+  EXPECT_EQ(out.value().text[0][0], "up");
+}
+
+}  // namespace
+}  // namespace phs::rail
