@@ -6,8 +6,11 @@ target_include_directories(phs_options INTERFACE
   $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src> $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>)
 # Contraction to fused multiply-add would make results depend on the compiler: identical bits are a
 # promise of this product.
-target_compile_options(phs_options INTERFACE -Wall -Wextra -Wpedantic -ffp-contract=off
-  $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)  # false alarm of GCC 12 (its bug 105651)
+target_compile_options(phs_options INTERFACE
+  $<BUILD_INTERFACE:-Wall> $<BUILD_INTERFACE:-Wextra> $<BUILD_INTERFACE:-Wpedantic>
+  $<BUILD_INTERFACE:-ffp-contract=off>
+  # A false alarm of GCC 12 (its bug 105651).
+  $<BUILD_INTERFACE:$<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>>)
 if(PHS_SANITIZE)
   target_compile_options(phs_options INTERFACE -fsanitize=${PHS_SANITIZE} -fno-omit-frame-pointer)
   target_link_options(phs_options INTERFACE -fsanitize=${PHS_SANITIZE})

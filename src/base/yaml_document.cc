@@ -1,9 +1,11 @@
 #include "base/yaml_document.h"
 
 #include <fmt/format.h>
+#include <yaml-cpp/eventhandler.h>
 
 #include <optional>
 #include <set>
+#include <sstream>
 #include <vector>
 
 #include "base/words.h"
@@ -62,6 +64,39 @@ class TreeCheck {
   int values_ = 0;
 };
 
+/// Notes where documents begin, and builds nothing.
+class DocumentStarts : public YAML::EventHandler {
+ public:
+  void OnDocumentStart(const YAML::Mark& mark) override { lines_.push_back(mark.line + 1); }
+  void OnDocumentEnd() override {}
+  void OnNull(const YAML::Mark&, YAML::anchor_t) override {}
+  void OnAlias(const YAML::Mark&, YAML::anchor_t) override {}
+  void OnScalar(const YAML::Mark&, const std::string&, YAML::anchor_t,
+                const std::string&) override {}
+  void OnSequenceStart(const YAML::Mark&, const std::string&, YAML::anchor_t,
+                       YAML::EmitterStyle::value) override {}
+  void OnSequenceEnd() override {}
+  void OnMapStart(const YAML::Mark&, const std::string&, YAML::anchor_t,
+                  YAML::EmitterStyle::value) override {}
+  void OnMapEnd() override {}
+  const std::vector<int>& lines() const { return lines_; }
+
+ private:
+  std::vector<int> lines_;
+};
+
+/// Line of the second document, if there is one. Never asks for a third: on a stray closing bracket
+/// yaml-cpp gives documents without end.
+std::optional<int> SecondDocument(const std::string& text) {
+  std::istringstream stream(text);
+  YAML::Parser parser(stream);
+  DocumentStarts starts;
+  for (int i = 0; i < 2 && parser.HandleNextDocument(starts); ++i) {
+  }
+  if (starts.lines().size() < 2) return std::nullopt;
+  return starts.lines()[1];
+}
+
 }  // namespace
 
 int LineOf(const YAML::Node& node) { return node.Mark().line + 1; }
@@ -75,16 +110,14 @@ std::string Described(const YAML::Node& node) {
 Result<YAML::Node> ParseYamlDocument(const std::string& text, const std::string& name) {
   if (text.size() > kMaxBytes) return Error{name, "is too large", "at most 16 MB of YAML", ""};
   try {
-    const std::vector<YAML::Node> documents = YAML::LoadAll(text);
-    if (documents.size() > 1) {
-      return Error{fmt::format("{}:{}", name, LineOf(documents[1])), "begins a second document",
-                   "one document in a file", "remove the line '---' between them"};
+    if (const auto line = SecondDocument(text)) {
+      return Error{fmt::format("{}:{}", name, *line), "begins a second document",
+                   "one document in a file", "remove what ends the first ('---', a stray bracket)"};
     }
-    if (documents.empty() || !documents[0].IsMap()) {
-      return Error{name + ":1", "is no map", "lines of 'key: value'", ""};
-    }
-    if (auto error = TreeCheck(name).Check(documents[0], 0)) return *error;
-    return documents[0];
+    const YAML::Node document = YAML::Load(text);
+    if (!document.IsMap()) return Error{name + ":1", "is no map", "lines of 'key: value'", ""};
+    if (auto error = TreeCheck(name).Check(document, 0)) return *error;
+    return document;
   } catch (const YAML::Exception& fault) {
     return Error{fmt::format("{}:{}", name, fault.mark.line + 1), fault.msg, "YAML",
                  "mend the syntax"};

@@ -177,8 +177,8 @@ TEST(Yaml, MessagesOfBrokenDocuments) {
   EXPECT_EQ(ParseError(""), "x.yaml:1: is no map; allowed: lines of 'key: value'");
   EXPECT_EQ(ParseError("- 1\n"), "x.yaml:1: is no map; allowed: lines of 'key: value'");
   EXPECT_EQ(ParseError("a: 1\n---\nb: 2\n"),
-            "x.yaml:3: begins a second document; allowed: one document in a file; remove the line "
-            "'---' between them");
+            "x.yaml:2: begins a second document; allowed: one document in a file; remove what ends "
+            "the first ('---', a stray bracket)");
   EXPECT_EQ(ParseError("? [1, 2]\n: 3\n"), "x.yaml:1: a key is not a word; allowed: words");
   EXPECT_THAT(ParseError("a: 1\nb: [1, 2\n"), HasSubstr("allowed: YAML; mend the syntax"));
   EXPECT_THAT(ParseError("a: 1\n b: 2\n"), HasSubstr("x.yaml:2: "));
@@ -231,6 +231,18 @@ RC_GTEST_PROP(Yaml, EveryFiniteNumberSurvivesTheWayThroughText, (double value)) 
   YamlMap map = Parsed("k: " + Shortest(value) + "\n");
   RC_ASSERT(map.Number("k", {}) == value);
   RC_ASSERT(map.Finish().ok());
+}
+
+RC_GTEST_PROP(Yaml, AnyTextIsReadOrRefused, (const std::string& text)) {
+  auto map = YamlMap::Parse(text, "x.yaml");
+  if (!map.ok()) RC_ASSERT(map.error().Line().find('\n') == std::string::npos);
+}
+
+// yaml-cpp finds documents without end behind these.
+TEST(Yaml, StrayBracketsAreRefused) {
+  for (const char* text : {"]", "}", "a: 1\n]", "a: 1\n}\n", "- ]", "a: ]"}) {
+    EXPECT_FALSE(YamlMap::Parse(text, "x.yaml").ok()) << text;
+  }
 }
 
 TEST(Range, EndsAndWords) {

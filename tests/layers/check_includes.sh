@@ -1,0 +1,55 @@
+#!/usr/bin/env bash
+# Which folder may include which (docs/design.md), who sees the engine and who sees urdfdom.
+# check_includes.sh ROOT: prints every include that is not allowed; exit code 1 if there is one.
+set -euo pipefail
+cd "${1:-.}"
+
+declare -A allowed=(
+  [src/base]="base"
+  [src/hydraulics]="base hydraulics"
+  [src/effects]="base hydraulics effects"
+  [src/rail]="base rail"
+  [plugin]="base hydraulics effects rail plugin"
+  [src/vehicle]="base hydraulics effects rail plugin vehicle"
+  [src/analysis]="base hydraulics effects rail plugin vehicle analysis"
+  [src/identify]="base hydraulics effects rail plugin vehicle identify"
+  [src/validate]="base hydraulics effects rail plugin vehicle analysis identify validate"
+  [src/sweep]="base hydraulics effects rail plugin vehicle analysis report sweep"
+  [src/report]="base report"
+  [src/cli]="base hydraulics effects rail plugin vehicle analysis identify validate sweep report cli"
+)
+own="base|hydraulics|effects|rail|plugin|vehicle|analysis|identify|validate|sweep|report|cli"
+failed=0
+
+complain() { echo "$1"; failed=1; }
+
+# Every folder of sources is in the list above.
+for folder in src/*/; do
+  folder="${folder%/}"
+  [ -n "${allowed[$folder]:-}" ] || complain "$folder: no rule says what it may include"
+done
+
+for folder in "${!allowed[@]}"; do
+  [ -d "$folder" ] || continue
+  while IFS=: read -r file line text; do
+    target="$(sed -E 's/.*#include "([^/"]+)\/.*/\1/' <<<"$text")"
+    [[ " ${allowed[$folder]} " == *" $target "* ]] ||
+      complain "$file:$line: $folder may not include $target/ (allowed: ${allowed[$folder]})"
+  done < <(grep -rnE "#include \"($own)/" --include='*.cc' --include='*.h' "$folder" || true)
+done
+
+# Within the sources a file is named by its folder, never by a path that climbs.
+while IFS=: read -r file line _; do
+  complain "$file:$line: an include climbs with '..'"
+done < <(grep -rnE '#include "\.\./' --include='*.cc' --include='*.h' src plugin || true)
+
+while IFS=: read -r file line _; do
+  [[ "$file" == plugin/* || "$file" == src/vehicle/* ]] ||
+    complain "$file:$line: only plugin/ and src/vehicle/ see the engine"
+done < <(grep -rnE '#include <mujoco/' --include='*.cc' --include='*.h' src plugin || true)
+
+urdf_files="$(grep -rlE '#include <urdf' --include='*.cc' --include='*.h' src plugin || true)"
+if [ "$(grep -c . <<<"$urdf_files")" -gt 1 ]; then
+  complain "more than one file sees urdfdom: $(tr '\n' ' ' <<<"$urdf_files")"
+fi
+exit "$failed"

@@ -1,0 +1,35 @@
+#!/usr/bin/env bash
+# The check of includes finds what it must: one wrong include of each kind in a made-up tree.
+set -euo pipefail
+check="$(cd "$(dirname "$0")" && pwd)/check_includes.sh"
+tree="$(mktemp -d)"
+trap 'rm -rf "$tree"' EXIT
+mkdir -p "$tree/src/base" "$tree/src/rail" "$tree/src/vehicle" "$tree/plugin" "$tree/src/report"
+
+expect() {  # expect OK|FAULT TEXT
+  local found
+  if found="$(bash "$check" "$tree")"; then
+    [ "$1" = OK ] || { echo "not found: $2"; exit 1; }
+  else
+    [ "$1" = FAULT ] && grep -qF "$2" <<<"$found" || { echo "expected '$2', got: $found"; exit 1; }
+  fi
+}
+
+echo '#include "base/result.h"' >"$tree/src/rail/a.cc"
+echo '#include <mujoco/mujoco.h>' >"$tree/src/vehicle/a.h"
+echo '#include <urdf_parser/urdf_parser.h>' >"$tree/src/vehicle/b.cc"
+expect OK ""
+echo '#include "rail/a.h"' >"$tree/src/base/wrong.h"
+expect FAULT "src/base/wrong.h:1: src/base may not include rail/"
+rm "$tree/src/base/wrong.h"
+echo '#include <mujoco/mujoco.h>' >"$tree/src/rail/wrong.cc"
+expect FAULT "src/rail/wrong.cc:1: only plugin/ and src/vehicle/ see the engine"
+rm "$tree/src/rail/wrong.cc"
+echo '#include "../vehicle/a.h"' >"$tree/src/report/wrong.cc"
+expect FAULT "src/report/wrong.cc:1: an include climbs"
+rm "$tree/src/report/wrong.cc"
+echo '#include <urdf_model/model.h>' >"$tree/src/vehicle/c.cc"
+expect FAULT "more than one file sees urdfdom"
+rm "$tree/src/vehicle/c.cc"
+mkdir "$tree/src/misc"
+expect FAULT "src/misc: no rule says what it may include"
