@@ -30,6 +30,12 @@ class ScratchDir {
   std::string path_;
 };
 
+/// A path in a directory that this process has for itself: tests run side by side.
+inline std::string ScratchFile(const std::string& name) {
+  static const ScratchDir dir;
+  return dir.File(name);
+}
+
 /// Names in a directory, sorted: to see what was left behind.
 inline std::vector<std::string> NamesIn(const std::string& directory) {
   std::vector<std::string> names;

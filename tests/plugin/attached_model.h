@@ -12,6 +12,7 @@
 
 #include "plugin/registry.h"
 #include "plugin/settle.h"
+#include "tests/base/scratch_dir.h"
 
 namespace phs::plugin {
 
@@ -52,8 +53,7 @@ inline ModelPtr LoadFile(const std::string& path) {
 }
 
 inline ModelPtr LoadText(const std::string& xml) {
-  const std::string path =
-      testing::TempDir() + "/model_" + std::to_string(std::hash<std::string>{}(xml)) + ".xml";
+  const std::string path = ScratchFile("model.xml");
   std::ofstream(path) << xml;
   ModelPtr m = LoadFile(path);
   std::remove(path.c_str());

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/base/scratch_dir.h"
 #include "tests/plugin/attached_model.h"
 
 namespace phs::plugin {
@@ -42,7 +43,7 @@ std::vector<double> Numbers(const std::string& text) {
 TEST(PreloadTest, AForeignProgramFollowsTheSameTrajectoryBitForBit) {
   for (const char* bogie : {"phs", "rigid_link"}) {
     const Output foreign = Execute(std::string(kPreload) + PHS_BINARY_DIR + "/tests/foreign_host " +
-                               BogiePath(bogie) + " 3000");
+                                   BogiePath(bogie) + " 3000");
     ASSERT_EQ(foreign.status, 0) << foreign.text;
     EngineGuard guard;
     const ModelPtr m = LoadFile(BogiePath(bogie));
@@ -63,7 +64,7 @@ TEST(PreloadTest, WithoutThePluginTheSameProgramFallsFreely) {
 
 TEST(PreloadTest, AModelThatCannotBeAttachedIsRefusedWithTheReason) {
   const Output out = Execute("PHS_OPTIONS=track=nowhere " + std::string(kPreload) + PHS_BINARY_DIR +
-                         "/tests/foreign_host " + BogiePath("phs") + " 10");
+                             "/tests/foreign_host " + BogiePath("phs") + " 10");
   EXPECT_NE(out.status, 0);
   EXPECT_NE(out.text.find("track 'nowhere'"), std::string::npos) << out.text;
 }
@@ -71,9 +72,9 @@ TEST(PreloadTest, AModelThatCannotBeAttachedIsRefusedWithTheReason) {
 TEST(PreloadTest, DebiansOwnTestspeedRunsTheSteeredBogie) {
   if (Execute("command -v mujoco-testspeed").status != 0)
     GTEST_SKIP() << "libmujoco-samples not installed";
-  const std::string trace = testing::TempDir() + "/phs_trace.csv";
-  const Output out =
-      Execute("PHS_TRACE=" + trace + " " + kPreload + "mujoco-testspeed " + BogiePath("phs") + " 2000");
+  const std::string trace = ScratchFile("trace.csv");
+  const Output out = Execute("PHS_TRACE=" + trace + " " + kPreload + "mujoco-testspeed " +
+                             BogiePath("phs") + " 2000");
   ASSERT_EQ(out.status, 0) << out.text;
   EXPECT_NE(out.text.find("Simulation time"), std::string::npos) << out.text;
   // Its trajectory is the same one.

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "creep_reference.h"
+#include "tests/base/scratch_dir.h"
 
 namespace phs::rail {
 namespace {
@@ -66,8 +67,7 @@ TEST(CreepCases, WrittenTableReadsBack) {
   ASSERT_TRUE(t.ok());
   const auto out = CalcCreepCases(t.value(), "fastsim");
   ASSERT_TRUE(out.ok());
-  const std::string path =
-      (std::filesystem::temp_directory_path() / "phs_creep_cases_test.csv").string();
+  const std::string path = ScratchFile("creep_cases.csv");
   ASSERT_TRUE(WriteCaseTable(path, out.value()).ok());
   const auto back = ReadCsv(path);
   std::filesystem::remove(path);

@@ -10,6 +10,7 @@
 #include <numbers>
 
 #include "rail/irregularity_psd.h"
+#include "tests/base/scratch_dir.h"
 
 namespace phs::rail {
 namespace {
@@ -214,7 +215,7 @@ TEST(IrregularityPsd, SeedsAreReproducibleAndDifferentAndScaleIsLinear) {
 }
 
 std::string Written(const std::string& text) {
-  const std::string path = ::testing::TempDir() + "irregularity_record.csv";
+  const std::string path = ScratchFile("irregularity_record.csv");
   std::ofstream(path) << text;
   return path;
 }

@@ -9,13 +9,15 @@
 #include <fstream>
 #include <string>
 
+#include "tests/base/scratch_dir.h"
+
 namespace phs::rail {
 namespace {
 
 using ::testing::HasSubstr;
 
 std::string Written(const std::string& text, const std::string& name = "some_track.yaml") {
-  const std::string path = ::testing::TempDir() + name;
+  const std::string path = ScratchFile(name);
   std::ofstream(path) << text;
   return path;
 }
@@ -92,7 +94,7 @@ TEST(Track, FrictionIsNaNWhenNotGiven) {
 TEST(Track, MirrorOfAFileEqualsTheMirrorOnLoading) {
   const Track original = Loaded(Written(kSimple));
   Written("mirror_of: some_track\n", "other_hand.yaml");
-  const Track file = Loaded(::testing::TempDir() + "other_hand.yaml");
+  const Track file = Loaded(ScratchFile("other_hand.yaml"));
   const Track loaded = Loaded(Written(kSimple), true);
   EXPECT_EQ(file.name(), "other_hand");
   for (double s = -5; s < original.length() + 5; s += 3.3) {
