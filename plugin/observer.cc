@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "plugin/tendon_forces.h"
+
 namespace phs::plugin {
 namespace {
 
@@ -39,12 +41,18 @@ double JointPosition(const mjModel* m, const mjData* d, int joint) {
   return joint < 0 ? 0.0 : d->qpos[m->jnt_qposadr[joint]];
 }
 
+/// Spring and damper of a joint and of the linkages that end on it.
 double JointForce(const mjModel* m, const mjData* d, int joint) {
   if (joint < 0) return 0.0;
   const int dof = m->jnt_dofadr[joint];
-  return -m->jnt_stiffness[joint] *
-             (JointPosition(m, d, joint) - m->qpos_spring[m->jnt_qposadr[joint]]) -
-         m->dof_damping[dof] * d->qvel[dof];
+  double force = -m->jnt_stiffness[joint] *
+                     (JointPosition(m, d, joint) - m->qpos_spring[m->jnt_qposadr[joint]]) -
+                 m->dof_damping[dof] * d->qvel[dof];
+  ForEachTendonDof(m, d, [&](int t, int moved, double moment) {
+    if (moved != dof) return;
+    force += moment * (TendonSpringForce(m, d, t) - m->tendon_damping[t] * d->ten_velocity[t]);
+  });
+  return force;
 }
 
 double Largest(const WheelRailForces& wheel, double ContactPatch::*member) {

@@ -1,5 +1,6 @@
 #include "vehicle/compose.h"
 
+#include <algorithm>
 #include <cstring>
 #include <string>
 #include <vector>
@@ -31,9 +32,25 @@ bool IsPerBogie(const XMLElement& section, const XMLElement& element) {
          std::strcmp(section.Name(), "actuator") == 0 || std::strcmp(section.Name(), "sensor") == 0;
 }
 
+/// Data of a custom text of a file, or "".
+std::string TextOf(const XMLElement* root, const std::string& name) {
+  for (const XMLElement* custom = root->FirstChildElement("custom"); custom != nullptr;
+       custom = custom->NextSiblingElement("custom")) {
+    for (const XMLElement* text = custom->FirstChildElement("text"); text != nullptr;
+         text = text->NextSiblingElement("text")) {
+      const char* own = text->Attribute("name");
+      const char* data = text->Attribute("data");
+      if (own != nullptr && data != nullptr && name == own) return data;
+    }
+  }
+  return "";
+}
+
 /// The two frames of the car body filled with the bogie's parts; the single bogie removed.
 Status PutBogiesUnderBody(const std::string& bogie_path, XMLElement* root) {
-  auto body_path = FindData("car body", "bogie_xml/shared", "locomotive_body", {".xml"});
+  const std::string named = TextOf(root, "phs_car_body");
+  auto body_path = FindData("car body", "bogie_xml/shared",
+                            named.empty() ? "locomotive_body" : named, {".xml"});
   if (!body_path.ok()) return body_path.error();
   auto body = ReadMjcf(body_path.value());
   if (!body.ok()) return body.error();
@@ -198,6 +215,28 @@ Result<ModelPtr> ComposeVehicle(const Scenario& scenario) {
   MoveStatefulActuatorsLast(root);
   EnlargeUserData(512, root);
   return CompileMjcf(*document.value(), path.value());
+}
+
+std::vector<ComparedBogie> ListComparedBogies() {
+  std::vector<ComparedBogie> bogies;
+  for (const std::string& name : ListData("bogie_xml", {".xml"})) {
+    const std::string yardstick = YardstickOf(name);
+    if (!yardstick.empty()) bogies.push_back({name, yardstick});
+  }
+  // A yardstick stands before those measured with it.
+  std::stable_sort(bogies.begin(), bogies.end(), [](const auto& a, const auto& b) {
+    const bool a_first = a.name == a.yardstick;
+    const bool b_first = b.name == b.yardstick;
+    return a.yardstick != b.yardstick ? a.yardstick < b.yardstick : a_first && !b_first;
+  });
+  return bogies;
+}
+
+std::string YardstickOf(const std::string& bogie) {
+  auto path = FindData("bogie", "bogie_xml", bogie, {".xml"});
+  if (!path.ok()) return "";
+  auto document = ReadMjcf(path.value());
+  return document.ok() ? TextOf(document.value()->RootElement(), "phs_yardstick") : "";
 }
 
 }  // namespace phs::vehicle

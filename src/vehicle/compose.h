@@ -4,8 +4,13 @@
 //   state carriers  a PHS model with more states than the file has activations (gas temperatures,
 //                   clearances …) gets one force-free user actuator per further state;
 //   locomotive      the bogie (frame, wheelsets, cylinders) is put twice, with names prefixed
-//                   front_ and rear_, under the car body of bogie_xml/shared/locomotive_body.xml.
+//                   front_ and rear_, under the car body of bogie_xml/shared/locomotive_body.xml
+//                   or the one that the bogie names: <text name="phs_car_body" data="…"/>. Any
+//                   number of axles.
 #pragma once
+
+#include <string>
+#include <vector>
 
 #include "base/result.h"
 #include "vehicle/engine.h"
@@ -15,5 +20,16 @@ namespace phs::vehicle {
 
 /// Errors name the MJCF file, line and element.
 Result<ModelPtr> ComposeVehicle(const Scenario& scenario);
+
+/// A bogie of bogie_xml that says what it is measured with: <text name="phs_yardstick" data="…"/>,
+/// the conventional bogie with the same axles.
+struct ComparedBogie {
+  std::string name;
+  std::string yardstick;
+};
+/// All of them, each yardstick first.
+std::vector<ComparedBogie> ListComparedBogies();
+/// The yardstick of one bogie, "" if it names none.
+std::string YardstickOf(const std::string& bogie);
 
 }  // namespace phs::vehicle

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "plugin/tendon_forces.h"
+
 namespace phs::vehicle {
 
 using plugin::UserData;
@@ -23,7 +25,8 @@ EnergyKeeper::EnergyKeeper(const mjModel* m, const plugin::Binding& binding)
     : binding_(binding),
       damping_(m->dof_damping, m->dof_damping + m->nv),
       speed_(static_cast<size_t>(m->nv)),
-      spring_(static_cast<size_t>(m->nv)) {
+      spring_(static_cast<size_t>(m->nv)),
+      link_damper_(static_cast<size_t>(m->nv)) {
   for (const auto& w : binding.wheelsets()) damping_[w.spin_dof] -= w.lent_damping;
 }
 
@@ -34,6 +37,14 @@ void EnergyKeeper::Before(const mjModel* m, const mjData* d) {
     const int q = m->jnt_qposadr[j];
     spring_[m->jnt_dofadr[j]] = -m->jnt_stiffness[j] * (d->qpos[q] - m->qpos_spring[q]);
   }
+}
+
+void EnergyKeeper::ReadLinkages(const mjModel* m, const mjData* d) {
+  std::fill(link_damper_.begin(), link_damper_.end(), 0.0);
+  plugin::ForEachTendonDof(m, d, [&](int t, int dof, double moment) {
+    spring_[dof] += moment * plugin::TendonSpringForce(m, d, t);
+    link_damper_[dof] -= moment * m->tendon_damping[t] * d->ten_velocity[t];
+  });
 }
 
 void EnergyKeeper::Read(const mjData* d) {
@@ -50,14 +61,16 @@ void EnergyKeeper::Read(const mjData* d) {
 
 void EnergyKeeper::After(const mjModel* m, const mjData* d) {
   const double h = m->opt.timestep;
+  ReadLinkages(m, d);
   double contact = 0;  // Q . (v1 - v0)/2
   double phs = 0;
   for (int i = 0; i < m->nv; ++i) {
     const double change = 0.5 * (d->qvel[i] - speed_[i]);
     const double mean = speed_[i] + change;
-    contact += change * (d->qfrc_passive[i] - spring_[i] + damping_[i] * speed_[i]);
+    contact += change * (d->qfrc_passive[i] - spring_[i] - link_damper_[i] +
+                         damping_[i] * speed_[i]);
     phs += change * d->qfrc_actuator[i];
-    book_.lost_dampers += h * damping_[i] * d->qvel[i] * mean;
+    book_.lost_dampers += h * (damping_[i] * d->qvel[i] - link_damper_[i]) * mean;
   }
   // Elastic contact forces lose nothing: what they store is read from the contacts themselves.
   for (size_t k = 0; k < binding_.wheelsets().size(); ++k) {

@@ -24,7 +24,7 @@ struct EnergyBook {
   double work_in = 0;  ///< drives
   double lost_creep = 0;
   double lost_contact = 0;
-  double lost_dampers = 0;  ///< joint dampers, without lent damping
+  double lost_dampers = 0;  ///< dampers of joints and linkages, without lent damping
   double lost_phs = 0;
   double lent = 0;  ///< kinetic energy of the inertia that lent damping adds (binding.h)
   double start_kinetic = 0;
@@ -48,11 +48,15 @@ class EnergyKeeper {
   const EnergyBook& book() const { return book_; }
 
  private:
+  /// Springs and dampers along tendons, at the start of the step just made.
+  void ReadLinkages(const mjModel* m, const mjData* d);
+
   const plugin::Binding& binding_;
   EnergyBook book_;
   std::vector<double> damping_;  ///< of the joints, without what is lent
   std::vector<double> speed_;    ///< at the start of the step
-  std::vector<double> spring_;   ///< joint spring forces at the start of the step
+  std::vector<double> spring_;   ///< forces of joint and linkage springs at the start of the step
+  std::vector<double> link_damper_;  ///< forces of linkage dampers, the same
   double start_stored_ = 0;
   bool has_start_ = false;
 };
