@@ -134,7 +134,7 @@ Status Binding::BindPhs(mjModel* m, const AttachOptions& options) {
     auto path = FindData("PHS model", "models/phs", model, {".yaml"});
     if (!path.ok()) return path.error();
     p.model_path = path.value();
-    auto system = effects::LoadPhsSystem(p.model_path);
+    auto system = effects::LoadPhsSystem(p.model_path, options.failures, p.name);
     if (!system.ok()) return system.error();
     p.system = std::make_shared<const hydraulics::PhsSystem>(std::move(system).value());
     const std::vector<int> ids = tuple.Ids(mjOBJ_ACTUATOR);
@@ -220,9 +220,9 @@ void Binding::LendDamping(mjModel* m, const mjData* d) {
         damping += f11 * patch.rolling_radius * patch.rolling_radius / speed;
       }
     }
-    // Only what the step needs: with inertia I the explicit step rings for c h/I > 1 and fails near 2,
-    // less what the longitudinal creep of the same wheels takes of it. Lending c - I/h keeps
-    // c h/(I + h B) at or below 1. It acts like an added inertia h B, so none is lent without need.
+    // Only what the step needs: with inertia I the explicit step rings for c h/I > 1 and fails near
+    // 2, less what the longitudinal creep of the same wheels takes of it. Lending c - I/h keeps c
+    // h/(I + h B) at or below 1. It acts like an added inertia h B, so none is lent without need.
     const int dof = wheelsets_[i].spin_dof;
     const double inertia = 1 / m->dof_invweight0[dof];
     wheelsets_[i].lent_damping = std::max(0.0, damping - inertia / m->opt.timestep);

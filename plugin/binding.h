@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "base/result.h"
+#include "effects/failures.h"
 #include "hydraulics/phs_system.h"
 #include "rail/track.h"
 #include "rail/wheel_rail.h"
@@ -36,11 +37,12 @@ struct AttachOptions {
   std::string wheel_profile;
   std::string rail_profile;
   std::string creep_law;
-  std::string phs_model;            ///< replaces the model of every PHS system
-  double friction = kUnset;         ///< wheel-rail friction coefficient
-  double flange_friction = kUnset;  ///< on the flange; as `friction` if unset
-  double speed_m_s = kUnset;        ///< target of the speed hold
-  double start_s_m = kUnset;        ///< arc length of the rearmost wheelset at the start
+  std::string phs_model;                   ///< replaces the model of every PHS system
+  double friction = kUnset;                ///< wheel-rail friction coefficient
+  double flange_friction = kUnset;         ///< on the flange; as `friction` if unset
+  double speed_m_s = kUnset;               ///< target of the speed hold
+  double start_s_m = kUnset;               ///< arc length of the rearmost wheelset at the start
+  std::vector<effects::Failure> failures;  ///< of the PHS (effects/failures.h)
   static constexpr double kUnset = -1;
 };
 

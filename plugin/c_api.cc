@@ -1,6 +1,8 @@
+#include <cmath>
 #include <cstdlib>
 #include <exception>
 #include <map>
+#include <sstream>
 #include <string>
 
 #include "base/yaml.h"
@@ -25,6 +27,28 @@ int Fail(const std::string& text) {
   return -1;
 }
 
+/// "kind:line" or "kind:line:at_s", several separated by commas.
+Result<std::vector<phs::effects::Failure>> ParseFailures(const std::string& text) {
+  std::vector<phs::effects::Failure> failures;
+  std::stringstream items(text);
+  for (std::string item; std::getline(items, item, ',');) {
+    std::stringstream parts(item);
+    phs::effects::Failure failure;
+    std::string time;
+    std::getline(parts, failure.kind, ':');
+    std::getline(parts, failure.line, ':');
+    if (std::getline(parts, time)) {
+      char* rest = nullptr;
+      failure.at_s = std::strtod(time.c_str(), &rest);
+      if (time.empty() || *rest != '\0' || !std::isfinite(failure.at_s)) {
+        return Error{"option 'failures'", phs::Quoted(time) + " is no time", "seconds", ""};
+      }
+    }
+    failures.push_back(std::move(failure));
+  }
+  return failures;
+}
+
 Result<AttachOptions> ParseOptions(const std::string& text) {
   AttachOptions options;
   const std::map<std::string, std::string*> words = {{"track", &options.track},
@@ -45,7 +69,11 @@ Result<AttachOptions> ParseOptions(const std::string& text) {
     const size_t equals = item.find('=');
     const std::string key = item.substr(0, equals);
     const std::string value = equals == std::string::npos ? "" : item.substr(equals + 1);
-    if (const auto word = words.find(key); word != words.end()) {
+    if (key == "failures") {
+      auto failures = ParseFailures(value);
+      if (!failures.ok()) return failures.error();
+      options.failures = std::move(failures).value();
+    } else if (const auto word = words.find(key); word != words.end()) {
       *word->second = value;
     } else if (const auto number = numbers.find(key); number != numbers.end()) {
       char* rest = nullptr;
@@ -54,13 +82,14 @@ Result<AttachOptions> ParseOptions(const std::string& text) {
         return Error{"option '" + key + "'", "'" + value + "' is no number", "a number >= 0", ""};
       }
     } else {
-      std::vector<std::string> known;
+      std::vector<std::string> known = {"failures"};
       for (const auto& [name, unused] : words) known.push_back(name);
       for (const auto& [name, unused] : numbers) known.push_back(name);
       const std::string nearest = phs::NearestWord(key, known);
       return Error{
           "option '" + key + "'", "is unknown",
-          "track, wheel, rail, creep, phs, friction, flange_friction, speed_m_s, start_s_m",
+          "track, wheel, rail, creep, phs, friction, flange_friction, speed_m_s, start_s_m, "
+          "failures",
           nearest.empty() ? "" : "did you mean '" + nearest + "'?"};
     }
   }

@@ -27,7 +27,8 @@ extern "C" {
 
 /// Binds a model whose <custom> section names wheelsets or PHS systems (plugin/README.md).
 /// `options`: NULL, or "key=value;key=value" with the keys track, wheel, rail, creep, phs,
-/// friction, flange_friction, speed_m_s, start_s_m; they override the model's <custom> values.
+/// friction, flange_friction, speed_m_s, start_s_m; they override the model's <custom> values; and
+/// failures=KIND:LINE:AT_S,… (KIND as in docs/failures.md).
 PHS_API int phs_attach(mjModel* m, const char* options);
 /// Forgets the model and undoes the changes to it. Unknown models are ignored.
 PHS_API void phs_detach(mjModel* m);

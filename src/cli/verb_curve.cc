@@ -7,8 +7,11 @@
 
 #include "base/result_dir.h"
 #include "cli/curve_table.h"
+#include "cli/radius_table.h"
 #include "cli/verbs.h"
 #include "report/curving_report.h"
+#include "vehicle/compose.h"
+#include "vehicle/radius_table.h"
 #include "vehicle/result_files.h"
 #include "vehicle/scenario.h"
 #include "vehicle/simulation.h"
@@ -28,6 +31,7 @@ struct CurveOptions {
   std::vector<std::string> bogies;
   bool csv = false;
   double timestep_s = 0;
+  std::vector<int> radii_m;  ///< several curves instead of the scenario's own
 };
 
 struct CurveRun {
@@ -147,6 +151,62 @@ int RunCurve(const CurveOptions& options, bool compare) {
   return kDone;
 }
 
+/// "all" stands for every bogie that names a yardstick.
+std::vector<std::string> ExpandBogies(const std::vector<std::string>& asked) {
+  std::vector<std::string> bogies;
+  for (const std::string& name : asked) {
+    if (name != "all") {
+      bogies.push_back(name);
+      continue;
+    }
+    for (const vehicle::ComparedBogie& known : vehicle::ListComparedBogies()) {
+      bogies.push_back(known.name);
+    }
+  }
+  return bogies;
+}
+
+/// Several bogies in several curves: a table and bogies.json.
+int RunOverRadii(const CurveOptions& options) {
+  auto loaded = vehicle::LoadScenario(options.scenario);
+  if (!loaded.ok()) return BadInput(loaded.error());
+  Scenario base = std::move(loaded).value();
+  if (options.timestep_s > 0) base.timestep_s = options.timestep_s;
+  std::vector<Scenario> curves;
+  for (const int radius : options.radii_m) {
+    auto curve = vehicle::ScenarioOfRadius(base, radius);
+    if (!curve.ok()) return BadInput(curve.error());
+    curves.push_back(std::move(curve).value());
+  }
+  std::optional<ResultDir> dir;
+  if (!options.common.out.empty()) {
+    auto created = ResultDir::Create(options.common.out, options.common.force);
+    if (!created.ok()) return BadInput(created.error());
+    dir.emplace(std::move(created).value());
+  }
+  ProgressLine progress(base.name, options.common.quiet);
+  auto rows =
+      vehicle::RunRadii(curves, options.bogies, [&](double share) { return progress(share); });
+  if (!rows.ok()) return BadInput(rows.error());
+  const Json described = vehicle::DescribeRadii(rows.value(), base);
+  if (options.common.format == "json") {
+    fmt::print("{}\n", described.dump(2));
+  } else {
+    fmt::print("{}", RadiusTable(described));
+  }
+  if (dir) {
+    const std::string file = dir->File("bogies.json");
+    if (Status s = WriteFileAtomically(file, described.dump(2) + "\n"); !s.ok()) {
+      return BadInput(s.error());
+    }
+    if (Status s = dir->Commit(); !s.ok()) return BadInput(s.error());
+  }
+  for (const auto& row : rows.value()) {
+    if (row.summary["status"] != "ok") return kFailed;
+  }
+  return kDone;
+}
+
 void AddCurveOptions(CLI::App* verb, CurveOptions* options) {
   AddCommonOptions(verb, &options->common);
   verb->add_option("scenario", options->scenario, "Scenario: a name or a YAML file")->required();
@@ -169,10 +229,22 @@ void AddCompare(CLI::App* app, Action* action) {
   CLI::App* verb = app->add_subcommand("compare", "The same run with several bogies");
   auto options = std::make_shared<CurveOptions>();
   AddCurveOptions(verb, options.get());
-  verb->add_option("--bogies", options->bogies, "Bogies, separated by commas")
+  verb->add_option("--bogies", options->bogies,
+                   "Bogies, separated by commas; all = every one with a yardstick")
       ->delimiter(',')
       ->required();
-  verb->callback([=] { *action = [=] { return RunCurve(*options, true); }; });
+  verb->add_option(
+          "--radii", options->radii_m,
+          "Radii in metres, separated by commas: track and speed of scenario curve_rRADIUS "
+          "each; prints a table, writes bogies.json")
+      ->delimiter(',')
+      ->check(CLI::PositiveNumber);
+  verb->callback([=] {
+    *action = [=] {
+      options->bogies = ExpandBogies(options->bogies);
+      return options->radii_m.empty() ? RunCurve(*options, true) : RunOverRadii(*options);
+    };
+  });
 }
 
 }  // namespace phs::cli

@@ -176,6 +176,7 @@ MomentBudget CalcBudget(const BogieRun& run, const CurvingResults& results,
 }
 
 void AddPlanView(const CurvingResults& results, ReportPage* page) {
+  bool drawn = false;
   for (const std::string& prefix : results.prefixes) {
     const json spec = PlanSpec(results, prefix);
     if (spec.is_null()) continue;
@@ -189,9 +190,9 @@ void AddPlanView(const CurvingResults& results, ReportPage* page) {
                                  : "Rear bogie: ",
             spec["magnification"].get<double>(), spec["lateral_magnification"].get<double>()),
         spec.dump(-1, ' ', false, json::error_handler_t::replace));
-    return;  // the front bogie stands for both
+    drawn = true;
   }
-  page->Note("No poses of the axles were recorded.");
+  if (!drawn) page->Note("No poses of the axles were recorded.");
 }
 
 void AddMomentBudget(const CurvingResults& results, ReportPage* page) {
@@ -206,9 +207,8 @@ void AddMomentBudget(const CurvingResults& results, ReportPage* page) {
       "up to zero.");
   page->BeginGrid(2);
   for (const std::string& prefix : results.prefixes) {
-    for (const auto& [axle, word] :
-         {std::pair{"lead", "leading"}, std::pair{"trail", "trailing"}}) {
-      page->Add(BudgetChart(results, prefix, axle, word));
+    for (const AxleName& axle : results.Axles(prefix)) {
+      if (axle.name != "mid") page->Add(BudgetChart(results, prefix, axle.name, axle.word));
     }
   }
   page->EndGrid();

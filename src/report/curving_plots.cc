@@ -22,26 +22,27 @@ std::vector<Curve> BogieNames(const CurvingResults& results) {
 
 /// "Y, leading left wheel (inner)".
 std::string WheelTitle(const CurvingResults& results, const std::string& quantity,
-                       const std::string& prefix, const char* axle, const std::string& side) {
+                       const std::string& prefix, const std::string& axle,
+                       const std::string& side) {
   std::string rail;
   if (results.hand != 0) rail = side == results.Side(true) ? " (outer)" : " (inner)";
-  return fmt::format("{}, {}{} {} wheel{}", quantity, BogieWords(prefix),
-                     std::string(axle) == "lead" ? "leading" : "trailing", side, rail);
+  return fmt::format("{}, {}{} {} wheel{}", quantity, BogieWords(prefix), axle, side, rail);
 }
 
 void AddWheelPlots(const CurvingResults& results, const std::string& prefix,
                    const std::string& quantity, const std::string& suffix, ChannelPlot plot,
                    ReportPage* page) {
   std::vector<std::string> channels;
-  for (const char* wheel : {"lead_left", "lead_right", "trail_left", "trail_right"}) {
-    channels.push_back(prefix + wheel + suffix);
+  for (const AxleName& axle : results.Axles(prefix)) {
+    channels.push_back(prefix + axle.name + "_left" + suffix);
+    channels.push_back(prefix + axle.name + "_right" + suffix);
   }
   ShareOrdinate(results, channels, &plot);
   page->BeginGrid(2);
-  for (const char* axle : {"lead", "trail"}) {
+  for (const AxleName& axle : results.Axles(prefix)) {
     for (const char* side : {"left", "right"}) {
-      plot.title = WheelTitle(results, quantity, prefix, axle, side);
-      plot.channel = prefix + axle + "_" + side + suffix;
+      plot.title = WheelTitle(results, quantity, prefix, axle.word, side);
+      plot.channel = prefix + axle.name + "_" + side + suffix;
       AddChannelPlot(results, plot, page);
     }
   }
@@ -66,10 +67,14 @@ double StaticWheelLoad(const BogieRun& run, const std::string& prefix) {
 void AddAxlePair(const CurvingResults& results, const std::string& prefix,
                  const std::string& quantity, const std::string& suffix, ChannelPlot plot,
                  ReportPage* page) {
-  ShareOrdinate(results, {prefix + "lead" + suffix, prefix + "trail" + suffix}, &plot);
-  for (const auto& [axle, word] : {std::pair{"lead", "leading"}, std::pair{"trail", "trailing"}}) {
-    plot.title = quantity + ", " + BogieWords(prefix) + word + " axle";
-    plot.channel = prefix + axle + suffix;
+  std::vector<std::string> channels;
+  for (const AxleName& axle : results.Axles(prefix)) {
+    channels.push_back(prefix + axle.name + suffix);
+  }
+  ShareOrdinate(results, channels, &plot);
+  for (const AxleName& axle : results.Axles(prefix)) {
+    plot.title = quantity + ", " + BogieWords(prefix) + axle.word + " axle";
+    plot.channel = prefix + axle.name + suffix;
     AddChannelPlot(results, plot, page);
   }
 }

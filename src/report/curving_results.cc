@@ -180,6 +180,25 @@ std::string CurvingResults::Side(bool outer) const {
   return (hand > 0) == outer ? "right" : "left";
 }
 
+std::vector<AxleName> CurvingResults::Axles(const std::string& prefix) const {
+  bool middle = false;
+  for (const BogieRun& run : runs) {
+    middle = middle || std::isfinite(run.Steady("wheelsets", prefix + "mid", "lateral_m"));
+  }
+  if (!middle) return {{"lead", "leading"}, {"trail", "trailing"}};
+  return {{"lead", "leading"}, {"mid", "middle"}, {"trail", "trailing"}};
+}
+
+double CurvingResults::SteadyWear(const BogieRun& run, const std::string& prefix) {
+  const json::json_pointer at("/steady_curve/wheels");
+  if (!run.summary.contains(at)) return kNone;
+  double sum = 0;
+  for (const json& wheel : run.summary.at(at)) {
+    if (wheel.value("name", "").starts_with(prefix)) sum += NumberOf(wheel, "T_gamma_N");
+  }
+  return sum;
+}
+
 std::string BogieWords(const std::string& prefix) {
   return prefix.empty() ? "" : prefix.substr(0, prefix.size() - 1) + " bogie, ";
 }

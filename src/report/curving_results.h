@@ -41,6 +41,12 @@ struct Section {
   double radius = 0;  ///< of a curve [m], without sign
 };
 
+/// An axle of a bogie as it is called in channels and in texts.
+struct AxleName {
+  std::string name = {};  ///< "lead"
+  std::string word = {};  ///< "leading"
+};
+
 struct CurvingResults {
   nlohmann::ordered_json all = {};
   std::vector<BogieRun> runs = {};  ///< the reference first
@@ -56,6 +62,10 @@ struct CurvingResults {
   const BogieRun& reference() const { return runs.front(); }
   /// Name of the wheel on the high rail ("outer") or low rail of the arc as side: left or right.
   std::string Side(bool outer) const;
+  /// Axles of a bogie from front to rear: two, or three with a middle one.
+  std::vector<AxleName> Axles(const std::string& prefix) const;
+  /// Sum of T-gamma over the wheels of one bogie in the steady curve; of all with prefix "" [N].
+  static double SteadyWear(const BogieRun& run, const std::string& prefix);
 };
 
 Result<CurvingResults> ReadCurvingResults(const CurvingReportInput& input);

@@ -34,15 +34,6 @@ double AttackOutward(const BogieRun& run, const CurvingResults& results, const s
   return -results.hand * run.Steady("wheelsets", axle, "angle_of_attack_rad");
 }
 
-/// Sum of T-gamma over the four wheels of a bogie [N].
-double TotalWear(const BogieRun& run, const std::string& prefix) {
-  double sum = 0;
-  for (const char* wheel : {"lead_outer", "lead_inner", "trail_outer", "trail_inner"}) {
-    sum += run.Steady("wheels", prefix + wheel, "T_gamma_N");
-  }
-  return sum;
-}
-
 /// Greatest cylinder force of a bogie in the steady curve [N]; NaN without cylinders.
 double GreatestCylinderForce(const BogieRun& run, const std::string& prefix) {
   double greatest = kNone;
@@ -89,8 +80,8 @@ void AddSteadyMetrics(const CurvingResults& results, const std::string& prefix,
       {"Wheel load Q, leading outer wheel [kN]", 0.5, wheel(prefix + "lead_outer", "Q_N", 1e-3)},
       {"Y/Q, leading outer wheel [–]", 0.005, wheel(prefix + "lead_outer", "Y_over_Q", 1)},
       {"Wear number Tγ, leading outer wheel [N]", 1, wheel(prefix + "lead_outer", "T_gamma_N", 1)},
-      {"Wear number Tγ, four wheels [N]", 1,
-       [prefix](const BogieRun& run) { return TotalWear(run, prefix); }},
+      {"Wear number Tγ, all wheels of the bogie [N]", 1,
+       [prefix](const BogieRun& run) { return CurvingResults::SteadyWear(run, prefix); }},
       {"Bending (steering) of the bogie [mrad]", 0.1,
        [prefix](const BogieRun& run) {
          return 1e3 * run.Number("/steady_curve/" + prefix + "bending_rad");
@@ -98,6 +89,20 @@ void AddSteadyMetrics(const CurvingResults& results, const std::string& prefix,
       {"Greatest cylinder force [kN]", 0.1,
        [prefix](const BogieRun& run) { return 1e-3 * GreatestCylinderForce(run, prefix); }},
   };
+  if (results.Axles(prefix).size() < 3) return;
+  metrics->push_back({"Angle of attack, middle axle [mrad]", 0.1, attack(prefix + "mid")});
+  metrics->push_back({"Track-shifting force ΣY, middle axle [kN]", 0.5,
+                      wheelset(prefix + "mid", "sum_Y_N", 1e-3)});
+}
+
+/// Of several bogies the value of greatest magnitude; NaN if none has one.
+double Worst(const CurvingResults& results, const std::function<double(const std::string&)>& of) {
+  double worst = kNone;
+  for (const std::string& prefix : results.prefixes) {
+    const double value = of(prefix);
+    if (!std::isfinite(worst) || std::abs(value) > std::abs(worst)) worst = value;
+  }
+  return worst;
 }
 
 std::vector<Metric> RunMetrics() {
@@ -143,8 +148,10 @@ void AddStatus(const CurvingResults& results, ReportPage* page) {
         run.summary.value("reason", "no reason given")));
   }
   for (const BogieRun& run : results.runs) {
-    const double swing = 1e3 * run.Deviation(results.prefixes.front() + "lead_angle_of_attack_rad",
-                                             results.steady_begin, results.steady_end);
+    const double swing = Worst(results, [&](const std::string& prefix) {
+      return 1e3 * run.Deviation(prefix + "lead_angle_of_attack_rad", results.steady_begin,
+                                 results.steady_end);
+    });
     if (!(swing > kSteadySwing)) continue;
     page->Warning(
         fmt::format("The {} bogie does not come to rest in the arc: the angle of attack of its "
@@ -162,22 +169,25 @@ void AddKeyFigures(const CurvingResults& results, ReportPage* page) {
     double floor;
     std::function<double(const BogieRun&)> value;
   };
-  const std::string prefix = results.prefixes.front();
+  // Of a locomotive the bogie that does worse, and the wear of all its wheels.
+  const std::string of = results.prefixes.size() > 1 ? " of the worse bogie" : "";
+  const auto worst = [&results](const BogieRun& run, const char* list, const char* name,
+                                const char* key, double scale) {
+    return Worst(results, [&](const std::string& prefix) {
+      return scale * std::abs(run.Steady(list, prefix + name, key));
+    });
+  };
   const std::vector<Key> keys = {
-      {"Angle of attack, leading axle", "mrad", 0.1,
+      {"Angle of attack, leading axle" + of, "mrad", 0.1,
        [&](const BogieRun& run) {
-         return 1e3 * std::abs(AttackOutward(run, results, prefix + "lead"));
+         return worst(run, "wheelsets", "lead", "angle_of_attack_rad", 1e3);
        }},
-      {"Guiding force Y, leading outer wheel", "kN", 0.5,
-       [&](const BogieRun& run) {
-         return 1e-3 * std::abs(run.Steady("wheels", prefix + "lead_outer", "Y_N"));
-       }},
-      {"Y/Q, leading outer wheel", "", 0.005,
-       [&](const BogieRun& run) {
-         return std::abs(run.Steady("wheels", prefix + "lead_outer", "Y_over_Q"));
-       }},
-      {"Wear number Tγ, four wheels", "N", 1,
-       [&](const BogieRun& run) { return TotalWear(run, prefix); }},
+      {"Guiding force Y, leading outer wheel" + of, "kN", 0.5,
+       [&](const BogieRun& run) { return worst(run, "wheels", "lead_outer", "Y_N", 1e-3); }},
+      {"Y/Q, leading outer wheel" + of, "", 0.005,
+       [&](const BogieRun& run) { return worst(run, "wheels", "lead_outer", "Y_over_Q", 1); }},
+      {"Wear number Tγ, all wheels", "N", 1,
+       [&](const BogieRun& run) { return CurvingResults::SteadyWear(run, ""); }},
   };
   std::vector<KeyFigure> figures;
   for (const Key& key : keys) {
@@ -227,23 +237,24 @@ void AddHeadlineTable(const CurvingResults& results, ReportPage* page) {
 }
 
 void AddComparisonBars(const CurvingResults& results, ReportPage* page) {
-  const std::string prefix = results.prefixes.front();
-  std::vector<Metric> metrics;
-  AddSteadyMetrics(results, prefix, &metrics);
-  page->Heading(
-      "Side by side, steady curve" +
-      (prefix.empty() ? std::string() : ", " + prefix.substr(0, prefix.size() - 1) + " bogie"));
-  page->BeginGrid(1);
+  page->Heading("Side by side, steady curve");
+  page->BeginGrid(static_cast<int>(results.prefixes.size()));
   // Angle, track shift, guiding force and wear: the numbers that decide about wheel and rail.
   for (int index : {0, 5, 7, 11}) {
-    BarChart chart{.title = metrics[index].label, .categories = {""}};
-    bool any = false;
-    for (const BogieRun& run : results.runs) {
-      const double value = metrics[index].value(run);
-      any = any || std::isfinite(value);
-      chart.bars.push_back({run.label, run.colour, {value}});
+    for (const std::string& prefix : results.prefixes) {
+      std::vector<Metric> metrics;
+      AddSteadyMetrics(results, prefix, &metrics);
+      const std::string whose =
+          prefix.empty() ? "" : ", " + prefix.substr(0, prefix.size() - 1) + " bogie";
+      BarChart chart{.title = metrics[index].label + whose, .categories = {""}};
+      bool any = false;
+      for (const BogieRun& run : results.runs) {
+        const double value = metrics[index].value(run);
+        any = any || std::isfinite(value);
+        chart.bars.push_back({run.label, run.colour, {value}});
+      }
+      if (any) page->Add(chart);
     }
-    if (any) page->Add(chart);
   }
   page->EndGrid();
 }

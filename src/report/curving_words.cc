@@ -89,15 +89,11 @@ std::string Compare(const std::string& what, const std::string& unit, double oth
   return fmt::format("{} times the {} ({})", FormatNumber(ratio, 2), what, numbers);
 }
 
-std::string CompareRuns(const CurvingResults& results, const BogieRun& other) {
+std::string CompareRuns(const CurvingResults& results, const std::string& prefix,
+                        const BogieRun& other) {
   const BogieRun& own = results.reference();
-  const std::string prefix = results.prefixes.front();
   const auto wear = [&prefix](const BogieRun& run) {
-    double sum = 0;
-    for (const char* wheel : {"lead_outer", "lead_inner", "trail_outer", "trail_inner"}) {
-      sum += run.Steady("wheels", prefix + wheel, "T_gamma_N");
-    }
-    return sum;
+    return CurvingResults::SteadyWear(run, prefix);
   };
   std::vector<std::string> parts;
   for (std::string part :
@@ -107,16 +103,21 @@ std::string CompareRuns(const CurvingResults& results, const BogieRun& other) {
         Compare("guiding force on the leading outer wheel", "kN",
                 1e-3 * other.Steady("wheels", prefix + "lead_outer", "Y_N"),
                 1e-3 * own.Steady("wheels", prefix + "lead_outer", "Y_N"), 0.5),
-        Compare("wear number Tγ of the four wheels", "N", wear(other), wear(own), 1)}) {
+        Compare("wear number Tγ of its wheels", "N", wear(other), wear(own), 1)}) {
     if (!part.empty()) parts.push_back(std::move(part));
   }
   return JoinWords(parts);
 }
 
-/// Advice that follows from the steering budget of the reference bogie.
+/// Advice that follows from the steering budget of the reference bogie; of a locomotive, from the
+/// bogie whose leading axle is offered the larger moment.
 void AdviseOnSteering(const CurvingResults& results, std::vector<std::string>* advice) {
   const BogieRun& run = results.reference();
-  const MomentBudget lead = CalcBudget(run, results, results.prefixes.front() + "lead");
+  MomentBudget lead;
+  for (const std::string& prefix : results.prefixes) {
+    const MomentBudget own = CalcBudget(run, results, prefix + "lead");
+    if (own.known && (!lead.known || own.creep > lead.creep)) lead = own;
+  }
   if (!lead.known || lead.creep <= 0) return;
   if (lead.phs_friction < -0.15 * lead.creep) {
     advice->push_back(fmt::format(
@@ -177,11 +178,17 @@ void AddSteeringWords(const CurvingResults& results, ReportPage* page) {
     }
   }
   for (std::size_t i = 1; i < results.runs.size(); ++i) {
-    const std::string text = CompareRuns(results, results.runs[i]);
+    std::string text;
+    for (const std::string& prefix : results.prefixes) {
+      const std::string own = CompareRuns(results, prefix, results.runs[i]);
+      if (own.empty()) continue;
+      const std::string where =
+          prefix.empty() ? "" : " at the " + prefix.substr(0, prefix.size() - 1) + " bogie";
+      text += fmt::format("{}it has{} {}.", text.empty() ? "" : " ", where, own);
+    }
     if (text.empty()) continue;
-    page->Paragraph(fmt::format("it has {}.", text),
-                    fmt::format("{} bogie against {} bogie:", Capital(results.runs[i].label),
-                                results.reference().label));
+    page->Paragraph(text, fmt::format("{} bogie against {} bogie:", Capital(results.runs[i].label),
+                                      results.reference().label));
   }
 }
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/data_path.h"
-#include "effects/catalogue.h"
+#include "effects/failures.h"
 #include "plugin/model_text.h"
 #include "vehicle/mjcf_document.h"
 
@@ -49,8 +49,8 @@ std::string TextOf(const XMLElement* root, const std::string& name) {
 /// The two frames of the car body filled with the bogie's parts; the single bogie removed.
 Status PutBogiesUnderBody(const std::string& bogie_path, XMLElement* root) {
   const std::string named = TextOf(root, "phs_car_body");
-  auto body_path = FindData("car body", "bogie_xml/shared",
-                            named.empty() ? "locomotive_body" : named, {".xml"});
+  auto body_path =
+      FindData("car body", "bogie_xml/shared", named.empty() ? "locomotive_body" : named, {".xml"});
   if (!body_path.ok()) return body_path.error();
   auto body = ReadMjcf(body_path.value());
   if (!body.ok()) return body.error();
@@ -135,7 +135,7 @@ Result<int> CountStates(const Scenario& scenario, const std::string& name, XMLEl
   });
   auto path = FindData("PHS model", "models/phs", model.empty() ? "bo_bo" : model, {".yaml"});
   if (!path.ok()) return path.error();
-  auto system = effects::LoadPhsSystem(path.value());
+  auto system = effects::LoadPhsSystem(path.value(), scenario.failures, name.substr(4));
   if (!system.ok()) return system.error();
   return system.value().num_states();
 }

@@ -67,8 +67,8 @@ void EnergyKeeper::After(const mjModel* m, const mjData* d) {
   for (int i = 0; i < m->nv; ++i) {
     const double change = 0.5 * (d->qvel[i] - speed_[i]);
     const double mean = speed_[i] + change;
-    contact += change * (d->qfrc_passive[i] - spring_[i] - link_damper_[i] +
-                         damping_[i] * speed_[i]);
+    contact +=
+        change * (d->qfrc_passive[i] - spring_[i] - link_damper_[i] + damping_[i] * speed_[i]);
     phs += change * d->qfrc_actuator[i];
     book_.lost_dampers += h * (damping_[i] * d->qvel[i] - link_damper_[i]) * mean;
   }

@@ -37,6 +37,7 @@ Result<Scenario> LoadScenario(const std::string& name_or_path) {
   s.start_s_m = map.Number("start_s_m", {.min = -1e4, .max = 1e7}, s.start_s_m);
   s.record_interval_s =
       map.Number("record_interval_s", {.min = 1e-6, .max = 60}, s.record_interval_s);
+  s.failures = effects::ReadFailures(&map, s.speed_m_s, s.start_s_m);
   if (Status status = map.Finish(); !status.ok()) return status.error();
   return s;
 }

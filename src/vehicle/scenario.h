@@ -2,8 +2,10 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "base/result.h"
+#include "effects/failures.h"
 
 namespace phs::vehicle {
 
@@ -23,6 +25,7 @@ struct Scenario {
   double duration_s = 0;  ///< 0: until the vehicle reaches the end of the track
   double start_s_m = 1;   ///< arc length of the rearmost wheelset at the start
   double record_interval_s = 0.01;
+  std::vector<effects::Failure> failures;  ///< what breaks in the PHS
 };
 
 /// Errors name file:line and key.

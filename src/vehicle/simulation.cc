@@ -95,6 +95,7 @@ Result<Simulation> Simulation::Create(const Scenario& scenario) {
   if (scenario.flange_friction >= 0) options.flange_friction = scenario.flange_friction;
   options.speed_m_s = scenario.speed_m_s;
   options.start_s_m = scenario.start_s_m;
+  options.failures = scenario.failures;
   try {
     if (Status s = plugin::Attach(sim.model_.get(), options); !s.ok()) return s.error();
     sim.data_.reset(mj_makeData(sim.model_.get()));

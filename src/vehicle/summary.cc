@@ -219,20 +219,39 @@ Json Summarise(const Simulation& sim, const RunOutcome& run) {
   return summary;
 }
 
+namespace {
+
+Json DescribeFailures(const std::vector<effects::Failure>& failures) {
+  Json list = Json::array();
+  for (const effects::Failure& f : failures) {
+    Json one = {{"kind", f.kind}, {"line", f.line}};
+    if (!f.system.empty()) one["system"] = f.system;
+    if (effects::HasTime(f)) one["at_s"] = f.at_s;
+    if (f.kind == "line_leak") one["conductance_m3_per_Pas"] = f.conductance_m3_per_Pas;
+    if (f.kind == "air") one["air_m3"] = f.air_m3;
+    list.push_back(std::move(one));
+  }
+  return list;
+}
+
+}  // namespace
+
 Json DescribeScenario(const Scenario& s) {
   const auto number_or_null = [](double x) { return x < 0 ? Json(nullptr) : Json(x); };
-  return {{"name", s.name},
-          {"track", s.track},
-          {"vehicle", s.vehicle},
-          {"wheel", s.wheel},
-          {"rail", s.rail},
-          {"creep", s.creep},
-          {"phs", s.phs},
-          {"speed_m_s", s.speed_m_s},
-          {"friction", number_or_null(s.friction)},
-          {"flange_friction", number_or_null(s.flange_friction)},
-          {"timestep_s", s.timestep_s},
-          {"record_interval_s", s.record_interval_s}};
+  Json described = {{"name", s.name},
+                    {"track", s.track},
+                    {"vehicle", s.vehicle},
+                    {"wheel", s.wheel},
+                    {"rail", s.rail},
+                    {"creep", s.creep},
+                    {"phs", s.phs},
+                    {"speed_m_s", s.speed_m_s},
+                    {"friction", number_or_null(s.friction)},
+                    {"flange_friction", number_or_null(s.flange_friction)},
+                    {"timestep_s", s.timestep_s},
+                    {"record_interval_s", s.record_interval_s}};
+  if (!s.failures.empty()) described["failures"] = DescribeFailures(s.failures);
+  return described;
 }
 
 Json DescribeTrack(const rail::Track& track) {

@@ -91,12 +91,21 @@ TEST_F(CurvingReport, ALocomotiveHasTwoBogies) {
   EXPECT_TRUE(Holds(html, "Angle of attack, rear bogie, leading axle"));
   EXPECT_TRUE(Holds(html, "Cylinder forces, rear bogie, PHS"));
   EXPECT_TRUE(Holds(html, "Greatest cylinder force [kN]"));
+  // Nothing stops at the front bogie: plan view, bars, words and moments.
+  for (const char* bogie : {"front", "rear"}) {
+    const std::string name = bogie;
+    EXPECT_TRUE(Holds(html, name == "front" ? "Front bogie: all angles" : "Rear bogie: all angles"));
+    EXPECT_TRUE(Holds(html, "Track-shifting force ΣY, leading axle [kN], " + name + " bogie"));
+    EXPECT_TRUE(Holds(html, "it has at the " + name + " bogie"));
+    EXPECT_TRUE(Holds(html, "Yaw moments, " + name + " bogie, leading axle"));
+  }
+  EXPECT_TRUE(Holds(html, "leading axle of the worse bogie"));
 }
 
 TEST_F(CurvingReport, WithoutTimeSeriesTheTablesRemain) {
   const std::string html = Make({.series = false});
   EXPECT_TRUE(Holds(html, "No time series was saved"));
-  EXPECT_TRUE(Holds(html, "Wear number Tγ, four wheels [N]"));
+  EXPECT_TRUE(Holds(html, "Wear number Tγ, all wheels of the bogie [N]"));
 }
 
 TEST_F(CurvingReport, AMinuteAtAKilohertzStaysBelowSixMegabytes) {

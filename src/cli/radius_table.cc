@@ -1,0 +1,54 @@
+#include "cli/radius_table.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace phs::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string Cell(const Json& row, const char* key, double scale, int decimals) {
+  if (!row.contains(key) || !row[key].is_number() || !std::isfinite(row[key].get<double>())) {
+    return "-";
+  }
+  return fmt::format("{:.{}f}", row[key].get<double>() * scale, decimals);
+}
+
+std::string Line(const Json& row) {
+  return fmt::format(
+      "  {:<19}{:>9}{:>9}{:>11}{:>11}{:>9}{:>10}{:>10}{:>9}\n", row["bogie"].get<std::string>(),
+      Cell(row, "angle_of_attack_lead_rad", 1e3, 2), Cell(row, "angle_of_attack_trail_rad", 1e3, 2),
+      Cell(row, "T_gamma_N", 1, 1), Cell(row, "T_gamma_total_J", 1e-3, 1),
+      Cell(row, "wear_yardstick_over_own_run", 1, 2), Cell(row, "sum_Y_lead_N", 1e-3, 2),
+      Cell(row, "max_sum_Y_N", 1e-3, 1), Cell(row, "max_Y_over_Q", 1, 3));
+}
+
+}  // namespace
+
+std::string RadiusTable(const Json& described) {
+  std::string text =
+      fmt::format("{:<21}{:>9}{:>9}{:>11}{:>11}{:>9}{:>10}{:>10}{:>9}\n", "", "lead", "trail",
+                  "T-gamma,", "T-gamma,", "wear,", "sum Y,", "largest", "largest");
+  text += fmt::format("{:<21}{:>9}{:>9}{:>11}{:>11}{:>9}{:>10}{:>10}{:>9}\n", "", "angle", "angle",
+                      "steady", "run", "rigid", "lead", "sum Y", "Y/Q");
+  text += fmt::format("{:<21}{:>9}{:>9}{:>11}{:>11}{:>9}{:>10}{:>10}{:>9}\n", "bogie", "mrad",
+                      "mrad", "N", "kJ", "/own", "kN", "kN", "-");
+  std::string block;
+  for (const Json& row : described["rows"]) {
+    const std::string own =
+        fmt::format("R = {:.0f} m, {:.0f} km/h\n", row["radius_m"].get<double>(),
+                    row["speed_m_s"].get<double>() * 3.6);
+    if (own != block) text += own;
+    block = own;
+    text += Line(row);
+    if (row["status"] != "ok") {
+      text += fmt::format("    {}: {}\n", row["status"].get<std::string>(),
+                          row["reason"].get<std::string>());
+    }
+  }
+  return text;
+}
+
+}  // namespace phs::cli
