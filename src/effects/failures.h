@@ -26,10 +26,10 @@
 namespace phs::effects {
 
 struct Failure {
-  std::string kind;
-  std::string line;    ///< "L1"
-  std::string system;  ///< the PHS it happens in ("front_bogie"); empty = every one
-  double at_s = 0;     ///< time of a burst or leak [s]
+  std::string kind = {};
+  std::string line = {};    ///< "L1"
+  std::string system = {};  ///< the PHS it happens in ("front_bogie"); empty = every one
+  double at_s = 0;          ///< time of a burst or leak [s]
   double conductance_m3_per_Pas = 1e-12;  ///< of a leak, 0 < G <= 1e-3
   double air_m3 = 20e-6;                  ///< at 101325 Pa, 0 … 1e-3
 };
