@@ -19,6 +19,7 @@ int Main(int argc, char** argv) {
   phs::cli::AddCompare(&app, &action);
   phs::cli::AddContact(&app, &action);
   phs::cli::AddModes(&app, &action);
+  phs::cli::AddIdentify(&app, &action);
   phs::cli::AddReport(&app, &action);
   phs::cli::AddValidate(&app, &action);
   try {

@@ -7,7 +7,6 @@
 #include "base/result_dir.h"
 #include "cli/verbs.h"
 #include "identify/identify_run.h"
-#include "identify/manifest.h"
 #include "report/identify_report.h"
 
 namespace phs::cli {
@@ -20,11 +19,9 @@ struct IdentifyOptions {
 };
 
 /// The page is made from the saved files; a page that fails does not spoil the result.
-void WriteReport(const ResultDir& dir, const std::string& manifest) {
-  const auto read = identify::LoadManifest(manifest);
-  if (!read.ok() || read.value().runs.empty()) return;
+void WriteReport(const ResultDir& dir) {
   const Status s = report::WriteIdentifyReport({.result = dir.File("result.json"),
-                                                .measured = read.value().runs.front().data,
+                                                .measured = dir.File("measured.csv"),
                                                 .predicted = dir.File("predicted.csv"),
                                                 .baseline = dir.File("baseline.csv")},
                                                dir.File("report.html"));
@@ -46,7 +43,7 @@ int RunIdentifyVerb(const IdentifyOptions& options) {
     std::fprintf(stderr, "phs: stopped; nothing written\n");
     return kFailed;
   }
-  WriteReport(dir.value(), options.manifest);
+  WriteReport(dir.value());
   if (Status s = dir.value().Commit(); !s.ok()) return BadInput(s.error());
   if (options.common.format == "json") {
     fmt::print("{}\n", outcome.value().result.dump(1));

@@ -17,11 +17,11 @@ struct IdentifyOutcome {
   bool cancelled = false;
 };
 
-/// Writes result.json, predicted.csv, baseline.csv and model.yaml into `dir` (not the report, not
-/// committed). A cancelled run writes nothing.
+/// Writes result.json, measured.csv (checked and mended), predicted.csv, baseline.csv and
+/// model.yaml into `dir` (not the report, not committed). A cancelled run writes nothing.
 Result<IdentifyOutcome> RunIdentify(const std::string& manifest_path, const SearchOptions& options,
                                     const Progress& progress, const ResultDir& dir);
-/// The declared model as it is: result.json and predicted.csv.
+/// The declared model as it is: result.json, measured.csv and predicted.csv.
 Result<IdentifyOutcome> RunRig(const std::string& manifest_path, const ResultDir& dir);
 
 }  // namespace phs::identify::search

@@ -6,8 +6,10 @@
 #include <cmath>
 #include <limits>
 
+#include "base/words.h"
 #include "effects/catalogue.h"
 #include "identify/channel_noise.h"
+#include "identify/data_checks.h"
 #include "identify/rig_data.h"
 
 namespace phs::identify::search {
@@ -15,20 +17,6 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr int kMinSamples = 200;
-
-/// Marks lone samples that jump off both neighbours by more than 12 noise levels, and far more than
-/// the neighbours differ among themselves, as missing; returns how many.
-int RemoveSpikes(std::vector<double>* values, double noise) {
-  int removed = 0;
-  std::vector<double>& y = *values;
-  for (size_t i = 2; i + 2 < y.size(); ++i) {
-    const double around = (4 * (y[i - 1] + y[i + 1]) - (y[i - 2] + y[i + 2])) / 6;
-    const double spread = std::abs(y[i + 1] - y[i - 1]) + std::abs(y[i + 2] - y[i + 1]) +
-                          std::abs(y[i - 1] - y[i - 2]);
-    if (std::abs(y[i] - around) > 12 * noise + 4 * spread) y[i] = kNone, ++removed;
-  }
-  return removed;
-}
 
 Status CheckExcitation(const FitData& data) {
   for (const MeasuredChannel& input : data.inputs) {
@@ -64,23 +52,6 @@ Status CheckExcitation(const FitData& data) {
   return {};
 }
 
-double Correlation(const std::vector<double>& a, const std::vector<double>& b, double* ratio) {
-  double n = 0, ma = 0, mb = 0;
-  for (size_t i = 0; i < a.size(); ++i) {
-    if (std::isfinite(a[i])) ++n, ma += a[i], mb += b[i];
-  }
-  if (n < 2) return 0;
-  ma /= n, mb /= n;
-  double aa = 0, bb = 0, ab = 0;
-  for (size_t i = 0; i < a.size(); ++i) {
-    if (!std::isfinite(a[i])) continue;
-    aa += (a[i] - ma) * (a[i] - ma), bb += (b[i] - mb) * (b[i] - mb);
-    ab += (a[i] - ma) * (b[i] - mb);
-  }
-  *ratio = bb > 0 ? std::sqrt(aa / bb) : 1;
-  return aa > 0 && bb > 0 ? ab / std::sqrt(aa * bb) : 0;
-}
-
 Status CheckWindows(const RigRun& run) {
   for (const auto& [name, window] :
        {std::pair{"estimation", run.estimation}, std::pair{"validation", run.validation}}) {
@@ -93,22 +64,55 @@ Status CheckWindows(const RigRun& run) {
   return {};
 }
 
-void TakeOutput(const Channel& channel, FitData* data) {
-  if (!channel.present()) {
-    data->remarks.push_back(channel.name + " was not measured");
+void TakeOutput(Channel* channel, const RigRun& run, const std::vector<char>& input_lost,
+                FitData* data) {
+  if (!channel->present()) {
+    data->findings.push_back({channel->name, "was not measured"});
     return;
   }
-  MeasuredChannel out{channel.name, channel.y, channel.noise.level};
-  if (!(out.noise > 0)) {
-    data->remarks.push_back(channel.name + " never changes: dead, left out");
+  if (!(channel->noise.level > 0)) {
+    data->findings.push_back({channel->name, "never changes: dead, left out"});
     return;
   }
-  const int spikes = RemoveSpikes(&out.values, channel.noise.white);
+  MarkStuck(channel, run, &data->findings);
+  MarkSpikes(channel, &data->findings);
+  MeasuredChannel out{channel->name, channel->y, channel->noise.level};
+  size_t good = 0, asked = 0;
   for (size_t i = 0; i < out.values.size(); ++i) {
-    if (channel.bad[i]) out.values[i] = kNone;
+    if (channel->bad[i] || input_lost[i]) out.values[i] = kNone;
+    if (!data->InEstimation(i)) continue;
+    ++asked, good += std::isfinite(out.values[i]);
   }
-  if (spikes > 0) data->remarks.push_back(fmt::format("{}: {} spikes left out", out.name, spikes));
+  if (good < kMinSamples || 10 * good < asked) {
+    data->findings.push_back(
+        {channel->name, fmt::format("only {} of {} samples of the estimation window can be used: "
+                                    "left out",
+                                    good, asked)});
+    return;
+  }
   data->outputs.push_back(std::move(out));
+}
+
+/// Samples at which the driving motion is bridged over more than a few samples: what the model is
+/// driven with there is not what happened.
+std::vector<char> LostInput(const std::vector<Channel>& inputs) {
+  constexpr size_t kShort = 4;
+  std::vector<char> lost(inputs.front().y.size(), 0);
+  for (const Channel& input : inputs) {
+    for (size_t i = 0; i < lost.size();) {
+      size_t end = i;
+      while (end < lost.size() && input.bad[end]) ++end;
+      if (end - i > kShort) std::fill(lost.begin() + i, lost.begin() + end, 1);
+      i = end + 1;
+    }
+  }
+  return lost;
+}
+
+std::string Words(const std::vector<DataFinding>& findings) {
+  std::vector<std::string> words;
+  for (const DataFinding& f : findings) words.push_back(f.channel + " " + f.text);
+  return JoinWords(words);
 }
 
 }  // namespace
@@ -132,9 +136,11 @@ Result<FitData> ReadFitData(const Manifest& manifest) {
   data.estimation = {run.estimation.begin, run.estimation.end};
   data.validation = {run.validation.begin, run.validation.end};
   for (int i = 0; i < run.num_samples; ++i) data.time_s.push_back(run.Time(i));
-  for (const DataFinding& f : run.findings) data.remarks.push_back(f.channel + ": " + f.text);
+  data.findings = run.findings;
   std::vector<char> rest;
   for (Channel& input : run.inputs) {
+    MendInputScale(params.value(), &input, &data.findings);
+    MarkSpikes(&input, &data.findings);
     const double noise = std::max(WhiteNoise(input.y, input.bad), Quantum(input.y) / 3.46);
     data.inputs.push_back({input.name, input.y, noise});
     data.motion.push_back(SmoothPosition(input.y, input.bad, run.step_s, std::max(noise, 1e-12)));
@@ -144,41 +150,16 @@ Result<FitData> ReadFitData(const Manifest& manifest) {
   }
   if (Status s = CheckExcitation(data); !s.ok()) return s.error();
   if (run.pressure.present()) data.pressure_Pa = run.pressure.y;
+  const std::vector<char> lost = LostInput(run.inputs);
   for (Channel& output : run.outputs) {
     if (output.present()) output.noise = EstimateNoise(output, rest, run.step_s);
-    TakeOutput(output, &data);
+    TakeOutput(&output, run, lost, &data);
   }
   if (data.outputs.empty()) {
-    return Error{data.source, "every output channel is dead", "a channel that changes", ""};
+    return Error{data.source, "no output channel can be used: " + Words(data.findings),
+                 "a measured channel that changes", ""};
   }
   return data;
-}
-
-Status CheckChannels(const FitData& data, const std::vector<std::vector<double>>& predicted) {
-  for (size_t c = 0; c < data.outputs.size(); ++c) {
-    const MeasuredChannel& channel = data.outputs[c];
-    double ratio = 1, unused = 1;
-    const double own = Correlation(channel.values, predicted[c], &ratio);
-    if (own < -0.6) {
-      return Error{channel.name, fmt::format("runs against the model (correlation {:.2f})", own),
-                   "extension and tension > 0, pressures absolute", "change its sign"};
-    }
-    if (own > 0.6 && (ratio > 80 || ratio < 1 / 80.0)) {
-      return Error{channel.name, fmt::format("swings {:.3g} times as much as the model", ratio),
-                   "the unit its name says", "mend the scale of the column"};
-    }
-    const std::string unit = channel.name.substr(channel.name.rfind('_'));
-    for (size_t d = 0; d < c; ++d) {
-      if (!data.outputs[d].name.ends_with(unit)) continue;
-      const double crossed = Correlation(channel.values, predicted[d], &unused);
-      const double back = Correlation(data.outputs[d].values, predicted[c], &unused);
-      if (own < 0.3 && crossed > 0.7 && back > 0.7) {
-        return Error{channel.name, "follows the prediction of " + data.outputs[d].name,
-                     "each channel under its own name", "swap the two columns"};
-      }
-    }
-  }
-  return {};
 }
 
 }  // namespace phs::identify::search

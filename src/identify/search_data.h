@@ -9,6 +9,7 @@
 #include "effects/rig_model.h"
 #include "identify/manifest.h"
 #include "identify/motion_smoother.h"
+#include "identify/rig_data.h"
 
 namespace phs::identify::search {
 
@@ -28,15 +29,14 @@ struct FitData {
   std::vector<SmoothMotion> motion;                                ///< the same smoothed
   std::vector<double> pressure_Pa;                                 ///< element rig, else empty
   std::vector<MeasuredChannel> outputs;  ///< those measured, in the order of the model
-  std::vector<std::string> remarks;      ///< what was found and mended
+  bool InEstimation(size_t i) const {
+    return time_s[i] >= estimation[0] && time_s[i] < estimation[1];
+  }
+  std::vector<DataFinding> findings;  ///< what was found wrong, and mended or left out
 };
 
 /// Reads and checks the (first) run of a manifest. Errors say what cannot be identified and why:
 /// fewer than 200 samples in a window, an input that stands still or never reverses, no output.
 Result<FitData> ReadFitData(const Manifest& manifest);
-
-/// Compares measured with predicted channels of the declared model: swapped signs, channels under
-/// each other's name, units off by powers of ten.
-Status CheckChannels(const FitData& data, const std::vector<std::vector<double>>& predicted);
 
 }  // namespace phs::identify::search

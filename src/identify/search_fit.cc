@@ -40,28 +40,34 @@ FreeModel DeclaredModel(const PhsParams& declared) {
   return model;
 }
 
-Result<FitProblem> FitProblem::Create(const FitData& data, const PhsParams& declared) {
+Result<FitProblem> FitProblem::Create(const FitData& data, const PhsParams& declared, int stride) {
   FitProblem problem;
   problem.data_ = &data;
-  problem.full_.t0_s = data.time_s.front();
+  problem.stride_ = stride;
+  problem.full_.t0_s = problem.short_.t0_s = data.time_s.front();
   problem.full_.step_s = data.step_s;
+  problem.short_.step_s = data.step_s * stride;
+  auto thin = [&](const std::vector<double>& y) {
+    std::vector<double> out;
+    for (size_t i = 0; i < y.size() && data.time_s[i] < data.estimation[1]; i += stride) {
+      out.push_back(y[i]);
+    }
+    return out;
+  };
   for (const SmoothMotion& motion : data.motion) {
     problem.full_.position_m.push_back(motion.position);
     problem.full_.speed_m_s.push_back(motion.speed);
+    problem.short_.position_m.push_back(thin(motion.position));
+    problem.short_.speed_m_s.push_back(thin(motion.speed));
   }
   problem.full_.pressure_Pa = data.pressure_Pa;
-  for (size_t i = 0; i < data.time_s.size(); ++i) {
-    const double t = data.time_s[i];
-    if (t >= data.estimation[0] && t < data.estimation[1]) {
-      problem.rows_.push_back(static_cast<int>(i));
+  problem.short_.pressure_Pa = thin(data.pressure_Pa);
+  const int rows = problem.short_.num_samples();
+  for (int k = 0; k < rows; ++k) {
+    if (data.time_s[static_cast<size_t>(k) * stride] >= data.estimation[0]) {
+      problem.rows_.push_back(k);
     }
   }
-  const size_t needed = static_cast<size_t>(problem.rows_.back()) + 1;
-  problem.short_ = problem.full_;
-  for (auto* rows : {&problem.short_.position_m, &problem.short_.speed_m_s}) {
-    for (auto& row : *rows) row.resize(needed);
-  }
-  if (!data.pressure_Pa.empty()) problem.short_.pressure_Pa.resize(needed);
   Result<RigModel> model = RigModel::Create(data.kind, declared);
   if (!model.ok()) return model.error();
   const auto& names = model.value().output_names();
@@ -82,7 +88,7 @@ Status FitProblem::SetWeights(const PhsParams& params) {
     for (size_t a = 0; a < shifted.speed_m_s.size(); ++a) {
       for (size_t i = 0; i < shifted.speed_m_s[a].size(); ++i) {
         shifted.speed_m_s[a][i] =
-            short_.speed_m_s[a][i] + sign * data_->motion[a].speed_deviation[i];
+            short_.speed_m_s[a][i] + sign * data_->motion[a].speed_deviation[i * stride_];
       }
     }
     if (Status s = model.value().Run(shifted, sign > 0 ? &fast : &slow); !s.ok()) return s;
@@ -93,7 +99,7 @@ Status FitProblem::SetWeights(const PhsParams& params) {
     const auto o = static_cast<size_t>(output_index_[c]);
     for (size_t k = 0; k < rows_.size(); ++k) {
       const auto i = static_cast<size_t>(rows_[k]);
-      if (!std::isfinite(channel.values[i])) continue;
+      if (!std::isfinite(channel.values[i * stride_])) continue;
       const double input = 0.5 * (fast.channels[o][i] - slow.channels[o][i]);
       weight_[c][k] = 1 / std::hypot(channel.noise, input);
     }
@@ -121,7 +127,7 @@ Eigen::VectorXd FitProblem::Residual(const FreeModel& model,
     const std::vector<double>& predicted = prediction.channels[output_index_[c]];
     for (int k = 0; k < n; ++k) {
       const double w = weight_[c][k];
-      out[c * n + k] = w > 0 ? w * (measured[rows_[k]] - predicted[rows_[k]]) : 0.0;
+      out[c * n + k] = w > 0 ? w * (measured[rows_[k] * stride_] - predicted[rows_[k]]) : 0.0;
     }
   }
   if (!out.allFinite()) return {};
@@ -188,11 +194,13 @@ class RigCost final : public ceres::CostFunction {
   int* runs_;
 };
 
-/// Half widths of the 95 % intervals; correlated residuals widen them.
+}  // namespace
+
 void SetIntervals(const FitProblem& problem, FitResult* result) {
   const int n = problem.samples(), channels = problem.num_channels();
   const auto count = result->jacobian.cols();
   double mean = 0, independent = 0;
+  result->channel_ms.clear(), result->half_95.clear();
   for (int c = 0; c < channels; ++c) {
     result->channel_ms.push_back(result->residual.segment(c * n, n).squaredNorm() / n);
     mean += result->channel_ms.back() / channels;
@@ -206,8 +214,6 @@ void SetIntervals(const FitProblem& problem, FitResult* result) {
     result->half_95.push_back(1.96 * std::sqrt(std::max(0.0, inverse(i, i) * inflate)));
   }
 }
-
-}  // namespace
 
 FitResult FitProblem::Fit(const FreeModel& model, const std::vector<double>& start,
                           int max_steps) const {

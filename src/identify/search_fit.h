@@ -54,8 +54,10 @@ struct FitResult {
 /// Data, driving motion and weights: everything a fit needs. Thread-safe for reading.
 class FitProblem {
  public:
-  /// Sets weights with the declared model. `data` must outlive the problem.
-  static Result<FitProblem> Create(const FitData& data, const hydraulics::PhsParams& declared);
+  /// Sets weights with the declared model. `data` must outlive the problem. `stride` > 1: a coarse
+  /// problem that steps over the record in strides of so many samples (for looking around).
+  static Result<FitProblem> Create(const FitData& data, const hydraulics::PhsParams& declared,
+                                   int stride = 1);
 
   int num_channels() const { return static_cast<int>(output_index_.size()); }
   int samples() const { return static_cast<int>(rows_.size()); }
@@ -75,12 +77,17 @@ class FitProblem {
 
  private:
   const FitData* data_ = nullptr;
-  effects::RigMotion full_;   ///< whole record
-  effects::RigMotion short_;  ///< to the end of the estimation window
-  std::vector<int> rows_;          ///< samples of the estimation window
-  std::vector<int> output_index_;  ///< of each measured channel in the model's outputs
+  int stride_ = 1;
+  effects::RigMotion full_;                  ///< whole record
+  effects::RigMotion short_;                 ///< to the end of the estimation window, in strides
+  std::vector<int> rows_;                    ///< rows of `short_` in the estimation window
+  std::vector<int> output_index_;            ///< of each measured channel in the model's outputs
   std::vector<std::vector<double>> weight_;  ///< [channel][row], 0 = missing
 };
+
+/// Mean squares and half widths of the 95 % intervals from residual and Jacobian of a fit;
+/// correlated residuals widen them.
+void SetIntervals(const FitProblem& problem, FitResult* result);
 
 /// Independent samples in a correlated residual of N samples: N / (1 + 2 sum rho_k), over the lags
 /// until rho falls below 0.05 (Bayley and Hammersley 1946).

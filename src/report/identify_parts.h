@@ -7,6 +7,8 @@
 namespace phs::report {
 
 // identify_words.cc
+/// A section of its own; nothing if the data are sound.
+void AddDataFindings(const IdentifyResults& results, ReportPage* page);
 void AddFindings(const IdentifyResults& results, ReportPage* page);
 void AddUnexplained(const IdentifyResults& results, ReportPage* page);
 void AddNextTests(const IdentifyResults& results, ReportPage* page);

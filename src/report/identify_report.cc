@@ -28,6 +28,7 @@ Status WriteIdentifyReport(const IdentifyReportInput& input, const std::string& 
   page.Section("At a glance");
   AddErrorFigures(results, &page);
   if (identified) AddFindings(results, &page);
+  AddDataFindings(results, &page);
   page.Section("Errors");
   AddErrorTable(results, &page);
   if (identified) {

@@ -5,6 +5,7 @@
 //   "estimation": [t0, t1], "validation": [t0, t1]   windows [s], shaded in the plots
 //   "channels_estimation": like "channels", scored on the estimation window
 //   "next_test": "…" or ["…"]                         advice of the identification itself
+//   "data_findings": [{"channel": …, "text": …}]      faults of the data, found and mended
 //   "declared": "…", "data": "…"                      names for the subtitle
 // Entries of "candidates" may hold any numbers and texts; each becomes a column of the table.
 // A rig run has {"channels": {NAME: {"rmse": …, …}}} without "before" and "after".

@@ -104,6 +104,16 @@ void AddTestOnce(const std::string& test, std::vector<std::string>* tests) {
 
 }  // namespace
 
+void AddDataFindings(const IdentifyResults& results, ReportPage* page) {
+  const json findings = results.all.value("data_findings", json::array());
+  if (findings.empty()) return;
+  page->Section("What is wrong with the data");
+  for (const json& finding : findings) {
+    const std::string channel = finding.value("channel", "?");
+    page->Paragraph(finding.value("text", ""), channel == "t_s" ? "Clock:" : channel + ":");
+  }
+}
+
 void AddFindings(const IdentifyResults& results, ReportPage* page) {
   const json effects = results.all.value("effects", json::array());
   if (effects.empty()) {

@@ -1,0 +1,161 @@
+#include "identify/driven_run.h"
+
+#include <fmt/format.h>
+
+#include "base/table.h"
+#include "effects/catalogue.h"
+#include "identify/data_checks.h"
+#include "identify/result_json.h"
+
+namespace phs::identify::search {
+namespace {
+
+using hydraulics::PhsParams;
+
+/// Data and declared model of a manifest, checked against each other.
+struct Case {
+  FitData data;
+  PhsParams declared;
+};
+
+/// Outputs as the declared model predicts them.
+Result<Channels> Predict(const FitData& data, const PhsParams& params) {
+  Result<FitProblem> problem = FitProblem::Create(data, params);
+  if (!problem.ok()) return problem.error();
+  return problem.value().Predict(params);
+}
+
+void TurnInput(FitData* data) {
+  for (size_t a = 0; a < data->inputs.size(); ++a) {
+    for (double& x : data->inputs[a].values) x = -x;
+    SmoothMotion& motion = data->motion[a];
+    for (auto* row : {&motion.position, &motion.speed, &motion.acceleration}) {
+      for (double& x : *row) x = -x;
+    }
+    data->findings.push_back(
+        {data->inputs[a].name, "every output runs against the model: its sign is swapped"});
+  }
+}
+
+Result<Case> LoadCase(const Manifest& manifest) {
+  Result<FitData> read = ReadFitData(manifest);
+  if (!read.ok()) return read.error();
+  Result<PhsParams> declared = effects::FindPhsParams(manifest.model);
+  if (!declared.ok()) return declared.error();
+  Case c{std::move(read.value()), std::move(declared.value())};
+  Result<Channels> predicted = Predict(c.data, c.declared);
+  if (!predicted.ok()) return predicted.error();
+  if (InputIsSwapped(c.data, predicted.value())) {
+    TurnInput(&c.data);
+    predicted = Predict(c.data, c.declared);
+    if (!predicted.ok()) return predicted.error();
+  }
+  MendOutputs(predicted.value(), &c.data);
+  return c;
+}
+
+/// Columns of the data on their clock: the smoothed motion and `outputs`.
+Status WriteChannels(const ResultDir& dir, const std::string& file, const FitData& data,
+                     const Channels& outputs) {
+  std::vector<std::string> names = {"t_s"};
+  Channels columns = {data.time_s};
+  for (size_t a = 0; a < data.inputs.size(); ++a) {
+    names.push_back(data.inputs[a].name), columns.push_back(data.motion[a].position);
+  }
+  for (size_t c = 0; c < data.outputs.size(); ++c) {
+    names.push_back(data.outputs[c].name), columns.push_back(outputs[c]);
+  }
+  return WriteCsv(dir.File(file), names, columns);
+}
+
+/// What was fitted to, after all mending: what the report shows.
+Status WriteMeasured(const ResultDir& dir, const FitData& data) {
+  Channels outputs;
+  for (const MeasuredChannel& c : data.outputs) outputs.push_back(c.values);
+  return WriteChannels(dir, "measured.csv", data, outputs);
+}
+
+Json Head(const Manifest& manifest, const FitData& data) {
+  return {{"rig", manifest.rig},
+          {"declared", manifest.model},
+          {"data", data.source},
+          {"estimation", data.estimation},
+          {"validation", data.validation},
+          {"noise", NoiseLevels(data)},
+          {"data_findings", FindingList(data.findings)}};
+}
+
+}  // namespace
+
+Result<IdentifyOutcome> IdentifyDriven(const Manifest& manifest, const SearchOptions& options,
+                                       const Progress& progress, const ResultDir& dir) {
+  Result<Case> loaded = LoadCase(manifest);
+  if (!loaded.ok()) return loaded.error();
+  const FitData& data = loaded.value().data;
+  Result<FitProblem> problem = FitProblem::Create(data, loaded.value().declared);
+  if (!problem.ok()) return problem.error();
+  Result<Identification> search =
+      Identify(&problem.value(), loaded.value().declared, options, progress);
+  if (!search.ok()) return search.error();
+  const Identification& found = search.value();
+  IdentifyOutcome outcome;
+  outcome.cancelled = found.cancelled;
+  if (found.cancelled) return outcome;
+  PhsParams corrected = problem.value().Params(found.corrected, found.after.values);
+  Result<Channels> before =
+      problem.value().Predict(problem.value().Params(found.declared, found.before.values));
+  Result<Channels> after = problem.value().Predict(corrected);
+  if (!before.ok()) return before.error();
+  if (!after.ok()) return after.error();
+  Json& result = outcome.result;
+  result = Head(manifest, data);
+  result["channels"] = ScoreBoth(data, before.value(), after.value(), data.validation);
+  result["channels_estimation"] = ScoreBoth(data, before.value(), after.value(), data.estimation);
+  result["effects"] = EffectList(found);
+  result["fitted"] = Parameters(found.corrected, found.after, 0, found.declared.free.size(), true);
+  result["localised"] = Localise(data, before.value(), found.before);
+  result["unexplained"] = Unexplained(data, after.value(), found.after);
+  result["next_test"] = NextTests(found);
+  result["candidates"] = CandidateList(found);
+  result["model"] = "model.yaml";
+  corrected.name += "_identified";
+  corrected.description =
+      "Identified from " + data.source + "; declared " + loaded.value().declared.name;
+  for (const Status& s :
+       {WriteMeasured(dir, data), WriteChannels(dir, "predicted.csv", data, after.value()),
+        WriteChannels(dir, "baseline.csv", data, before.value()),
+        WriteFileAtomically(dir.File("model.yaml"), hydraulics::ToYaml(corrected)),
+        WriteFileAtomically(dir.File("result.json"), result.dump(1) + "\n")}) {
+    if (!s.ok()) return s.error();
+  }
+  outcome.summary = Summary(result);
+  return outcome;
+}
+
+Result<IdentifyOutcome> CompareDriven(const Manifest& manifest, const ResultDir& dir) {
+  Result<Case> loaded = LoadCase(manifest);
+  if (!loaded.ok()) return loaded.error();
+  const FitData& data = loaded.value().data;
+  Result<Channels> predicted = Predict(data, loaded.value().declared);
+  if (!predicted.ok()) return predicted.error();
+  IdentifyOutcome outcome;
+  outcome.result = Head(manifest, data);
+  outcome.result["channels"] = ScoreChannels(data, predicted.value(), data.validation);
+  outcome.result["channels_estimation"] = ScoreChannels(data, predicted.value(), data.estimation);
+  for (const DataFinding& f : data.findings) {
+    outcome.summary += "data: " + f.channel + " " + f.text + "\n";
+  }
+  for (const auto& [name, score] : outcome.result["channels"].items()) {
+    outcome.summary += fmt::format("{:14} validation rmse {:.4g}  nrmse {:.4f}  m%RE {:.2f}\n",
+                                   name, score["rmse"].get<double>(), score["nrmse"].get<double>(),
+                                   score["m_re_percent"].get<double>());
+  }
+  for (const Status& s :
+       {WriteMeasured(dir, data), WriteChannels(dir, "predicted.csv", data, predicted.value()),
+        WriteFileAtomically(dir.File("result.json"), outcome.result.dump(1) + "\n")}) {
+    if (!s.ok()) return s.error();
+  }
+  return outcome;
+}
+
+}  // namespace phs::identify::search

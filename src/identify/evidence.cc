@@ -1,0 +1,116 @@
+#include "identify/evidence.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace phs::identify::search {
+namespace {
+
+/// Normal equations of one block of the estimation window.
+struct Block {
+  int begin = 0, count = 0;
+  Eigen::MatrixXd normal;
+  Eigen::VectorXd right;
+};
+
+constexpr int kBlocks = 6;
+
+std::vector<Block> SplitFit(const FitProblem& problem, const FitResult& fit) {
+  const int n = problem.samples();
+  const auto k = fit.jacobian.cols();
+  std::vector<Block> blocks(kBlocks);
+  for (int b = 0; b < kBlocks; ++b) {
+    Block& block = blocks[b];
+    block.begin = b * n / kBlocks;
+    block.count = (b + 1) * n / kBlocks - block.begin;
+    block.normal = Eigen::MatrixXd::Zero(k, k);
+    block.right = Eigen::VectorXd::Zero(k);
+    for (int c = 0; c < problem.num_channels(); ++c) {
+      const auto j = fit.jacobian.middleRows(c * n + block.begin, block.count);
+      const double w = 1 / std::max(1e-300, fit.channel_ms[c]);
+      block.normal.noalias() += w * j.transpose() * j;
+      block.right.noalias() +=
+          w * j.transpose() * fit.residual.segment(c * n + block.begin, block.count);
+    }
+  }
+  return blocks;
+}
+
+double WeightedLog(const std::vector<double>& square, const std::vector<double>& weight) {
+  double sum = 0, total = 0;
+  for (size_t c = 0; c < square.size(); ++c) {
+    sum += weight[c] * std::log(std::max(1e-300, square[c]));
+    total += weight[c];
+  }
+  return sum / total;
+}
+
+/// Mean log of the residual's mean square on blocks held out of a linear refit.
+double CrossValidatedLog(const FitProblem& problem, const FitResult& fit,
+                         const std::vector<double>& independent) {
+  const int n = problem.samples(), channels = problem.num_channels();
+  const auto k = fit.jacobian.cols();
+  const std::vector<Block> blocks = SplitFit(problem, fit);
+  Eigen::MatrixXd all = Eigen::MatrixXd::Zero(k, k);
+  Eigen::VectorXd all_right = Eigen::VectorXd::Zero(k);
+  for (const Block& b : blocks) all += b.normal, all_right += b.right;
+  std::vector<double> held(channels, 0.0);
+  for (const Block& b : blocks) {
+    Eigen::MatrixXd rest = all - b.normal;
+    rest.diagonal() += 1e-3 * all.diagonal() + Eigen::VectorXd::Constant(k, 1e-12);
+    const Eigen::VectorXd step = rest.ldlt().solve(b.right - all_right);
+    for (int c = 0; c < channels; ++c) {
+      held[c] += (fit.residual.segment(c * n + b.begin, b.count) +
+                  fit.jacobian.middleRows(c * n + b.begin, b.count) * step)
+                     .squaredNorm() /
+                 n;
+    }
+  }
+  return WeightedLog(held, independent);
+}
+
+}  // namespace
+
+Evidence Compare(const FitProblem& problem, const FitResult& without, const FitResult& with) {
+  std::vector<double> independent;
+  const int n = problem.samples();
+  for (int c = 0; c < problem.num_channels(); ++c) {
+    independent.push_back(EffectiveSamples(with.residual, c * n, n));
+  }
+  const double total = std::accumulate(independent.begin(), independent.end(), 0.0);
+  const double extra = double(with.values.size()) - double(without.values.size());
+  Evidence e;
+  e.delta_bic = total * (WeightedLog(without.channel_ms, independent) -
+                         WeightedLog(with.channel_ms, independent)) -
+                extra * std::log(total);
+  double mean = 0, excess = 0, left = 0;
+  for (size_t c = 0; c < with.channel_ms.size(); ++c) {
+    const double change = std::log(with.channel_ms[c] / without.channel_ms[c]);
+    mean += change / static_cast<double>(with.channel_ms.size());
+    excess += std::max(0.0, without.channel_ms[c] - 1);
+    left += std::max(0.0, with.channel_ms[c] - 1);
+    const double gain = 1 - std::exp(0.5 * change);
+    if (c == 0 || gain > e.best_channel_gain) {
+      e.best_channel_gain = gain, e.best_channel = problem.data().outputs[c].name;
+    }
+  }
+  e.estimation_gain = 1 - std::exp(0.5 * mean);
+  e.excess_removed = excess > 0 ? 1 - left / excess : 0;
+  e.cross_validation_gain = 1 - std::exp(0.5 * (CrossValidatedLog(problem, with, independent) -
+                                                CrossValidatedLog(problem, without, independent)));
+  return e;
+}
+
+double MeanLogSquare(const Eigen::VectorXd& residual, int channels) {
+  const auto n = residual.size() / channels;
+  double sum = 0;
+  for (int c = 0; c < channels; ++c) {
+    sum += std::log(
+        std::max(1e-300, residual.segment(c * n, n).squaredNorm() / static_cast<double>(n)));
+  }
+  return sum / channels;
+}
+
+}  // namespace phs::identify::search

@@ -1,0 +1,31 @@
+// What speaks for one fitted model over another, from the estimation window alone.
+//
+// Per channel the residual variance s² is unknown and samples are correlated:
+//   BIC = sum_c n_eff,c ln s²_c + k ln(sum_c n_eff,c),  n_eff from the residual's autocorrelation
+// (the same n_eff for the models compared: of the better one). Cross-validation: blocks of the
+// estimation window left out in turn, the fit without them by one linear step from the full fit.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "identify/search_fit.h"
+
+namespace phs::identify::search {
+
+struct Evidence {
+  double delta_bic = 0;          ///< > 0: better than without it
+  double estimation_gain = 0;    ///< share of the residual rms removed, over all channels
+  double best_channel_gain = 0;  ///< the same of the channel that gains most
+  std::string best_channel;
+  double cross_validation_gain = 0;
+  /// Share of the mean square beyond the noise that went, over all channels (1: all of it).
+  double excess_removed = 0;
+};
+
+Evidence Compare(const FitProblem& problem, const FitResult& without, const FitResult& with);
+
+/// Mean over channels of ln(mean square): what ranking rests on.
+double MeanLogSquare(const Eigen::VectorXd& residual, int channels);
+
+}  // namespace phs::identify::search

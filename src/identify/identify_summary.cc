@@ -1,0 +1,55 @@
+#include <fmt/format.h>
+
+#include "base/words.h"
+#include "identify/result_json.h"
+
+namespace phs::identify::search {
+namespace {
+
+std::string EffectLine(const Json& e) {
+  std::string line = "effect " + e["name"].get<std::string>();
+  if (e.contains("on")) line += " on " + JoinWords(e["on"].get<std::vector<std::string>>());
+  for (const auto& [name, p] : e["parameters"].items()) {
+    line += fmt::format("  {} {:.4g} [{:.4g}, {:.4g}]", name, p["value"].get<double>(),
+                        p["low"].get<double>(), p["high"].get<double>());
+  }
+  line += fmt::format("  delta BIC {:.0f}", e["evidence"]["delta_bic"].get<double>());
+  if (!e["confusable_with"].empty()) {
+    line +=
+        "  not told apart from " + JoinWords(e["confusable_with"].get<std::vector<std::string>>());
+  }
+  return line + "\n";
+}
+
+}  // namespace
+
+std::string Summary(const Json& result) {
+  constexpr size_t kMostFindings = 4;
+  std::string out;
+  const Json& findings = result["data_findings"];
+  for (size_t i = 0; i < findings.size() && i < kMostFindings; ++i) {
+    out += "data: " + findings[i]["channel"].get<std::string>() + " " +
+           findings[i]["text"].get<std::string>() + "\n";
+  }
+  if (findings.size() > kMostFindings) {
+    out += fmt::format("data: {} more findings in result.json\n", findings.size() - kMostFindings);
+  }
+  if (result["effects"].empty()) {
+    out += "effects: none; nothing that the data support beyond the declared model\n";
+  }
+  for (const Json& e : result["effects"]) out += EffectLine(e);
+  for (const auto& [name, s] : result["channels"].items()) {
+    out += fmt::format("{:14} validation rmse {:.4g} -> {:.4g}  (nrmse {:.4f} -> {:.4f})\n", name,
+                       s["before"]["rmse"].get<double>(), s["after"]["rmse"].get<double>(),
+                       s["before"]["nrmse"].get<double>(), s["after"]["nrmse"].get<double>());
+  }
+  const Json& left = result["unexplained"];
+  out += fmt::format("unexplained: {} {:.2f} times its noise", left["channel"].get<std::string>(),
+                     left["residual_over_noise"].get<double>());
+  if (!left["depends_on"].empty()) {
+    out += ", depends on " + JoinWords(left["depends_on"].get<std::vector<std::string>>());
+  }
+  return out + "\n";
+}
+
+}  // namespace phs::identify::search

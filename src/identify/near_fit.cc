@@ -1,0 +1,122 @@
+#include "identify/near_fit.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+namespace phs::identify::search {
+namespace {
+
+std::vector<double> Moved(const FreeModel& model, const std::vector<double>& values,
+                          const Eigen::VectorXd& step) {
+  std::vector<double> out = values;
+  for (size_t i = 0; i < out.size(); ++i) {
+    const FreeParameter& p = model.free[i];
+    const auto k = static_cast<Eigen::Index>(i);
+    if (step[k] != 0) out[i] = p.FromCoordinate(p.ToCoordinate(values[i]) + step[k]);
+  }
+  return out;
+}
+
+}  // namespace
+
+Eigen::VectorXd BoundedStep(const FreeModel& model, const std::vector<double>& values,
+                            const Eigen::VectorXd& residual, const Eigen::MatrixXd& jacobian,
+                            double lambda, double reach) {
+  const auto count = jacobian.cols();
+  Eigen::MatrixXd normal = jacobian.transpose() * jacobian;
+  const Eigen::VectorXd gradient = jacobian.transpose() * residual;
+  const Eigen::VectorXd damping = lambda * normal.diagonal();
+  normal.diagonal() += damping;
+  normal.diagonal().array() += 1e-12 * normal.trace() + 1e-300;
+  Eigen::VectorXd step = Eigen::VectorXd::Zero(count);
+  std::vector<char> held(static_cast<size_t>(count), 0);
+  for (int pass = 0; pass < 4; ++pass) {
+    // Held coordinates: their row becomes step_i = given.
+    Eigen::MatrixXd a = normal;
+    Eigen::VectorXd b = -gradient;
+    for (Eigen::Index i = 0; i < count; ++i) {
+      if (!held[static_cast<size_t>(i)]) continue;
+      b -= normal.col(i) * step[i];
+    }
+    for (Eigen::Index i = 0; i < count; ++i) {
+      if (!held[static_cast<size_t>(i)]) continue;
+      a.row(i).setZero(), a.col(i).setZero();
+      a(i, i) = 1, b[i] = step[i];
+    }
+    step = a.ldlt().solve(b);
+    bool more = false;
+    for (Eigen::Index i = 0; i < count; ++i) {
+      if (held[static_cast<size_t>(i)]) continue;
+      const FreeParameter& p = model.free[static_cast<size_t>(i)];
+      const double x = p.ToCoordinate(values[static_cast<size_t>(i)]);
+      const double limit = p.logarithmic ? reach : 1e300;
+      const double inside = std::clamp(step[i], std::max(-limit, p.ToCoordinate(p.low) - x),
+                                       std::min(limit, p.ToCoordinate(p.high) - x));
+      if (inside == step[i] || !std::isfinite(step[i])) continue;
+      step[i] = inside, held[static_cast<size_t>(i)] = 1, more = true;
+    }
+    if (!more) break;
+  }
+  return step.allFinite() ? step : Eigen::VectorXd::Zero(count);
+}
+
+FitResult FitNear(const FitProblem& problem, const FreeModel& model,
+                  const std::vector<double>& start, const Eigen::MatrixXd& kept,
+                  const NearFitOptions& options) {
+  FitResult at;
+  at.values = start;
+  const int count = static_cast<int>(model.free.size());
+  double lambda = 1e-4;
+  int first = options.first_own;
+  for (int steps = 0; steps < options.max_steps; ++steps) {
+    Eigen::MatrixXd own;
+    if (first < count) {
+      if (!problem.Linearise(model, at.values, first, &at.residual, &own)) return at;
+      at.runs += 1 + count - first;
+    } else if (steps == 0) {
+      at.residual = problem.Residual(model, at.values);
+      ++at.runs;
+      if (at.residual.size() == 0) return at;
+    }
+    if (steps == 0) {
+      at.jacobian.resize(at.residual.size(), count);
+      if (first > 0) at.jacobian.leftCols(first) = kept.leftCols(first);
+    }
+    if (first < count) at.jacobian.rightCols(count - first) = own;
+    first = options.first_own;
+    const double cost = at.residual.squaredNorm();
+    double fall = 0, predicted = 0;
+    for (int attempt = 0; attempt < 4; ++attempt, lambda *= 30) {
+      const Eigen::VectorXd step =
+          BoundedStep(model, at.values, at.residual, at.jacobian, lambda, 1.2);
+      const std::vector<double> moved = Moved(model, at.values, step);
+      const Eigen::VectorXd r = problem.Residual(model, moved);
+      ++at.runs;
+      predicted = cost - (at.residual + at.jacobian * step).squaredNorm();
+      if (r.size() == 0 || r.squaredNorm() >= cost) {
+        if (predicted < options.tolerance * cost) break;
+        continue;
+      }
+      fall = cost - r.squaredNorm();
+      at.values = moved, at.residual = r;
+      lambda = std::max(1e-7, lambda / 10);
+      break;
+    }
+    if (fall < 0.3 * predicted && predicted > options.tolerance * cost && steps > 0) {
+      first = 0;  // the kept columns have aged
+    } else if (fall < options.tolerance * cost) {
+      break;
+    }
+    lambda = std::min(lambda, 10.0);
+  }
+  at.ok = true;
+  if (options.final_jacobian) {
+    at.ok = problem.Linearise(model, at.values, 0, &at.residual, &at.jacobian);
+    at.runs += count + 1;
+  }
+  if (at.ok) SetIntervals(problem, &at);
+  return at;
+}
+
+}  // namespace phs::identify::search

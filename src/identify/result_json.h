@@ -1,0 +1,39 @@
+// result.json of an identification, part by part (docs/program.md names the fields).
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "identify/effect_search.h"
+
+namespace phs::identify::search {
+
+using Json = nlohmann::ordered_json;
+using Channels = std::vector<std::vector<double>>;  ///< [measured output][sample]
+
+/// Errors of one predicted set of channels over a window, by name of channel.
+Json ScoreChannels(const FitData& data, const Channels& predicted,
+                   const std::array<double, 2>& window);
+/// "before" and "after" of each channel.
+Json ScoreBoth(const FitData& data, const Channels& before, const Channels& after,
+               const std::array<double, 2>& window);
+/// Where the residual of the declared model lives: channel and variables it depends on.
+Json Localise(const FitData& data, const Channels& predicted, const FitResult& fit);
+/// What the corrected model leaves.
+Json Unexplained(const FitData& data, const Channels& after, const FitResult& fit);
+/// Values and intervals of the free numbers [begin, end).
+Json Parameters(const FreeModel& model, const FitResult& fit, size_t begin, size_t end,
+                bool whole_name);
+Json EffectList(const Identification& found);
+Json CandidateList(const Identification& found);
+/// What would separate effects that this record cannot.
+std::vector<std::string> NextTests(const Identification& found);
+/// Noise of each channel.
+Json NoiseLevels(const FitData& data);
+Json FindingList(const std::vector<DataFinding>& findings);
+
+/// The ten lines for the terminal.
+std::string Summary(const Json& result);
+
+}  // namespace phs::identify::search

@@ -1,0 +1,88 @@
+// Faults of single channels: each is found, named and left out or mended; sound data stay as is.
+#include "identify/data_checks.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "effects/catalogue.h"
+#include "identify/channel_noise.h"
+
+namespace phs::identify::search {
+namespace {
+
+constexpr double kStep = 0.005;
+
+/// 40 s of a sine with white noise of 1/1000, in steps of a quarter of the noise.
+Channel Sine() {
+  Channel channel{"p_bore_Pa", "p_bore_Pa", 1, {}, {}, {}};
+  std::mt19937 random(3);
+  std::normal_distribution<double> normal;
+  for (int i = 0; i < 8000; ++i) {
+    const double y = 2e6 + 1e6 * std::sin(i * kStep) + 1e3 * normal(random);
+    channel.y.push_back(250 * std::round(y / 250));
+  }
+  channel.bad.assign(channel.y.size(), 0);
+  channel.noise = EstimateNoise(channel, std::vector<char>(channel.y.size(), 0), kStep);
+  return channel;
+}
+
+RigRun Clock() {
+  RigRun run;
+  run.step_s = kStep;
+  return run;
+}
+
+TEST(DataChecksTest, SoundChannelStaysAsItIs) {
+  Channel channel = Sine();
+  const std::vector<double> before = channel.y;
+  std::vector<DataFinding> findings;
+  MarkStuck(&channel, Clock(), &findings);
+  MarkSpikes(&channel, &findings);
+  EXPECT_TRUE(findings.empty());
+  EXPECT_EQ(channel.y, before);
+}
+
+TEST(DataChecksTest, FindsSpikes) {
+  Channel channel = Sine();
+  channel.y[1000] += 4e5, channel.y[5000] -= 4e5;
+  std::vector<DataFinding> findings;
+  MarkSpikes(&channel, &findings);
+  ASSERT_EQ(findings.size(), 1u);
+  EXPECT_THAT(findings[0].text, testing::HasSubstr("2 spikes"));
+  EXPECT_TRUE(channel.bad[1000] && channel.bad[5000]);
+  EXPECT_EQ(std::count(channel.bad.begin(), channel.bad.end(), 1), 2);
+}
+
+TEST(DataChecksTest, FindsSaturation) {
+  Channel channel = Sine();
+  for (double& y : channel.y) y = std::min(y, 2.8e6);
+  std::vector<DataFinding> findings;
+  MarkStuck(&channel, Clock(), &findings);
+  ASSERT_EQ(findings.size(), 1u);
+  EXPECT_THAT(findings[0].text, testing::HasSubstr("saturated at 2.8e+06"));
+}
+
+TEST(DataChecksTest, FindsAStuckSensor) {
+  Channel channel = Sine();
+  for (int i = 2000; i < 3000; ++i) channel.y[i] = channel.y[2000];
+  std::vector<DataFinding> findings;
+  MarkStuck(&channel, Clock(), &findings);
+  ASSERT_EQ(findings.size(), 1u);
+  EXPECT_THAT(findings[0].text, testing::HasSubstr("stuck between 10 and 15 s"));
+}
+
+TEST(DataChecksTest, TakesMillimetresForMetres) {
+  Channel channel{"actuator_m", "actuator_m", 1, {}, {}, {}};
+  for (int i = 0; i < 8000; ++i) channel.y.push_back(5 * std::sin(i * kStep));
+  channel.bad.assign(channel.y.size(), 0);
+  std::vector<DataFinding> findings;
+  MendInputScale(effects::FindPhsParams("quarter_setup2").value(), &channel, &findings);
+  ASSERT_EQ(findings.size(), 1u);
+  EXPECT_NEAR(channel.y[314], 5e-3, 1e-5);
+}
+
+}  // namespace
+}  // namespace phs::identify::search
