@@ -46,6 +46,7 @@ Result<std::unique_ptr<Binding>> Binding::Create(mjModel* m, const AttachOptions
   if (!binding->wheelsets_.empty()) {
     if (Status s = binding->LoadRail(m, options); !s.ok()) return s.error();
   }
+  if (Status s = binding->BindCoupler(m, options); !s.ok()) return s.error();
   if (Status s = binding->BindPhs(m, options); !s.ok()) return s.error();
   return binding;
 }
@@ -124,6 +125,18 @@ Status Binding::BindWheelsets(mjModel* m) {
   return {};
 }
 
+Status Binding::BindCoupler(const mjModel* m, const AttachOptions& options) {
+  running_ = options.running;
+  if (!running_.active) return {};
+  coupler_site_ = mj_name2id(m, mjOBJ_SITE, "coupler");
+  if (coupler_site_ < 0) {
+    return Error{"MJCF site 'coupler'", "is missing: the train's force acts there",
+                 "<site name=\"coupler\" pos=\"…\"/> in the frame or the car body", ""};
+  }
+  coupler_dofs_ = DofChain(m, m->site_bodyid[coupler_site_]);
+  return {};
+}
+
 Status Binding::BindPhs(mjModel* m, const AttachOptions& options) {
   int next = UserData::kHeader + UserData::kPerWheelset * static_cast<int>(wheelsets_.size());
   for (const NamedTuple& tuple : TuplesWithPrefix(m, "phs:")) {
@@ -134,7 +147,7 @@ Status Binding::BindPhs(mjModel* m, const AttachOptions& options) {
     auto path = FindData("PHS model", "models/phs", model, {".yaml"});
     if (!path.ok()) return path.error();
     p.model_path = path.value();
-    auto system = effects::LoadPhsSystem(p.model_path, options.failures, p.name);
+    auto system = effects::LoadPhsSystem(p.model_path, options.phs_changes, p.name);
     if (!system.ok()) return system.error();
     p.system = std::make_shared<const hydraulics::PhsSystem>(std::move(system).value());
     const std::vector<int> ids = tuple.Ids(mjOBJ_ACTUATOR);

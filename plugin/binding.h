@@ -21,6 +21,7 @@
 #include "base/result.h"
 #include "effects/failures.h"
 #include "hydraulics/phs_system.h"
+#include "plugin/running_forces.h"
 #include "rail/track.h"
 #include "rail/wheel_rail.h"
 
@@ -37,12 +38,13 @@ struct AttachOptions {
   std::string wheel_profile;
   std::string rail_profile;
   std::string creep_law;
-  std::string phs_model;                   ///< replaces the model of every PHS system
-  double friction = kUnset;                ///< wheel-rail friction coefficient
-  double flange_friction = kUnset;         ///< on the flange; as `friction` if unset
-  double speed_m_s = kUnset;               ///< target of the speed hold
-  double start_s_m = kUnset;               ///< arc length of the rearmost wheelset at the start
-  std::vector<effects::Failure> failures;  ///< of the PHS (effects/failures.h)
+  std::string phs_model;            ///< replaces the model of every PHS system
+  double friction = kUnset;         ///< wheel-rail friction coefficient
+  double flange_friction = kUnset;  ///< on the flange; as `friction` if unset
+  double speed_m_s = kUnset;        ///< target of the speed hold
+  double start_s_m = kUnset;        ///< arc length of the rearmost wheelset at the start
+  effects::PhsChanges phs_changes;  ///< parameters and failures of every PHS
+  RunningForces running;            ///< traction and braking
   static constexpr double kUnset = -1;
 };
 
@@ -80,7 +82,9 @@ struct UserData {
   static constexpr int kLifted = 5;         ///< number of wheels without contact
   static constexpr int kBeyondProfile = 6;  ///< number of wheels at the end of a profile
   static constexpr int kMaxLateral = 7;     ///< largest |lateral| of a wheelset [m]
-  static constexpr int kHeader = 8;
+  static constexpr int kTrainPower = 8;     ///< given by the train at the coupler [W]
+  static constexpr int kBrakePower = 9;     ///< lost at the brake blocks [W]
+  static constexpr int kHeader = 10;
   static constexpr int kPerWheelset = 6;
 };
 
@@ -144,8 +148,10 @@ class Binding {
  private:
   Status LoadRail(mjModel* m, const AttachOptions& options);
   Status BindWheelsets(mjModel* m);
+  Status BindCoupler(const mjModel* m, const AttachOptions& options);
   Status BindPhs(mjModel* m, const AttachOptions& options);
   void AddWheelsetForces(const mjModel* m, mjData* d) const noexcept;
+  void AddRunningForces(const mjModel* m, mjData* d) const noexcept;
   void EvaluatePhs(const mjModel* m, mjData* d) const noexcept;
 
   std::unique_ptr<rail::Track> track_;
@@ -160,6 +166,9 @@ class Binding {
   double start_s_ = 0;
   double speed_gain_ = 0;  ///< torque per speed error and driven axle [N m s/m]
   int root_body_ = -1;     ///< body whose speed is held
+  RunningForces running_;
+  int coupler_site_ = -1;
+  std::vector<int> coupler_dofs_;
 };
 
 }  // namespace phs::plugin

@@ -10,6 +10,8 @@ namespace {
 using rail::Side;
 using rail::Vec3;
 
+constexpr double kCouplerTime = 0.5;  ///< time constant of the speed that the train holds [s]
+
 double Dot(const Vec3& a, const Vec3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 Vec3 Cross(const Vec3& a, const Vec3& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
@@ -127,6 +129,40 @@ void Binding::AddWheelsetForces(const mjModel* m, mjData* d) const noexcept {
   }
 }
 
+void Binding::AddRunningForces(const mjModel* m, mjData* d) const noexcept {
+  const double share = running_.Share(d->time);
+  const double radius = wheel_rail_->params().wheel_radius;
+  const int body = m->site_bodyid[coupler_site_];
+  const mjtNum* r = d->xmat + 9 * body;
+  const Vec3 forward = {r[0], r[3], r[6]};
+  double moment = 0;  // all moments that drive the axles forward
+  for (const WheelsetBinding& w : wheelsets_) {
+    if (w.drive_actuator >= 0) moment += share * running_.drive_torque_Nm;
+    // Both wheels; the sign of friction is rounded off within 0.05 m/s at the tread.
+    constexpr double kRoundingSpeed = 0.05;
+    const double spin = d->qvel[w.spin_dof];
+    const double brake = 2 * share * running_.block_friction * running_.block_force_N * radius *
+                         std::tanh(spin * radius / kRoundingSpeed);
+    d->qfrc_passive[w.spin_dof] -= brake;
+    d->userdata[UserData::kBrakePower] += brake * spin;
+    moment -= brake;
+  }
+  const double speed = Dot(forward, CentreVelocity(m, d, body));
+  const double gain = m->body_subtreemass[root_body_] / kCouplerTime;
+  const double force = gain * (target_speed_ - speed) - moment / radius;
+  const mjtNum* place = d->site_xpos + 3 * coupler_site_;
+  const Vec3 com = Load(d->subtree_com + 3 * m->body_rootid[body]);
+  const Vec3 arm = {place[0] - com[0], place[1] - com[1], place[2] - com[2]};
+  const Vec3 pull = {force * forward[0], force * forward[1], force * forward[2]};
+  const Vec3 turn = Cross(arm, pull);
+  for (const int dof : coupler_dofs_) {
+    const mjtNum* c = d->cdof + 6 * dof;
+    d->qfrc_passive[dof] += c[0] * turn[0] + c[1] * turn[1] + c[2] * turn[2] + c[3] * pull[0] +
+                            c[4] * pull[1] + c[5] * pull[2];
+  }
+  d->userdata[UserData::kTrainPower] = force * speed;
+}
+
 void Binding::EvaluatePhs(const mjModel* m, mjData* d) const noexcept {
   mjtNum* user = d->userdata;
   for (const PhsBinding& p : phs_) {
@@ -153,11 +189,19 @@ void Binding::EvaluatePhs(const mjModel* m, mjData* d) const noexcept {
 
 void Binding::Passive(const mjModel* m, mjData* d) const noexcept {
   if (has_rail()) AddWheelsetForces(m, d);
+  if (coupler_site_ >= 0) AddRunningForces(m, d);
   EvaluatePhs(m, d);
 }
 
 void Binding::Control(const mjModel* m, mjData* d) const noexcept {
   if (!has_rail() || target_speed_ <= 0 || root_body_ < 0) return;
+  if (running_.active) {
+    const double torque = running_.Share(d->time) * running_.drive_torque_Nm;
+    for (const WheelsetBinding& w : wheelsets_) {
+      if (w.drive_actuator >= 0) d->ctrl[w.drive_actuator] = torque;
+    }
+    return;
+  }
   // Each axle holds its own speed: torque and speed at the same place damp every mode, while the
   // speed of the frame, felt through the springs of the axle guidance, would drive the bogie to
   // longitudinal oscillation against its wheelsets.

@@ -72,7 +72,7 @@ Result<AttachOptions> ParseOptions(const std::string& text) {
     if (key == "failures") {
       auto failures = ParseFailures(value);
       if (!failures.ok()) return failures.error();
-      options.failures = std::move(failures).value();
+      options.phs_changes.failures = std::move(failures).value();
     } else if (const auto word = words.find(key); word != words.end()) {
       *word->second = value;
     } else if (const auto number = numbers.find(key); number != numbers.end()) {

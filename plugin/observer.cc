@@ -20,6 +20,18 @@ struct WheelLoad {
 };
 WheelLoad LoadOf(const WheelRailForces& wheel) { return {-wheel.force[1], -wheel.force[2]}; }
 
+/// Creep force of all patches over what friction allows.
+double AdhesionUsed(const WheelRailForces& wheel) {
+  double used = 0;
+  double limit = 0;
+  for (int k = 0; k < wheel.count; ++k) {
+    const ContactPatch& p = wheel.patch[k];
+    used += std::hypot(p.creep.x, p.creep.y);
+    limit += p.friction * p.normal;
+  }
+  return limit > 0 ? used / limit : 0;
+}
+
 /// Yaw moment about the wheelset's vertical axis from one PHS, split into its parts.
 struct PhsMoment {
   double pressure = 0;
@@ -105,6 +117,8 @@ void Observer::NameWheelset(const std::string& name) {
   Name(name + "_angle_of_attack_rad", "rad", "yaw against the radial direction of the track");
   Name(name + "_yaw_rad", "rad", "yaw against the bogie frame");
   Name(name + "_sum_Y_N", "N", "lateral force of both wheels on the track, > 0 right");
+  Name(name + "_X_N", "N", "longitudinal force of both rails on the wheelset, > 0 forward");
+  Name(name + "_slip", "1", "spin times tape circle radius over speed, less 1; > 0 driving");
   Name(name + "_steering_moment_Nm", "N m", "yaw moment of the wheel-rail forces");
   Name(name + "_primary_moment_Nm", "N m", "yaw moment of the primary suspension and links");
   Name(name + "_phs_pressure_moment_Nm", "N m", "yaw moment of the cylinder pressures");
@@ -117,6 +131,8 @@ void Observer::NameWheelset(const std::string& name) {
     Name(wheel + "_Y_N", "N", "guiding force, > 0 pushes the rail outwards");
     Name(wheel + "_Q_N", "N", "wheel load");
     Name(wheel + "_Y_over_Q", "1", "Y/Q");
+    Name(wheel + "_X_N", "N", "longitudinal force of the rail on the wheel, > 0 forward");
+    Name(wheel + "_adhesion_used", "1", "creep force over friction limit, sum over the patches");
     Name(wheel + "_T_gamma_N", "N", "wear number without spin term");
     Name(wheel + "_T_gamma_spin_N", "N", "spin term of the wear number");
     Name(wheel + "_contacts", "1", "contact patches");
@@ -184,6 +200,11 @@ void Observer::Observe(const mjModel* m, const mjData* d, double* row) const {
     *out++ = state.yaw;
     *out++ = JointPosition(m, d, w.yaw_joint);
     *out++ = right.y - left.y;
+    *out++ = state.wheel[0].force[0] + state.wheel[1].force[0];
+    *out++ =
+        state.speed > 0
+            ? d->qvel[w.spin_dof] * binding_.wheel_rail().params().wheel_radius / state.speed - 1
+            : 0.0;
     *out++ = state.moment_T[2];
     *out++ = JointForce(m, d, w.yaw_joint);
     PhsMoment moment;
@@ -205,6 +226,8 @@ void Observer::Observe(const mjModel* m, const mjData* d, double* row) const {
       *out++ = load.y;
       *out++ = load.q;
       *out++ = load.q > 0 ? load.y / load.q : 0.0;
+      *out++ = wheel.force[0];
+      *out++ = AdhesionUsed(wheel);
       *out++ = wheel.t_gamma;
       *out++ = wheel.t_gamma_spin;
       *out++ = wheel.count;

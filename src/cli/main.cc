@@ -20,6 +20,8 @@ int Main(int argc, char** argv) {
   phs::cli::AddContact(&app, &action);
   phs::cli::AddModes(&app, &action);
   phs::cli::AddIdentify(&app, &action);
+  phs::cli::AddImport(&app, &action);
+  phs::cli::AddLoads(&app, &action);
   phs::cli::AddReport(&app, &action);
   phs::cli::AddValidate(&app, &action);
   try {

@@ -1,6 +1,7 @@
 // phs simulate, phs compare: runs on a track.
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <future>
 #include <memory>
 #include <optional>
@@ -41,6 +42,12 @@ struct CurveRun {
   Json summary;
 };
 
+/// What a bogie is called in tables and results: of a file its name without folder and ending.
+std::string NameOf(const std::string& bogie) {
+  const std::filesystem::path path(bogie);
+  return path.extension() == ".xml" ? path.stem().string() : bogie;
+}
+
 /// Creates all simulations first, so that bad input ends before any long work.
 Status CreateRuns(const CurveOptions& options, const Scenario& scenario,
                   std::vector<CurveRun>* runs) {
@@ -49,7 +56,7 @@ Status CreateRuns(const CurveOptions& options, const Scenario& scenario,
     own.bogie = bogie;
     auto simulation = Simulation::Create(own);
     if (!simulation.ok()) return simulation.error();
-    runs->push_back({bogie, std::move(simulation).value(), {}, {}});
+    runs->push_back({NameOf(bogie), std::move(simulation).value(), {}, {}});
   }
   return {};
 }

@@ -100,12 +100,18 @@ Status ApplyFailures(const std::vector<Failure>& failures, const std::string& sy
   return {};
 }
 
-Result<hydraulics::PhsSystem> LoadPhsSystem(const std::string& path,
-                                            const std::vector<Failure>& failures,
+Result<hydraulics::PhsSystem> LoadPhsSystem(const std::string& path, const PhsChanges& changes,
                                             const std::string& system) {
   auto params = hydraulics::LoadPhsParams(path);
   if (!params.ok()) return params.error();
-  if (Status s = ApplyFailures(failures, system, &params.value()); !s.ok()) return s.error();
+  for (const auto& [name, value] : changes.parameters) {
+    if (Status s = hydraulics::SetParameter(&params.value(), name, value); !s.ok()) {
+      return s.error();
+    }
+  }
+  if (Status s = ApplyFailures(changes.failures, system, &params.value()); !s.ok()) {
+    return s.error();
+  }
   return CreatePhsSystem(params.value());
 }
 

@@ -15,6 +15,7 @@
 // others; the kinds without a time are changes of parameters, present from the start.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -47,9 +48,14 @@ std::vector<Failure> ReadFailures(YamlMap* map, double speed_m_s, double start_s
 Status ApplyFailures(const std::vector<Failure>& failures, const std::string& system,
                      hydraulics::PhsParams* params);
 
-/// A model file with its effects and the failures that concern `system`.
-Result<hydraulics::PhsSystem> LoadPhsSystem(const std::string& path,
-                                            const std::vector<Failure>& failures,
+/// What a run changes in a PHS model.
+struct PhsChanges {
+  std::map<std::string, double> parameters = {};  ///< by name: "friction.scale" (SetParameter)
+  std::vector<Failure> failures = {};
+};
+
+/// A model file with its effects, with changed parameters and the failures that concern `system`.
+Result<hydraulics::PhsSystem> LoadPhsSystem(const std::string& path, const PhsChanges& changes,
                                             const std::string& system);
 
 }  // namespace phs::effects

@@ -135,7 +135,7 @@ Result<int> CountStates(const Scenario& scenario, const std::string& name, XMLEl
   });
   auto path = FindData("PHS model", "models/phs", model.empty() ? "bo_bo" : model, {".yaml"});
   if (!path.ok()) return path.error();
-  auto system = effects::LoadPhsSystem(path.value(), scenario.failures, name.substr(4));
+  auto system = effects::LoadPhsSystem(path.value(), scenario.phs_changes, name.substr(4));
   if (!system.ok()) return system.error();
   return system.value().num_states();
 }

@@ -11,13 +11,13 @@ using plugin::UserData;
 
 double EnergyBook::Error() const {
   return work_in - (kinetic - start_kinetic) - stored - lost_creep - lost_contact - lost_dampers -
-         lost_phs - lent;
+         lost_phs - lost_brakes - lent;
 }
 
 double EnergyBook::RelativeError() const {
-  const double lost = lost_creep + lost_contact + lost_dampers + lost_phs;
+  const double lost = lost_creep + lost_contact + lost_dampers + lost_phs + lost_brakes;
   const double scale =
-      std::max({std::abs(work_in), std::abs(lost), std::abs(kinetic - start_kinetic)});
+      std::max({std::abs(work_in), train, std::abs(lost), std::abs(kinetic - start_kinetic)});
   return scale > 0 ? Error() / scale : 0;
 }
 
@@ -89,6 +89,9 @@ void EnergyKeeper::After(const mjModel* m, const mjData* d) {
     phs -= torque * 0.5 * (after - before);
   }
   book_.lost_creep += h * (d->userdata[UserData::kCreepPower] - contact);
+  book_.work_in += h * d->userdata[UserData::kTrainPower];
+  book_.train += h * std::abs(d->userdata[UserData::kTrainPower]);
+  book_.lost_brakes += h * d->userdata[UserData::kBrakePower];
   book_.lost_contact += h * d->userdata[UserData::kContactPower];
   book_.lost_phs += h * (d->userdata[UserData::kPhsPower] - phs);
 }

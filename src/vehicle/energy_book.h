@@ -26,11 +26,13 @@ struct EnergyBook {
   double lost_contact = 0;
   double lost_dampers = 0;  ///< dampers of joints and linkages, without lent damping
   double lost_phs = 0;
-  double lent = 0;  ///< kinetic energy of the inertia that lent damping adds (binding.h)
+  double train = 0;        ///< work at the coupler, its magnitude added up
+  double lost_brakes = 0;  ///< at the blocks on the wheel treads
+  double lent = 0;         ///< kinetic energy of the inertia that lent damping adds (binding.h)
   double start_kinetic = 0;
   /// Work in less everything it went into.
   double Error() const;
-  /// Error over the largest of work in, losses and change of kinetic energy.
+  /// Error over the largest of work in, work at the coupler, losses and change of kinetic energy.
   double RelativeError() const;
 };
 

@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <cmath>
+#include <filesystem>
 #include <future>
 
 #include "vehicle/compose.h"
@@ -18,7 +19,8 @@ Result<RadiusRow> RunOne(const Scenario& scenario) {
   auto outcome = simulation.value().Run();
   if (!outcome.ok()) return outcome.error();
   RadiusRow row;
-  row.bogie = scenario.bogie;
+  const std::filesystem::path file(scenario.bogie);
+  row.bogie = file.extension() == ".xml" ? file.stem().string() : scenario.bogie;
   row.yardstick = YardstickOf(scenario.bogie);
   row.speed_m_s = scenario.speed_m_s;
   row.summary = Summarise(simulation.value(), outcome.value());

@@ -8,6 +8,34 @@
 
 namespace phs::vehicle {
 
+namespace {
+
+/// `running:` torque and block forces on the axles; the train holds the speed.
+void ReadRunning(YamlMap map, Scenario* s) {
+  plugin::RunningForces& r = s->running;
+  r.active = true;
+  r.drive_torque_Nm = map.Number("drive_torque_Nm", {.min = -1e6, .max = 1e6}, 0.0);
+  r.block_force_N = map.Number("block_force_N", {.min = 0, .max = 1e6}, 0.0);
+  r.block_friction =
+      map.Number("block_friction", {.min = 0, .max = 1, .open_min = true}, r.block_friction);
+  r.begin_s = map.Number("begin_s", {.min = 0, .max = 1e6}, r.begin_s);
+  r.ramp_s = map.Number("ramp_s", {.min = 0, .max = 1e6, .open_min = true}, r.ramp_s);
+}
+
+/// `joints:` springs and dampers by joint name.
+void ReadJoints(YamlMap map, Scenario* s) {
+  for (const std::string& joint : map.Keys()) {
+    YamlMap entry = map.Map(joint);
+    Scenario::JointChange change;
+    change.joint = joint;
+    change.stiffness = entry.Number("stiffness", {.min = 0, .max = 1e12}, change.stiffness);
+    change.damping = entry.Number("damping", {.min = 0, .max = 1e9}, change.damping);
+    s->joints.push_back(std::move(change));
+  }
+}
+
+}  // namespace
+
 Result<Scenario> LoadScenario(const std::string& name_or_path) {
   auto path = FindData("scenario", "models/scenarios", name_or_path, {".yaml"});
   if (!path.ok()) return path.error();
@@ -37,7 +65,15 @@ Result<Scenario> LoadScenario(const std::string& name_or_path) {
   s.start_s_m = map.Number("start_s_m", {.min = -1e4, .max = 1e7}, s.start_s_m);
   s.record_interval_s =
       map.Number("record_interval_s", {.min = 1e-6, .max = 60}, s.record_interval_s);
-  s.failures = effects::ReadFailures(&map, s.speed_m_s, s.start_s_m);
+  if (map.Has("running")) ReadRunning(map.Map("running"), &s);
+  s.phs_changes.failures = effects::ReadFailures(&map, s.speed_m_s, s.start_s_m);
+  if (map.Has("phs_parameters")) {
+    YamlMap changes = map.Map("phs_parameters");
+    for (const std::string& name : changes.Keys()) {
+      s.phs_changes.parameters[name] = changes.Number(name, {});
+    }
+  }
+  if (map.Has("joints")) ReadJoints(map.Map("joints"), &s);
   if (Status status = map.Finish(); !status.ok()) return status.error();
   return s;
 }

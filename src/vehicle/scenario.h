@@ -6,6 +6,7 @@
 
 #include "base/result.h"
 #include "effects/failures.h"
+#include "plugin/running_forces.h"
 
 namespace phs::vehicle {
 
@@ -25,7 +26,15 @@ struct Scenario {
   double duration_s = 0;  ///< 0: until the vehicle reaches the end of the track
   double start_s_m = 1;   ///< arc length of the rearmost wheelset at the start
   double record_interval_s = 0.01;
-  std::vector<effects::Failure> failures;  ///< what breaks in the PHS
+  plugin::RunningForces running;    ///< traction and braking; inactive: the drives hold the speed
+  effects::PhsChanges phs_changes;  ///< parameters and failures of the PHS
+  /// Springs and dampers of single joints of the vehicle, instead of the file's.
+  struct JointChange {
+    std::string joint;
+    double stiffness = -1;  ///< [N/m, N m/rad]; < 0: as in the file
+    double damping = -1;    ///< [N s/m, N m s/rad]; < 0: as in the file
+  };
+  std::vector<JointChange> joints;
 };
 
 /// Errors name file:line and key.

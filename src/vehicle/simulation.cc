@@ -5,6 +5,8 @@
 #include <ctime>
 
 #include "base/data_path.h"
+#include "base/words.h"
+#include "plugin/model_text.h"
 #include "plugin/registry.h"
 #include "plugin/settle.h"
 #include "vehicle/compose.h"
@@ -45,13 +47,31 @@ class DerailmentWatch {
 
 const char* const kEnergyChannels[] = {"energy_kinetic_J", "energy_stored_J", "work_in_J",
                                        "lost_creep_J",     "lost_contact_J",  "lost_dampers_J",
-                                       "lost_phs_J",       "drive_torque_Nm"};
+                                       "lost_phs_J",       "lost_brakes_J",   "drive_torque_Nm"};
 
 /// Processor time of this thread [s]: what the run costs on one core, whatever else is running.
 double ThreadSeconds() {
   timespec now{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+/// Springs and dampers that the scenario gives instead of the file's.
+Status ChangeJoints(const Scenario& scenario, mjModel* m) {
+  for (const Scenario::JointChange& change : scenario.joints) {
+    const int id = mj_name2id(m, mjOBJ_JOINT, change.joint.c_str());
+    if (id < 0 || m->jnt_type[id] == mjJNT_FREE) {
+      std::vector<std::string> known;
+      for (int j = 0; j < m->njnt; ++j) {
+        if (m->jnt_type[j] != mjJNT_FREE) known.push_back(plugin::ObjectName(m, mjOBJ_JOINT, j));
+      }
+      return Error{"joints: " + Quoted(change.joint), "is no joint of bogie " + scenario.bogie,
+                   JoinWords(known), DidYouMean(change.joint, known)};
+    }
+    if (change.stiffness >= 0) m->jnt_stiffness[id] = change.stiffness;
+    if (change.damping >= 0) m->dof_damping[m->jnt_dofadr[id]] = change.damping;
+  }
+  return {};
 }
 
 double TotalDriveTorque(const mjData* d, const plugin::Binding& binding) {
@@ -85,6 +105,7 @@ Result<Simulation> Simulation::Create(const Scenario& scenario) {
   sim.scenario_ = scenario;
   sim.model_ = std::move(loaded).value();
   sim.model_->opt.timestep = scenario.timestep_s;
+  if (Status s = ChangeJoints(scenario, sim.model_.get()); !s.ok()) return s.error();
   plugin::AttachOptions options;
   options.track = scenario.track;
   options.wheel_profile = scenario.wheel;
@@ -95,7 +116,8 @@ Result<Simulation> Simulation::Create(const Scenario& scenario) {
   if (scenario.flange_friction >= 0) options.flange_friction = scenario.flange_friction;
   options.speed_m_s = scenario.speed_m_s;
   options.start_s_m = scenario.start_s_m;
-  options.failures = scenario.failures;
+  options.phs_changes = scenario.phs_changes;
+  options.running = scenario.running;
   try {
     if (Status s = plugin::Attach(sim.model_.get(), options); !s.ok()) return s.error();
     sim.data_.reset(mj_makeData(sim.model_.get()));
@@ -165,9 +187,9 @@ Result<RunOutcome> Simulation::Run(const Progress& progress) {
       observer.Observe(m, d, row.data());
       row[0] = time;
       const EnergyBook& e = run.energy;
-      const double energies[] = {
-          e.kinetic,      e.stored,       e.work_in,  e.lost_creep,
-          e.lost_contact, e.lost_dampers, e.lost_phs, TotalDriveTorque(d, bound)};
+      const double energies[] = {e.kinetic,    e.stored,       e.work_in,
+                                 e.lost_creep, e.lost_contact, e.lost_dampers,
+                                 e.lost_phs,   e.lost_brakes,  TotalDriveTorque(d, bound)};
       std::copy(std::begin(energies), std::end(energies), row.begin() + num_observed);
       for (size_t i = 0; i < row.size(); ++i) run.columns[i].push_back(row[i]);
       front_s = row[1];

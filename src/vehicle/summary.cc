@@ -48,7 +48,9 @@ Json WheelsetMeans(const RunOutcome& run, const Window& window, const std::strin
           {"lateral_m", Mean(run, window, name + "_lateral_m")},
           {"angle_of_attack_rad", Mean(run, window, name + "_angle_of_attack_rad")},
           {"yaw_rad", Mean(run, window, name + "_yaw_rad")},
-          {"sum_Y_N", Mean(run, window, name + "_sum_Y_N")}};
+          {"sum_Y_N", Mean(run, window, name + "_sum_Y_N")},
+          {"X_N", Mean(run, window, name + "_X_N")},
+          {"slip", Mean(run, window, name + "_slip")}};
 }
 
 Json WheelMeans(const RunOutcome& run, const Window& window, const std::string& wheelset,
@@ -62,6 +64,8 @@ Json WheelMeans(const RunOutcome& run, const Window& window, const std::string& 
           {"Y_over_Q", Mean(run, window, wheel + "_Y_over_Q")},
           {"T_gamma_N", Mean(run, window, wheel + "_T_gamma_N")},
           {"T_gamma_spin_N", Mean(run, window, wheel + "_T_gamma_spin_N")},
+          {"X_N", Mean(run, window, wheel + "_X_N")},
+          {"adhesion_used", Mean(run, window, wheel + "_adhesion_used")},
           {"contacts", Mean(run, window, wheel + "_contacts")},
           {"contact_angle_rad", Mean(run, window, wheel + "_contact_angle_rad")},
           {"flange_N", Mean(run, window, wheel + "_flange_N")}};
@@ -159,6 +163,7 @@ Json WholeRun(const Simulation& sim, const RunOutcome& run) {
           {"lost_contact_J", e.lost_contact},
           {"lost_dampers_J", e.lost_dampers},
           {"lost_phs_J", e.lost_phs},
+          {"lost_brakes_J", e.lost_brakes},
           {"energy_lent_J", e.lent},
           {"end_time_s", run.end_time_s},
           {"steps", run.steps}};
@@ -250,7 +255,24 @@ Json DescribeScenario(const Scenario& s) {
                     {"flange_friction", number_or_null(s.flange_friction)},
                     {"timestep_s", s.timestep_s},
                     {"record_interval_s", s.record_interval_s}};
-  if (!s.failures.empty()) described["failures"] = DescribeFailures(s.failures);
+  if (s.running.active) {
+    described["running"] = {{"drive_torque_Nm", s.running.drive_torque_Nm},
+                            {"block_force_N", s.running.block_force_N},
+                            {"block_friction", s.running.block_friction},
+                            {"begin_s", s.running.begin_s},
+                            {"ramp_s", s.running.ramp_s}};
+  }
+  if (!s.phs_changes.failures.empty()) {
+    described["failures"] = DescribeFailures(s.phs_changes.failures);
+  }
+  if (!s.phs_changes.parameters.empty()) {
+    described["phs_parameters"] = s.phs_changes.parameters;
+  }
+  for (const Scenario::JointChange& change : s.joints) {
+    Json& joint = described["joints"][change.joint];
+    if (change.stiffness >= 0) joint["stiffness"] = change.stiffness;
+    if (change.damping >= 0) joint["damping"] = change.damping;
+  }
   return described;
 }
 

@@ -25,7 +25,7 @@ Scenario Straight(std::vector<effects::Failure> failures) {
   s.speed_m_s = 20;
   s.friction = 0.35;
   s.duration_s = 3;
-  s.failures = std::move(failures);
+  s.phs_changes.failures = std::move(failures);
   return s;
 }
 
@@ -61,7 +61,8 @@ TEST(FailuresTest, ASlowLeakLosesThePrechargeWithItsTimeConstant) {
   auto path = FindData("PHS model", "models/phs", "bo_bo", {".yaml"});
   ASSERT_TRUE(path.ok());
   auto system = effects::LoadPhsSystem(
-      path.value(), {{.kind = "line_leak", .line = "L2", .conductance_m3_per_Pas = G}}, "bogie");
+      path.value(), {{}, {{.kind = "line_leak", .line = "L2", .conductance_m3_per_Pas = G}}},
+      "bogie");
   ASSERT_TRUE(system.ok());
   const double h = 1e-3;
   std::vector<double> x(4), v(4), pressure(4);

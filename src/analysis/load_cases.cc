@@ -1,0 +1,193 @@
+#include "analysis/load_cases.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
+#include "plugin/observer.h"
+
+namespace phs::analysis {
+namespace {
+
+constexpr int kSteps = 200;         ///< load steps to the end of a case
+constexpr double kProbe = 1e-7;     ///< of finite differences [m, rad]
+constexpr double kTolerance = 1.0;  ///< of the equilibrium [N, N m]
+constexpr int kMaxIterations = 60;
+constexpr double kBoxLever = 0.9;  ///< half distance of the axle boxes [m]
+
+using Vector = Eigen::Vector4d;  ///< lead x, lead yaw, trail x, trail yaw
+
+/// The bogie lifted off its rails with four free coordinates.
+class HeldBogie {
+ public:
+  static Result<HeldBogie> Create(const vehicle::Simulation& simulation) {
+    HeldBogie bogie;
+    bogie.m_ = simulation.model();
+    bogie.binding_ = &simulation.binding();
+    if (bogie.binding_->phs().empty()) {
+      return Error{"bogie '" + simulation.scenario().bogie + "'", "has no PHS to load",
+                   "a bogie with cylinders", ""};
+    }
+    const auto pairs = plugin::FindBogies(*bogie.binding_);
+    const std::string prefix = pairs.empty() ? "" : pairs[0].prefix;
+    const char* names[4] = {"lead_x", "lead_yaw", "trail_x", "trail_yaw"};
+    for (int i = 0; i < 4; ++i) {
+      const std::string name = prefix + names[i];
+      const int id = mj_name2id(bogie.m_, mjOBJ_JOINT, name.c_str());
+      if (id < 0) {
+        return Error{"MJCF joint '" + name + "'", "is missing: the load cases move it",
+                     "slides *_x and hinges *_yaw of both axles against the frame", ""};
+      }
+      bogie.qpos_[i] = bogie.m_->jnt_qposadr[id];
+      bogie.dof_[i] = bogie.m_->jnt_dofadr[id];
+    }
+    bogie.d_.reset(mj_makeData(bogie.m_));
+    mj_resetData(bogie.m_, bogie.d_.get());
+    for (int j = 0; j < bogie.m_->njnt; ++j) {
+      // No wheel touches its rail: the contact search is out of the game.
+      if (bogie.m_->jnt_type[j] == mjJNT_FREE) bogie.d_->qpos[bogie.m_->jnt_qposadr[j] + 2] += 1.0;
+    }
+    for (int i = 0; i < 4; ++i) bogie.rest_[i] = bogie.d_->qpos[bogie.qpos_[i]];
+    bogie.zero_ = bogie.InnerForce(Vector::Zero());
+    return bogie;
+  }
+
+  /// Springs, linkages and PHS at displacement u, less what they are at rest.
+  Vector Resistance(const Vector& u) { return InnerForce(u) - zero_; }
+
+  LoadState Describe(double load, const Vector& u) {
+    InnerForce(u);
+    const plugin::PhsState phs = binding_->CalcPhs(m_, d_.get(), 0);
+    LoadState state;
+    state.load_N = load;
+    for (int i = 0; i < 2; ++i) {
+      state.x_m[i] = u[2 * i];
+      state.yaw_rad[i] = u[2 * i + 1];
+    }
+    state.force_N = phs.force;
+    state.piston_m = phs.piston;
+    state.pressure_Pa = phs.pressure;
+    return state;
+  }
+
+  const hydraulics::PhsSystem& system() const { return *binding_->phs()[0].system; }
+
+ private:
+  Vector InnerForce(const Vector& u) {
+    for (int i = 0; i < 4; ++i) d_->qpos[qpos_[i]] = rest_[i] + u[i];
+    mj_forward(m_, d_.get());
+    Vector force;
+    for (int i = 0; i < 4; ++i) force[i] = d_->qfrc_passive[dof_[i]] + d_->qfrc_actuator[dof_[i]];
+    return force;
+  }
+
+  const mjModel* m_ = nullptr;
+  const plugin::Binding* binding_ = nullptr;
+  vehicle::DataPtr d_;
+  int qpos_[4] = {};
+  int dof_[4] = {};
+  double rest_[4] = {};
+  Vector zero_ = Vector::Zero();
+};
+
+/// Generalised load of a pattern per unit of P.
+Vector PatternLoad(const std::string& pattern) {
+  if (pattern == "traction") return {2, 0, 2, 0};
+  if (pattern == "braking") return {-2, 0, -2, 0};
+  return {0, 2 * kBoxLever, 0, 2 * kBoxLever};
+}
+
+/// Newton with step halving from `u`; false if it does not settle.
+bool Balance(HeldBogie* bogie, const Vector& load, Vector* u) {
+  Vector r = bogie->Resistance(*u) + load;
+  for (int iteration = 0; iteration < kMaxIterations; ++iteration) {
+    if (r.cwiseAbs().maxCoeff() < kTolerance) return true;
+    Eigen::Matrix4d slope;
+    for (int k = 0; k < 4; ++k) {
+      Vector plus = *u;
+      Vector minus = *u;
+      plus[k] += kProbe;
+      minus[k] -= kProbe;
+      slope.col(k) = (bogie->Resistance(plus) - bogie->Resistance(minus)) / (2 * kProbe);
+    }
+    const Vector step = slope.partialPivLu().solve(-r);
+    double share = 1;
+    Vector next = *u + step;
+    Vector r_next = bogie->Resistance(next) + load;
+    while (r_next.norm() > r.norm() && share > 1e-3) {
+      share /= 2;
+      next = *u + share * step;
+      r_next = bogie->Resistance(next) + load;
+    }
+    *u = next;
+    r = r_next;
+  }
+  return false;
+}
+
+void NoteOnce(const std::string& what, double load, std::vector<LimitReached>* reached) {
+  for (const LimitReached& r : *reached) {
+    if (r.what == what) return;
+  }
+  reached->push_back({what, load});
+}
+
+void NoteLimits(const hydraulics::PhsSystem& system, const LoadState& s, const LoadLimits& limits,
+                std::vector<LimitReached>* reached) {
+  for (size_t i = 0; i < s.force_N.size(); ++i) {
+    const std::string name = "cylinder " + system.cylinder_names()[i];
+    if (std::abs(s.force_N[i]) >= limits.cylinder_N) {
+      NoteOnce(fmt::format("{} beyond {:.0f} kN", name, limits.cylinder_N / 1e3), s.load_N,
+               reached);
+    }
+    if (std::abs(s.piston_m[i]) >= limits.stroke_m) {
+      NoteOnce(name + " on its end stop", s.load_N, reached);
+    }
+  }
+  for (size_t i = 0; i < s.pressure_Pa.size(); ++i) {
+    const auto& line = system.params().lines[i];
+    if (s.pressure_Pa[i] <= limits.pressure_floor_Pa) {
+      NoteOnce("line " + line.name + " empty", s.load_N, reached);
+    }
+    if (line.accumulator.volume_m3 > 0 && s.pressure_Pa[i] >= limits.blow_off_Pa) {
+      NoteOnce("line " + line.name + " blows off", s.load_N, reached);
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<LoadCase> StandardLoadCases() {
+  const std::string source = "thesis, Table 4-2";
+  return {{"steering", "shear", 30e3, source},
+          {"traction, electric braking", "traction", 52e3, source},
+          {"braking", "braking", 82e3, source},
+          {"unusual (shunting, 5 g)", "braking", 175e3, source}};
+}
+
+Result<std::vector<LoadResult>> CalcLoadCases(const vehicle::Simulation& simulation,
+                                              const std::vector<LoadCase>& cases,
+                                              const LoadLimits& limits) {
+  auto bogie = HeldBogie::Create(simulation);
+  if (!bogie.ok()) return bogie.error();
+  std::vector<LoadResult> results;
+  for (const LoadCase& load_case : cases) {
+    LoadResult result{load_case, {}, {}};
+    Vector u = Vector::Zero();
+    for (int i = 1; i <= kSteps; ++i) {
+      const double load = load_case.load_N * i / kSteps;
+      if (!Balance(&bogie.value(), load * PatternLoad(load_case.pattern), &u)) {
+        return Error{"load case '" + load_case.name + "'",
+                     fmt::format("finds no equilibrium at {:.1f} kN per box", load / 1e3), "", ""};
+      }
+      result.end = bogie.value().Describe(load, u);
+      NoteLimits(bogie.value().system(), result.end, limits, &result.limits);
+    }
+    results.push_back(std::move(result));
+  }
+  return results;
+}
+
+}  // namespace phs::analysis

@@ -1,0 +1,74 @@
+// phs import: a bogie from a URDF and a mapping as MJCF.
+#include <fmt/format.h>
+
+#include <memory>
+#include <optional>
+
+#include "base/result_dir.h"
+#include "cli/verbs.h"
+#include "vehicle/bogie_import.h"
+#include "vehicle/simulation.h"
+
+namespace phs::cli {
+namespace {
+
+struct ImportOptions {
+  CommonOptions common;
+  std::string urdf;
+  std::string mapping;
+};
+
+/// Stands the written bogie on straight track, so that what cannot run is refused here.
+Status TryOut(const std::string& file) {
+  vehicle::Scenario scenario;
+  scenario.name = "import";
+  scenario.bogie = file;
+  scenario.track = "straight";
+  scenario.speed_m_s = 20;
+  auto simulation = vehicle::Simulation::Create(scenario);
+  return simulation.ok() ? Status() : Status(simulation.error());
+}
+
+int RunImport(const ImportOptions& options) {
+  auto urdf = vehicle::ReadUrdf(options.urdf);
+  if (!urdf.ok()) return BadInput(urdf.error());
+  auto mapping = vehicle::LoadBogieMapping(options.mapping);
+  if (!mapping.ok()) return BadInput(mapping.error());
+  auto text = vehicle::ImportBogie(urdf.value(), mapping.value());
+  if (!text.ok()) return BadInput(text.error());
+  auto dir = ResultDir::Create(options.common.out, options.common.force);
+  if (!dir.ok()) return BadInput(dir.error());
+  const std::string name = mapping.value().name + ".xml";
+  const std::string file = dir.value().File(name);
+  if (Status s = WriteFileAtomically(file, text.value()); !s.ok()) return BadInput(s.error());
+  if (Status s = TryOut(file); !s.ok()) return BadInput(s.error());
+  if (Status s = dir.value().Commit(); !s.ok()) return BadInput(s.error());
+  const std::string made = dir.value().final_path() + "/" + name;
+  if (options.common.format == "json") {
+    fmt::print("{{\"bogie\": \"{}\", \"links\": {}, \"axles\": {}, \"cylinders\": {}}}\n", made,
+               urdf.value().links.size(), mapping.value().axles.size(),
+               mapping.value().cylinders.size());
+  } else {
+    fmt::print("{}: {} links, {} axles, {} cylinders; stands on straight track\n", made,
+               urdf.value().links.size(), mapping.value().axles.size(),
+               mapping.value().cylinders.size());
+    fmt::print("next: phs compare curve_r550 --bogies {},rigid_link\n", made);
+  }
+  return kDone;
+}
+
+}  // namespace
+
+void AddImport(CLI::App* app, Action* action) {
+  CLI::App* verb = app->add_subcommand("import", "A URDF bogie as MJCF, ready for simulate");
+  auto options = std::make_shared<ImportOptions>();
+  AddCommonOptions(verb, &options->common);
+  verb->get_option("--out")->required();
+  verb->add_option("urdf", options->urdf, "URDF file")->required();
+  verb->add_option("--mapping", options->mapping,
+                   "YAML file: what the links are, springs, cylinders")
+      ->required();
+  verb->callback([=] { *action = [=] { return RunImport(*options); }; });
+}
+
+}  // namespace phs::cli

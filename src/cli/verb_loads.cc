@@ -1,0 +1,118 @@
+// phs loads: the loads of the thesis's table on the axle boxes, and which part gives first.
+#include <fmt/format.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "analysis/load_cases.h"
+#include "base/result_dir.h"
+#include "cli/verbs.h"
+#include "vehicle/simulation.h"
+
+namespace phs::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct LoadsOptions {
+  CommonOptions common;
+  vehicle::Scenario scenario;
+};
+
+Json ResultJson(const analysis::LoadResult& result, const hydraulics::PhsSystem& system) {
+  Json json = {{"name", result.load_case.name},
+               {"pattern", result.load_case.pattern},
+               {"load_per_box_N", result.load_case.load_N},
+               {"source", result.load_case.source},
+               {"lead_x_m", result.end.x_m[0]},
+               {"trail_x_m", result.end.x_m[1]},
+               {"lead_yaw_rad", result.end.yaw_rad[0]},
+               {"trail_yaw_rad", result.end.yaw_rad[1]},
+               {"cylinders", Json::array()},
+               {"lines", Json::array()},
+               {"limits", Json::array()}};
+  for (size_t i = 0; i < result.end.force_N.size(); ++i) {
+    json["cylinders"].push_back({{"name", system.cylinder_names()[i]},
+                                 {"force_N", result.end.force_N[i]},
+                                 {"piston_m", result.end.piston_m[i]}});
+  }
+  for (size_t i = 0; i < result.end.pressure_Pa.size(); ++i) {
+    json["lines"].push_back(
+        {{"name", system.line_names()[i]}, {"pressure_Pa", result.end.pressure_Pa[i]}});
+  }
+  for (const auto& limit : result.limits) {
+    json["limits"].push_back({{"what", limit.what}, {"load_per_box_N", limit.load_N}});
+  }
+  return json;
+}
+
+void Print(const analysis::LoadResult& result, const hydraulics::PhsSystem& system) {
+  fmt::print("\n{}: {:.1f} kN per box, {}\n", result.load_case.name, result.load_case.load_N / 1e3,
+             result.load_case.pattern);
+  fmt::print("  axles move {:.2f} mm (lead), {:.2f} mm (trail), yaw {:.2f}, {:.2f} mrad\n",
+             result.end.x_m[0] * 1e3, result.end.x_m[1] * 1e3, result.end.yaw_rad[0] * 1e3,
+             result.end.yaw_rad[1] * 1e3);
+  fmt::print("  cylinders [kN]:");
+  for (size_t i = 0; i < result.end.force_N.size(); ++i) {
+    fmt::print("  {}: {:.1f}", system.cylinder_names()[i], result.end.force_N[i] / 1e3);
+  }
+  fmt::print("\n  lines [MPa]:   ");
+  for (size_t i = 0; i < result.end.pressure_Pa.size(); ++i) {
+    fmt::print("  {}: {:.2f}", system.line_names()[i], result.end.pressure_Pa[i] / 1e6);
+  }
+  fmt::print("\n");
+  if (result.limits.empty()) fmt::print("  no limit reached\n");
+  for (const auto& limit : result.limits) {
+    fmt::print("  from {:6.1f} kN per box: {}\n", limit.load_N / 1e3, limit.what);
+  }
+}
+
+int RunLoads(const LoadsOptions& options) {
+  std::optional<ResultDir> dir;
+  if (!options.common.out.empty()) {
+    auto created = ResultDir::Create(options.common.out, options.common.force);
+    if (!created.ok()) return BadInput(created.error());
+    dir.emplace(std::move(created).value());
+  }
+  auto simulation = vehicle::Simulation::Create(options.scenario);
+  if (!simulation.ok()) return BadInput(simulation.error());
+  auto results = analysis::CalcLoadCases(simulation.value(), analysis::StandardLoadCases());
+  if (!results.ok()) return BadInput(results.error());
+  const hydraulics::PhsSystem& system = *simulation.value().binding().phs()[0].system;
+  Json json;
+  json["bogie"] = options.scenario.bogie;
+  json["phs"] = system.name();
+  json["cases"] = Json::array();
+  for (const auto& result : results.value()) json["cases"].push_back(ResultJson(result, system));
+  if (options.common.format == "json") {
+    fmt::print("{}\n", json.dump(2));
+  } else {
+    fmt::print("{} with {}: longitudinal loads on every axle box, settled\n",
+               options.scenario.bogie, system.name());
+    for (const auto& result : results.value()) Print(result, system);
+  }
+  if (!dir) return kDone;
+  if (Status s = WriteFileAtomically(dir->File("loads.json"), json.dump(2) + "\n"); !s.ok()) {
+    return BadInput(s.error());
+  }
+  const Status s = dir->Commit();
+  return s.ok() ? kDone : BadInput(s.error());
+}
+
+}  // namespace
+
+void AddLoads(CLI::App* app, Action* action) {
+  CLI::App* verb =
+      app->add_subcommand("loads", "Loads on the axle boxes and which part of the PHS gives first");
+  auto options = std::make_shared<LoadsOptions>();
+  options->scenario.track = "straight";
+  options->scenario.speed_m_s = 20;
+  AddCommonOptions(verb, &options->common);
+  verb->add_option("--bogie", options->scenario.bogie, "Bogie: a name or an MJCF file")
+      ->capture_default_str();
+  verb->add_option("--phs", options->scenario.phs, "PHS model, instead of the bogie's");
+  verb->callback([=] { *action = [=] { return RunLoads(*options); }; });
+}
+
+}  // namespace phs::cli

@@ -1,0 +1,71 @@
+// Loads on the axle boxes against hand statics.
+#include "analysis/load_cases.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+namespace phs::analysis {
+namespace {
+
+vehicle::Simulation Standing(const std::string& bogie) {
+  vehicle::Scenario s;
+  s.name = "loads";
+  s.bogie = bogie;
+  s.track = "straight";
+  s.speed_m_s = 20;
+  auto sim = vehicle::Simulation::Create(s);
+  EXPECT_TRUE(sim.ok()) << sim.error().Line();
+  return std::move(sim).value();
+}
+
+TEST(LoadCasesTest, SpringsAndCylindersTogetherCarryTheLoad) {
+  const vehicle::Simulation sim = Standing("phs");
+  auto results = CalcLoadCases(sim, StandardLoadCases());
+  ASSERT_TRUE(results.ok()) << results.error().Line();
+  for (const LoadResult& r : results.value()) {
+    if (r.load_case.pattern == "shear") continue;
+    const double sign = r.load_case.pattern == "traction" ? 1 : -1;
+    // Lead cylinders pull back when the axle goes forward, trail cylinders push forward by -F.
+    const double lead = 2 * sign * r.load_case.load_N - 2.0e6 * r.end.x_m[0] -
+                        (r.end.force_N[0] + r.end.force_N[1]);
+    const double trail = 2 * sign * r.load_case.load_N - 2.0e6 * r.end.x_m[1] +
+                         (r.end.force_N[2] + r.end.force_N[3]);
+    EXPECT_NEAR(lead, 0, 20) << r.load_case.name;
+    EXPECT_NEAR(trail, 0, 20) << r.load_case.name;
+  }
+}
+
+TEST(LoadCasesTest, SmallLoadsFollowTheClosedFormOfTheTractionMode) {
+  // Both axles by u: 4 boxes of P against springs 2 kx and the PHS 8 A_rod^2/C_cross.
+  const vehicle::Simulation sim = Standing("phs");
+  auto results = CalcLoadCases(sim, {{"small", "traction", 200, ""}});
+  ASSERT_TRUE(results.ok());
+  const double rod = M_PI / 4 * (0.1 * 0.1 - 0.032 * 0.032);
+  const double C = 1.1e-3 / 1.4e9 + 16.16e-6 / 2.005347e6;
+  const double stiffness = 2 * 2.0e6 + 8 * rod * rod / C;
+  const auto& x = results.value()[0].end.x_m;
+  EXPECT_NEAR((x[0] + x[1]) / 2 / (4 * 200 / stiffness), 1, 0.02);
+}
+
+TEST(LoadCasesTest, TractionAndBrakingMirrorEachOther) {
+  const vehicle::Simulation sim = Standing("phs");
+  auto results =
+      CalcLoadCases(sim, {{"pull", "traction", 40e3, ""}, {"brake", "braking", 40e3, ""}});
+  ASSERT_TRUE(results.ok());
+  const LoadState& pull = results.value()[0].end;
+  const LoadState& brake = results.value()[1].end;
+  EXPECT_NEAR(pull.x_m[0], -brake.x_m[1], 1e-8);
+  EXPECT_NEAR(pull.force_N[0], brake.force_N[2], 1);
+  EXPECT_NEAR(pull.pressure_Pa[0], brake.pressure_Pa[3], 100);
+}
+
+TEST(LoadCasesTest, ABogieWithoutCylindersIsRefused) {
+  const vehicle::Simulation sim = Standing("rigid_link");
+  auto results = CalcLoadCases(sim, StandardLoadCases());
+  ASSERT_FALSE(results.ok());
+  EXPECT_THAT(results.error().Line(), testing::HasSubstr("has no PHS"));
+}
+
+}  // namespace
+}  // namespace phs::analysis

@@ -1,0 +1,123 @@
+// A bogie from URDF runs as the MJCF one.
+#include <gmock/gmock.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include "base/result_dir.h"
+#include "vehicle/bogie_import.h"
+#include "vehicle/simulation.h"
+
+namespace phs::vehicle {
+namespace {
+
+using testing::HasSubstr;
+namespace fs = std::filesystem;
+
+const std::string kFolder = std::string(PHS_SOURCE_DIR) + "/models/urdf/";
+
+class UrdfImportTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = fs::path(testing::TempDir()) /
+              ("urdf_" + std::to_string(::getpid()) +
+               testing::UnitTest::GetInstance()->current_test_info()->name());
+    fs::create_directories(folder_);
+    urdf_ = ReadFile(kFolder + "bogie_19e.urdf").value();
+    mapping_ = ReadFile(kFolder + "bogie_19e_phs.yaml").value();
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  std::string Write(const std::string& name, const std::string& text) const {
+    const std::string file = (folder_ / name).string();
+    std::ofstream(file) << text;
+    return file;
+  }
+  /// Imports the shipped files with one text replaced.
+  Result<std::string> Import(const std::string& from = "", const std::string& to = "") const {
+    std::string urdf = urdf_;
+    std::string mapping = mapping_;
+    for (std::string* text : {&urdf, &mapping}) {
+      if (const size_t at = text->find(from); !from.empty() && at != std::string::npos) {
+        text->replace(at, from.size(), to);
+      }
+    }
+    auto model = ReadUrdf(Write("bogie.urdf", urdf));
+    if (!model.ok()) return model.error();
+    auto map = LoadBogieMapping(Write("map.yaml", mapping));
+    if (!map.ok()) return map.error();
+    return ImportBogie(model.value(), map.value());
+  }
+  std::string ErrorOf(const std::string& from, const std::string& to) const {
+    const auto result = Import(from, to);
+    EXPECT_FALSE(result.ok()) << "nothing wrong with " << to;
+    return result.ok() ? "" : result.error().Line();
+  }
+
+  fs::path folder_;
+  std::string urdf_;
+  std::string mapping_;
+};
+
+RunOutcome RunBogie(const std::string& bogie) {
+  Scenario s;
+  s.name = "import";
+  s.bogie = bogie;
+  s.track = "curve_r550";
+  s.speed_m_s = 80 / 3.6;
+  s.duration_s = 8;
+  auto sim = Simulation::Create(s);
+  EXPECT_TRUE(sim.ok()) << sim.error().Line();
+  auto run = sim.value().Run();
+  EXPECT_EQ(run.value().status, "ok");
+  return std::move(run).value();
+}
+
+TEST_F(UrdfImportTest, TheImportedBogieRunsAsTheOneInMjcf) {
+  for (const char* name : {"phs", "rigid_link"}) {
+    mapping_ = ReadFile(kFolder + "bogie_19e_" + name + ".yaml").value();
+    auto text = Import();
+    ASSERT_TRUE(text.ok()) << text.error().Line();
+    const RunOutcome imported = RunBogie(Write(std::string(name) + "_imported.xml", text.value()));
+    const RunOutcome own = RunBogie(name);
+    for (const char* channel : {"lead_lateral_m", "lead_angle_of_attack_rad", "lead_right_Y_N",
+                                "trail_left_Q_N", "trail_right_T_gamma_N"}) {
+      const auto& a = imported.columns[static_cast<size_t>(imported.Find(channel))];
+      const auto& b = own.columns[static_cast<size_t>(own.Find(channel))];
+      ASSERT_EQ(a.size(), b.size());
+      double largest = 0;
+      double difference = 0;
+      for (size_t i = 0; i < a.size(); ++i) {
+        largest = std::max(largest, std::abs(b[i]));
+        difference = std::max(difference, std::abs(a[i] - b[i]));
+      }
+      EXPECT_LT(difference, 1e-6 * largest) << name << " " << channel;
+    }
+  }
+}
+
+TEST_F(UrdfImportTest, ErrorsNameTheElement) {
+  EXPECT_THAT(ErrorOf("<mass value=\"2600\"/>", "<mass value=\"none\"/>"),
+              HasSubstr("lead_wheelset"));
+  EXPECT_THAT(ErrorOf("type=\"continuous\"", "type=\"prismatic\""), HasSubstr("lead_axle"));
+  EXPECT_THAT(ErrorOf("<axis xyz=\"0 1 0\"/>", "<axis xyz=\"1 0 0\"/>"),
+              HasSubstr("joint 'lead_axle'"));
+  EXPECT_THAT(ErrorOf("<parent link=\"frame\"/>", "<parent link=\"fram\"/>"), HasSubstr("fram"));
+  EXPECT_THAT(ErrorOf("wheelset: lead_wheelset", "wheelset: lead_weelset"),
+              HasSubstr("did you mean 'lead_wheelset'"));
+  EXPECT_THAT(ErrorOf("frame: frame", "frame: half_body"), HasSubstr("link 'half_body'"));
+  EXPECT_THAT(ErrorOf("      yaw: {", "      jaw: {"), HasSubstr("did you mean 'yaw'"));
+  EXPECT_THAT(ErrorOf("from_m: [1.15, 0.9, 0]", "from_m: [1.15, 0.9]"),
+              HasSubstr("three: x, y, z"));
+  EXPECT_THAT(ErrorOf("<robot name", "<robbot name"), HasSubstr("bogie.urdf"));
+  const std::string joint = "<joint name=\"secondary\" type=\"floating\">";
+  EXPECT_THAT(ErrorOf(joint,
+                      "<joint name=\"secondary\" type=\"revolute\"><limit effort=\"1\" "
+                      "velocity=\"1\" lower=\"0\" upper=\"1\"/>"),
+              HasSubstr("joint 'secondary'"));
+}
+
+}  // namespace
+}  // namespace phs::vehicle
