@@ -230,7 +230,7 @@ void Binding::LendDamping(mjModel* m, const mjData* d) {
             {patch.a, patch.b, patch.normal, kSmallCreep, 0, 0, state.speed, patch.friction});
         const double f11 = std::abs(force.x) / kSmallCreep;
         const double speed = std::max(state.speed, wheel_rail_->params().speed_floor);
-        damping += f11 * patch.rolling_radius * patch.rolling_radius / speed;
+        damping += patch.weight * f11 * patch.rolling_radius * patch.rolling_radius / speed;
       }
     }
     // Only what the step needs: with inertia I the explicit step rings for c h/I > 1 and fails near

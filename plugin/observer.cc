@@ -230,7 +230,7 @@ void Observer::Observe(const mjModel* m, const mjData* d, double* row) const {
       *out++ = AdhesionUsed(wheel);
       *out++ = wheel.t_gamma;
       *out++ = wheel.t_gamma_spin;
-      *out++ = wheel.count;
+      *out++ = wheel.contacts();
       *out++ = Largest(wheel, &ContactPatch::angle);
       *out++ = Largest(wheel, &ContactPatch::wheel_y);
       *out++ = FlangeLoad(wheel, binding_.wheel_rail().params().flange_angle);

@@ -6,173 +6,286 @@
 namespace phs::rail {
 namespace {
 
-constexpr int kMaxSamples = 192;
-constexpr double kCoarseStep = 1.5e-3;  ///< [m]
-/// A coarse minimum this far above the rail can still touch between the samples of a steep flank.
-constexpr double kNear = 1.5e-3;
-/// Curvature is that of the gap averaged over +- this arc length: contact patches are that wide,
-/// and profiles of circular arcs have jumps of curvature that a patch does not feel.
-constexpr double kHalfPatch = 3e-3;
+constexpr double kWheelStep = 1.2e-3;  ///< of the samples [m]
+constexpr double kRailStep = 0.125e-3;
+constexpr double kBeyond = 2;    ///< samples beyond the ends of the rail
+constexpr double kEnd = 0.5e-3;  ///< contact this near to an end is at the end [m]
 /// Flattest relative curvature across: conformal regions carry a wide but finite patch.
-constexpr double kFlattest = 0.25;
+constexpr double kFlattest = 0.05;
+
+/// Sixteen-point Gauss-Legendre rule on [-1, 1].
+constexpr double kNode[] = {
+    -0.9894009349916499, -0.9445750230732326, -0.8656312023878318, -0.7554044083550030,
+    -0.6178762444026438, -0.4580167776572274, -0.2816035507792589, -0.0950125098376374,
+    0.0950125098376374,  0.2816035507792589,  0.4580167776572274,  0.6178762444026438,
+    0.7554044083550030,  0.8656312023878318,  0.9445750230732326,  0.9894009349916499};
+constexpr double kWeight[] = {
+    0.0271524594117541, 0.0622535239386478, 0.0951585116824929, 0.1246289712555339,
+    0.1495959888165768, 0.1691565193950026, 0.1826034150449236, 0.1894506104550685,
+    0.1894506104550685, 0.1826034150449236, 0.1691565193950026, 0.1495959888165768,
+    0.1246289712555339, 0.0951585116824929, 0.0622535239386478, 0.0271524594117541};
+
+/// beta = sqrt(1 - x^2); |x| <= 0.3 for slopes up to 6 and yaw up to 50 mrad, error below 1e-9.
+double RootOfRest(double square) {
+  if (square > 0.02) return std::sqrt(std::max(0.0, 1 - square));
+  return 1 - square * (0.5 + square * (0.125 + square * (0.0625 + square * (5.0 / 128))));
+}
 
 }  // namespace
 
-ContactSearch::ContactSearch(Profile wheel, Profile rail, double half_tape, double radius)
-    : wheel_(std::move(wheel)), rail_(std::move(rail)), half_tape_(half_tape), radius_(radius) {
+ContactSearch::ContactSearch(Profile wheel, Profile rail, double half_tape, double radius,
+                             const Hertz& hertz)
+    : wheel_(std::move(wheel)),
+      rail_(std::move(rail)),
+      half_tape_(half_tape),
+      radius_(radius),
+      bed_(wheel_, rail_, radius, hertz) {
+  const double width = wheel_.max_y() - wheel_.min_y();
   begin_ = wheel_.min_y();
-  samples_ = std::min(kMaxSamples, static_cast<int>((wheel_.max_y() - begin_) / kCoarseStep) + 1);
-  step_ = (wheel_.max_y() - begin_) / (samples_ - 1);
-  for (int i = 0; i < samples_; ++i) sample_.push_back(wheel_.At(begin_ + step_ * i));
-}
-
-ContactSearch::Locus ContactSearch::LocusAt(const Axle& a, double wheel_y) const noexcept {
-  return LocusOf(a, wheel_y, wheel_.At(wheel_y));
-}
-
-ContactSearch::Locus ContactSearch::LocusOf(const Axle& a, double wheel_y,
-                                            const Profile::Sample& s) const noexcept {
-  const double radius = radius_ + s.z;
-  const double t = s.slope;
-  const double along = half_tape_ + wheel_y;
-  const double ux = t * a.ex;
-  const double alpha = -t * a.ex * a.ex / a.q;
-  const double side = t * a.ex / a.q;
-  const double beta = std::sqrt(std::max(0.0, 1 - side * side));
-  const double uy = (alpha * a.ey - beta * a.ez) / a.q;
-  const double uz = (alpha * a.ez + beta * a.ey) / a.q;
-  Locus l;
-  l.arm = {a.ex * along + radius * ux, a.ey * along + radius * uy, a.ez * along + radius * uz};
-  l.y = a.y + l.arm[1];
-  l.z = a.z + l.arm[2];
-  l.slope = -(uy - t * a.ey) / (uz - t * a.ez);
-  l.radius = radius;
-  return l;
-}
-
-double ContactSearch::GapAt(const Axle& axle, double wheel_y) const noexcept {
-  const Locus l = LocusAt(axle, wheel_y);
-  return rail_.At(l.y).z - l.z;
-}
-
-double ContactSearch::SlopeDifference(const Axle& axle, double wheel_y) const noexcept {
-  const Locus l = LocusAt(axle, wheel_y);
-  return rail_.At(l.y).slope - l.slope;
-}
-
-double ContactSearch::Agree(const Axle& axle, double low, double high, double f_low,
-                            double f_high) const noexcept {
-  // Illinois: false position that does not get stuck; ends at rounding.
-  int last = 0;
-  for (int i = 0; i < 40; ++i) {
-    double at = (low * f_high - high * f_low) / (f_high - f_low);
-    if (!(at > low && at < high)) at = 0.5 * (low + high);
-    const double f = SlopeDifference(axle, at);
-    if (f == 0 || high - low < 1e-13) return at;
-    if ((f > 0) == (f_high > 0)) {
-      if (std::abs(at - high) < 1e-14) return at;
-      high = at;
-      f_high = f;
-      if (last == 1) f_low *= 0.5;
-      last = 1;
-    } else {
-      if (std::abs(at - low) < 1e-14) return at;
-      low = at;
-      f_low = f;
-      if (last == -1) f_high *= 0.5;
-      last = -1;
-    }
-    if (std::abs(f) < 1e-13) return at;
+  samples_ = std::clamp(static_cast<int>(std::ceil(width / kWheelStep)) + 1, 2, kMaxSamples);
+  step_ = width / (samples_ - 1);
+  for (int i = 0; i < samples_; ++i) {
+    const Profile::Sample s = wheel_.At(WheelY(i));
+    const double r = radius_ + s.z;
+    radius_at_.push_back(r);
+    radius_slope_.push_back(r * s.slope);
+    radius_square_.push_back(0.5 * r * s.slope * s.slope);
+    cosine_at_.push_back(1 / std::sqrt(1 + s.slope * s.slope));
   }
-  return 0.5 * (low + high);
+  const double rail_width = rail_.max_y() - rail_.min_y();
+  const int pieces = static_cast<int>(std::ceil(rail_width / kRailStep));
+  rail_begin_ = rail_.min_y();
+  rail_per_step_ = pieces / rail_width;
+  for (int i = 0; i <= pieces; ++i) rail_z_.push_back(rail_.At(rail_begin_ + i / rail_per_step_).z);
+  rail_z_.push_back(2 * rail_z_.back() - rail_z_[rail_z_.size() - 2]);
 }
 
-TouchingPoint ContactSearch::Describe(const Axle& axle, double wheel_y) const noexcept {
-  const Locus l = LocusAt(axle, wheel_y);
-  const Profile::Sample r = rail_.At(l.y);
-  TouchingPoint p;
-  p.wheel_y = wheel_y;
-  p.y = l.y;
-  p.z = l.z;
-  p.arm = l.arm;
-  p.slope = 0.5 * (r.slope + l.slope);
-  const double cosine = 1 / std::sqrt(1 + p.slope * p.slope);
-  const double gap = r.z - l.z;
-  p.depth = -gap * cosine;
-  p.radius = l.radius;
-  // Second difference of the normal gap over the width of a patch, measured along the surface.
-  const double dy = kHalfPatch * cosine;
-  const double ahead = GapAt(axle, wheel_y + dy);
-  const double behind = GapAt(axle, wheel_y - dy);
-  const double bend = (ahead + behind - 2 * gap) * cosine / (kHalfPatch * kHalfPatch);
-  p.across = std::max(0.5 * bend, kFlattest);
-  constexpr double kEnd = 0.5e-3;
-  p.at_end = wheel_y < wheel_.min_y() + kEnd || wheel_y > wheel_.max_y() - kEnd ||
-             l.y < rail_.min_y() + kEnd || l.y > rail_.max_y() - kEnd;
-  return p;
-}
-
-TouchingPoints ContactSearch::Find(const WheelPlacement& wheel, double rail_y,
-                                   double rail_z) const noexcept {
+ContactSearch::Axle ContactSearch::PlaceAxle(const WheelPlacement& wheel, double rail_y,
+                                             double rail_z) const noexcept {
   Axle a{};
   a.ex = -std::sin(wheel.yaw) * std::cos(wheel.roll);
   a.ey = std::cos(wheel.yaw) * std::cos(wheel.roll);
   a.ez = std::sin(wheel.roll);
-  a.q = std::sqrt(1 - a.ex * a.ex);
+  const double q2 = 1 - a.ex * a.ex;
+  const double q = std::sqrt(q2);
+  a.side = a.ex / q;
+  a.alpha_y = a.ex * a.ex / q2 * a.ey;
+  a.alpha_z = a.ex * a.ex / q2 * a.ez;
+  a.beta_y = -a.ez / q;
+  a.beta_z = a.ey / q;
   a.y = wheel.y - rail_y;
   a.z = wheel.z - rail_z;
+  return a;
+}
 
-  // Only the part of the wheel that lies over the rail.
-  const double centre = a.y + half_tape_;
-  const double over_begin = rail_.min_y() - centre;
-  const double over_end = rail_.max_y() - centre;
-  const int first = std::clamp(static_cast<int>((over_begin - begin_) / step_), 0, samples_ - 1);
-  const int last = std::clamp(static_cast<int>((over_end - begin_) / step_) + 1, 0, samples_ - 1);
-  double gap[kMaxSamples];
-  for (int i = first; i <= last; ++i) {
-    const Locus l = LocusOf(a, begin_ + step_ * i, sample_[static_cast<size_t>(i)]);
-    gap[i] = rail_.At(l.y).z - l.z;
+ContactSearch::Locus ContactSearch::LocusAt(const Axle& a, double wheel_y) const noexcept {
+  const Profile::Sample s = wheel_.At(wheel_y);
+  const double radius = radius_ + s.z;
+  const double t = s.slope;
+  const double along = half_tape_ + wheel_y;
+  const double beta = RootOfRest(t * t * a.side * a.side);
+  const double uy = beta * a.beta_y - t * a.alpha_y;
+  const double uz = beta * a.beta_z - t * a.alpha_z;
+  Locus l;
+  l.y = a.y + a.ey * along + radius * uy;
+  l.z = a.z + a.ez * along + radius * uz;
+  l.slope = -(uy - t * a.ey) / (uz - t * a.ez);
+  l.stretch =
+      a.ey + t * uy - radius * s.second * (a.alpha_y + t * a.side * a.side / beta * a.beta_y);
+  const Profile::Sample r = rail_.At(l.y);
+  l.rail_slope = r.slope;
+  l.overlap = l.z - r.z;
+  return l;
+}
+
+void ContactSearch::Sample(const Axle& a, Samples* samples) const noexcept {
+  // Only the part of the wheel that lies over the rail, and kBeyond samples more.
+  const double centre = a.y + half_tape_ * a.ey + radius_ * a.beta_y;
+  const double from = (rail_.min_y() - centre - begin_) / step_ - kBeyond;
+  const double to = (rail_.max_y() - centre - begin_) / step_ + kBeyond;
+  samples->first = 0;
+  samples->last = -1;
+  if (!(from < samples_ - 1 && to > 0)) return;  // not a number, or far away
+  samples->first = static_cast<int>(std::max(from, 0.0));
+  samples->last = static_cast<int>(std::min(to, samples_ - 1.0));
+  // y and z of the locus with beta = 1 - t^2 side^2/2; place in the rail's table.
+  const double side = a.side * a.side;
+  const double rail_end = static_cast<double>(rail_z_.size() - 2);
+  const double y0 = (a.y + a.ey * (half_tape_ + begin_) - rail_begin_) * rail_per_step_;
+  const double y1 = a.ey * step_ * rail_per_step_;
+  const double y2 = a.beta_y * rail_per_step_;
+  const double y3 = a.alpha_y * rail_per_step_;
+  const double z0 = a.z + a.ez * (half_tape_ + begin_);
+  const double z1 = a.ez * step_;
+  double place[kMaxSamples];
+  double z[kMaxSamples];
+  const int first = samples->first;
+  const int end = samples->last + 1;
+  for (int i = first; i < end; ++i) {
+    const double down = radius_at_[i] - side * radius_square_[i];
+    const double at = y0 + y1 * i + y2 * down - y3 * radius_slope_[i];
+    place[i] = at;
+    z[i] = z0 + z1 * i + a.beta_z * down - a.alpha_z * radius_slope_[i];
   }
-
-  TouchingPoints found;
-  int at_sample[kMaxMinima];
-  for (int i = first; i <= last; ++i) {
-    const bool left = i == first || gap[i] <= gap[i - 1];
-    const bool right = i == last || gap[i] < gap[i + 1];
-    if (!left || !right || gap[i] > kNear) continue;
-    const double low = begin_ + step_ * std::max(i - 1, first);
-    const double high = begin_ + step_ * std::min(i + 1, last);
-    const double f_low = SlopeDifference(a, low);
-    const double f_high = SlopeDifference(a, high);
-    const double position =
-        f_low < 0 && f_high > 0 ? Agree(a, low, high, f_low, f_high) : begin_ + step_ * i;
-    TouchingPoint point = Describe(a, position);
-    if (!(point.depth > 0)) continue;
-    if (found.count == kMaxMinima) break;
-    at_sample[found.count] = i;
-    found.point[static_cast<size_t>(found.count++)] = point;
+  for (int i = first; i < end; ++i) {
+    // Beyond the ends the rail goes on straight, as its profile does.
+    const int j = static_cast<int>(std::min(std::max(place[i], 0.0), rail_end));
+    const double below = rail_z_[j];
+    const double rail_z = below + (place[i] - j) * (rail_z_[j + 1] - below);
+    samples->depth[i] = (z[i] - rail_z) * cosine_at_[i];
   }
+}
 
-  // Neighbours whose common ridge penetrates too are one patch growing out of two: each carries its
-  // Hertz force reduced so that the sum stays continuous while a minimum appears or vanishes.
-  for (int k = 0; k + 1 < found.count; ++k) {
-    TouchingPoint& p = found.point[static_cast<size_t>(k)];
-    TouchingPoint& n = found.point[static_cast<size_t>(k) + 1];
-    int top = at_sample[k];
-    for (int i = at_sample[k]; i <= at_sample[k + 1]; ++i) {
-      if (gap[i] > gap[top]) top = i;
+double ContactSearch::EdgeBetween(const Axle& axle, double inside, double outside,
+                                  double at) const noexcept {
+  // Newton on the overlap, kept between the ends; the integrals feel its error squared.
+  double low = std::min(inside, outside);
+  double high = std::max(inside, outside);
+  const bool outwards = outside > inside;
+  for (int i = 0; i < 40; ++i) {
+    const Locus l = LocusAt(axle, at);
+    ((l.overlap > 0) == outwards ? low : high) = at;
+    double next = at - l.overlap / ((l.slope - l.rail_slope) * l.stretch);
+    if (!(next > low && next < high)) next = 0.5 * (low + high);
+    const double step = std::abs(next - at);
+    at = next;
+    if (step < 1e-6) break;
+  }
+  return at;
+}
+
+double ContactSearch::EdgeOfRun(const Axle& axle, const Samples& s, int sample,
+                                int next) const noexcept {
+  const double share = s.depth[sample] / (s.depth[sample] - s.depth[next]);
+  const double inside = WheelY(sample);
+  const double outside = WheelY(next);
+  return EdgeBetween(axle, inside, outside, inside + share * (outside - inside));
+}
+
+void ContactSearch::Moments::Add(const Moments& m) {
+  i += m.i;
+  square += m.square;
+  bend += m.bend;
+  load += m.load;
+  wheel += m.wheel;
+  energy += m.energy;
+  push_y += m.push_y;
+  push_z += m.push_z;
+  turn_x += m.turn_x;
+  turn_y += m.turn_y;
+  turn_z += m.turn_z;
+}
+
+ContactSearch::Moments ContactSearch::Integrate(const Axle& a, const Hump& hump) const noexcept {
+  const double middle = 0.5 * (hump.begin + hump.end);
+  const double half = 0.5 * (hump.end - hump.begin);
+  // Pass by pass, so that the arithmetic between the look-ups is done two nodes at a time.
+  double at[kNodes], radius[kNodes], slope[kNodes], second[kNodes];
+  double x[kNodes], y[kNodes], z[kNodes], dy[kNodes];
+  double rail_z[kNodes], rail_slope[kNodes], bed[kNodes];
+  for (int k = 0; k < kNodes; ++k) {
+    at[k] = middle + half * kNode[k];
+    const Profile::Sample s = wheel_.At(at[k]);
+    radius[k] = radius_ + s.z;
+    slope[k] = s.slope;
+    second[k] = s.second;
+  }
+  const double side = a.side * a.side;
+  for (int k = 0; k < kNodes; ++k) {
+    const double t = slope[k];
+    const double along = half_tape_ + at[k];
+    const double square = t * t * side;
+    const double beta = 1 - square * (0.5 + square * (0.125 + square * 0.0625));
+    const double uy = beta * a.beta_y - t * a.alpha_y;
+    const double uz = beta * a.beta_z - t * a.alpha_z;
+    x[k] = a.ex * (along + radius[k] * t);
+    y[k] = a.y + a.ey * along + radius[k] * uy;
+    z[k] = a.z + a.ez * along + radius[k] * uz;
+    slope[k] = -(uy - t * a.ey) / (uz - t * a.ez);
+    dy[k] = a.ey + t * uy - radius[k] * second[k] * (a.alpha_y + t * side * a.beta_y);
+  }
+  for (int k = 0; k < kNodes; ++k) {
+    const Profile::Sample r = rail_.At(y[k]);
+    rail_z[k] = r.z;
+    rail_slope[k] = r.slope;
+    bed[k] = bed_.At(y[k]);
+  }
+  Moments m;
+  for (int k = 0; k < kNodes; ++k) {
+    const double h = std::max(z[k] - rail_z[k], 0.0);
+    const double part = h * dy[k] * half * kWeight[k];
+    const double square = 1 / (1 + rail_slope[k] * rail_slope[k]);  // c^2
+    const double depth = part * std::sqrt(square);
+    const double turned = (slope[k] - rail_slope[k]) * square;
+    const double push_z = bed[k] * depth;
+    const double push_y = -slope[k] * push_z;
+    m.i += part;
+    m.square += depth * h;
+    m.bend += part * turned * turned;
+    m.load += bed[k] * part;
+    m.wheel += bed[k] * part * at[k];
+    m.energy += 0.5 * push_z * h;
+    m.push_y += push_y;
+    m.push_z += push_z;
+    m.turn_x += (y[k] - a.y) * push_z - (z[k] - a.z) * push_y;
+    m.turn_y -= x[k] * push_z;
+    m.turn_z += x[k] * push_y;
+  }
+  return m;
+}
+
+void ContactSearch::Describe(const Axle& a, const Moments& m, Overlap* patch) const noexcept {
+  Overlap& p = *patch;
+  p.wheel_y = m.wheel / m.load;
+  const Profile::Sample s = wheel_.At(p.wheel_y);
+  p.radius = radius_ + s.z;
+  const double t = s.slope;
+  const double along = half_tape_ + p.wheel_y;
+  const double beta = RootOfRest(t * t * a.side * a.side);
+  p.arm = {a.ex * along + p.radius * t * a.ex,
+           a.ey * along + p.radius * (beta * a.beta_y - t * a.alpha_y),
+           a.ez * along + p.radius * (beta * a.beta_z - t * a.alpha_z)};
+  p.y = a.y + p.arm[1];
+  p.z = a.z + p.arm[2];
+  p.push = {0, m.push_y, m.push_z};
+  p.turn = {m.turn_x, m.turn_y, m.turn_z};
+  p.energy = m.energy;
+  p.slope = -m.push_y / m.push_z;
+  p.depth = 1.25 * m.square / m.i;
+  p.across = std::max(m.bend / m.square, kFlattest);
+}
+
+void ContactSearch::Find(const WheelPlacement& wheel, double rail_y, double rail_z,
+                         Overlaps* found) const noexcept {
+  const Axle axle = PlaceAxle(wheel, rail_y, rail_z);
+  Samples samples;
+  Sample(axle, &samples);
+  Humps humps;
+  FindHumps(axle, samples, &humps);
+  found->count = 0;
+  found->axle = {axle.ex, axle.ey, axle.ez};
+  Moments moments[kMaxHumps];
+  for (int k = 0; k < humps.count; ++k) moments[k] = Integrate(axle, humps.hump[k]);
+  // Every way of reading neighbours as one patch, with its weight.
+  for (int from = 0; from < humps.count; ++from) {
+    Moments sum;
+    double weight = from > 0 ? 1 - humps.hump[from - 1].merge_next : 1;
+    bool at_end = false;
+    for (int to = from; to < humps.count && weight > 0; ++to) {
+      sum.Add(moments[to]);
+      at_end = at_end || humps.hump[to].at_end;
+      const double merge = humps.hump[to].merge_next;
+      const double share = weight * (1 - merge);
+      weight *= merge;
+      if (!(share > 0) || !(sum.i > 0)) continue;
+      Overlap& patch = found->patch[static_cast<size_t>(found->count++)];
+      Describe(axle, sum, &patch);
+      patch.weight = share;
+      patch.at_end = at_end || patch.wheel_y < wheel_.min_y() + kEnd ||
+                     patch.wheel_y > wheel_.max_y() - kEnd || patch.y < rail_.min_y() + kEnd ||
+                     patch.y > rail_.max_y() - kEnd;
     }
-    if (gap[top] >= 0) continue;
-    const double cosine = 1 / std::sqrt(1 + 0.25 * (p.slope + n.slope) * (p.slope + n.slope));
-    const double ridge = -gap[top] * cosine;
-    const double rise_p = std::max(p.depth - ridge, 0.0);
-    const double rise_n = std::max(n.depth - ridge, 0.0);
-    const double separate = std::min(rise_p, rise_n) / std::min(p.depth, n.depth);
-    const double sum = std::max(rise_p + rise_n, 1e-15);
-    p.weight *= separate + (1 - separate) * rise_p / sum;
-    n.weight *= separate + (1 - separate) * rise_n / sum;
   }
-  return found;
 }
 
 }  // namespace phs::rail

@@ -1,4 +1,4 @@
-// Where a rolled and yawed wheel meets its rail: all local minima of the gap that penetrate.
+// Where a rolled and yawed wheel meets its rail: the overlap of both sections, patch by patch.
 //
 // Frame C (frames.h): right wheel, x forward, y outward, z down. The rail is a cylinder along x.
 // The wheel is a surface of revolution R(s) about its axle e = (-sin yaw cos roll, cos yaw cos
@@ -7,19 +7,40 @@
 // from the circle's centre, t = dR/ds,
 //   u_x = t e_x,  (u_y, u_z) = alpha p + beta p',  p = (e_y, e_z)/q,  p' = (-e_z, e_y)/q,
 //   q = sqrt(1 - e_x^2),  alpha = -t e_x^2/q,  beta = sqrt(1 - t^2 e_x^2/q^2)
-// and the locus has the slope dz/dy = -n_y/n_z of the surface normal n = u - t e there. The
-// vertical gap z_rail(y) - z_locus has its minima where both slopes agree.
+// and the locus has the slope m = dz/dy = -n_y/n_z of the surface normal n = u - t e there.
+//
+// Overlap h(y) = z_locus - z_rail(y) > 0. A patch is an interval of overlap. It acts as a bed of
+// springs along the rail's normal, with a modulus K(y) that belongs to the rail's surface; with c
+// the cosine of the rail's slope, the arc length ds = dy/c and the normal depth g = h c
+//   stored energy  U = 1/2 int K g^2 ds = 1/2 int K h^2 c dy,
+//   wrench = grad U: strips K h c dy (0, -m, 1) at their own points of the locus.
+// So the wrench is smooth in the wheelset's position, no cycle gives energy, more depth is more
+// force, and no strip does work on the spin of the axle nor on rolling ahead (m is the wheel's own
+// slope there).
+//
+// K(y) makes the force Hertz's (contact_bed.h).
+//
+// The ellipse of creep forces and pressure follows from the load and from the curvature of the
+// overlap as it is: J = int g^2 ds, S = int g (dg/ds)^2 ds, depth = 5 J/(4 I), B = S/J, exact for a
+// parabola.
+//
+// Patches that grow together. Two humps of depths d1, d2 with a ridge of depth r > 0 between them
+// are counted as separate with weight 1 - m and as one with weight m, m = smoothstep(r/min(d1,
+// d2)): from 0 where their overlaps touch to 1 where the shallower hump vanishes. So neither event
+// makes a jump.
 #pragma once
 
 #include <array>
 #include <vector>
 
+#include "rail/contact_bed.h"
 #include "rail/frames.h"
+#include "rail/hertz.h"
 #include "rail/profile.h"
 
 namespace phs::rail {
 
-inline constexpr int kMaxMinima = 4;
+inline constexpr int kMaxOverlaps = 6;
 
 /// Wheel placed in C.
 struct WheelPlacement {
@@ -29,63 +50,119 @@ struct WheelPlacement {
   double yaw = 0;
 };
 
-/// One touching point with its local geometry.
-struct TouchingPoint {
-  double wheel_y = 0;   ///< on the wheel profile [m]
-  double y = 0, z = 0;  ///< of the wheel surface, relative to the rail profile's origin [m]
+/// One patch of overlap as its equivalent parabola.
+struct Overlap {
+  double wheel_y = 0;   ///< centroid on the wheel profile [m]
+  double y = 0, z = 0;  ///< of the wheel surface there, relative to the rail's origin [m]
   Vec3 arm{};           ///< of the wheel surface from the wheelset centre, C axes [m]
-  double slope = 0;     ///< dz/dy of both surfaces
-  double depth = 0;     ///< normal penetration, > 0 [m]
-  double across = 0;    ///< half the relative curvature across the rolling direction, > 0 [1/m]
-  double radius = 0;    ///< rolling radius [m]
-  double weight = 1;    ///< share of its own Hertz force, below 1 where patches merge
-  bool at_end = false;  ///< at the end of the wheel's or the rail's profile
+  double slope = 0;     ///< dz/dy across the resultant of the surface normals
+  double depth = 0;     ///< of the equivalent parabola, normal [m]
+  double across = 0;    ///< B: half the relative curvature across the rolling direction [1/m]
+  Vec3 push{};          ///< sum of the strips' forces into the rail [N]
+  Vec3 turn{};          ///< their moment about the wheelset's centre [N m]
+  double energy = 0;    ///< U [J]
+  double radius = 0;    ///< of the wheel about its axle [m]
+  double weight = 1;    ///< share of its own force, below 1 where patches merge
+  bool at_end = false;  ///< reaches the end of the wheel's or the rail's profile
 };
 
-struct TouchingPoints {
+/// Patches beyond `count` hold nothing.
+struct Overlaps {
   int count = 0;
-  std::array<TouchingPoint, kMaxMinima> point{};
+  Vec3 axle{};  ///< unit vector e
+  std::array<Overlap, kMaxOverlaps> patch{};
 };
 
 class ContactSearch {
  public:
   /// @param half_tape lateral distance of the wheel profile's origin from the wheelset centre [m]
   /// @param radius at the wheel profile's origin [m]
-  ContactSearch(Profile wheel, Profile rail, double half_tape, double radius);
+  ContactSearch(Profile wheel, Profile rail, double half_tape, double radius, const Hertz& hertz);
 
   /// `rail_y`, `rail_z`: origin of the rail profile in C. Pure; no allocation.
-  TouchingPoints Find(const WheelPlacement& wheel, double rail_y, double rail_z) const noexcept;
+  void Find(const WheelPlacement& wheel, double rail_y, double rail_z,
+            Overlaps* found) const noexcept;
+
+  /// The single points where the overlap is locally deepest, however deep, as overlaps of a usual
+  /// curvature: where to begin with a rail on an elastic support.
+  void FindPoints(const WheelPlacement& wheel, double rail_y, double rail_z,
+                  Overlaps* found) const noexcept;
 
   const Profile& wheel() const { return wheel_; }
   const Profile& rail() const { return rail_; }
+  double half_tape() const { return half_tape_; }
 
  private:
+  static constexpr int kMaxSamples = 256;
+  static constexpr int kMaxHumps = 3;
+  static constexpr int kNodes = 16;
+
   struct Axle {
-    double ex, ey, ez, q;
+    double ex, ey, ez;
+    double side;              ///< e_x/q
+    double alpha_y, alpha_z;  ///< alpha = -t (alpha_y, alpha_z) in y and z
+    double beta_y, beta_z;
     double y, z;  ///< wheelset centre relative to the rail's origin
   };
+  /// A point of the locus with the overlap there.
   struct Locus {
-    double y, z, slope;
-    Vec3 arm;
-    double radius;
+    double y, z;
+    double slope;  ///< of the wheel
+    double rail_slope;
+    double overlap;  ///< h
+    double stretch;  ///< dy / d wheel_y
   };
+  /// Hump of overlap between two ends [m on the wheel profile].
+  struct Hump {
+    double begin, end;
+    double depth;       ///< greatest sampled normal depth
+    double merge_next;  ///< m with the next hump
+    bool at_end;
+  };
+  struct Humps {
+    int count = 0;
+    Hump hump[kMaxHumps];
+  };
+  /// Integrals over a hump, additive.
+  struct Moments {
+    double i = 0, square = 0, bend = 0;  ///< I, J, S
+    double load = 0, wheel = 0, energy = 0;
+    double push_y = 0, push_z = 0, turn_x = 0, turn_y = 0, turn_z = 0;
+    void Add(const Moments& m);
+  };
+  struct Samples {
+    int first, last;
+    double depth[kMaxSamples];  ///< h times the cosine of the wheel's slope: normal depth
+  };
+
+  Axle PlaceAxle(const WheelPlacement& wheel, double rail_y, double rail_z) const noexcept;
   Locus LocusAt(const Axle& axle, double wheel_y) const noexcept;
-  Locus LocusOf(const Axle& axle, double wheel_y, const Profile::Sample& s) const noexcept;
-  double GapAt(const Axle& axle, double wheel_y) const noexcept;
-  double SlopeDifference(const Axle& axle, double wheel_y) const noexcept;
-  /// Where slopes agree between two wheel positions whose slope differences have opposite signs.
-  double Agree(const Axle& axle, double low, double high, double f_low,
-               double f_high) const noexcept;
-  TouchingPoint Describe(const Axle& axle, double wheel_y) const noexcept;
+  void Sample(const Axle& axle, Samples* samples) const noexcept;
+  /// Where the overlap ends between `inside` (h >= 0) and `outside` (h <= 0).
+  /// starting from `at`.
+  double EdgeBetween(const Axle& axle, double inside, double outside, double at) const noexcept;
+  /// Edge of a run next to `sample` on the side of `next` = sample +- 1.
+  double EdgeOfRun(const Axle& axle, const Samples& samples, int sample, int next) const noexcept;
+  double DeepestNear(const Axle& axle, double low, double high) const noexcept;
+  void FindHumps(const Axle& axle, const Samples& samples, Humps* humps) const noexcept;
+  void SplitRun(const Axle& axle, const Samples& samples, int begin, int end,
+                Humps* humps) const noexcept;
+  Moments Integrate(const Axle& axle, const Hump& hump) const noexcept;
+  void Describe(const Axle& axle, const Moments& moments, Overlap* patch) const noexcept;
+  double WheelY(int sample) const { return begin_ + step_ * sample; }
 
   Profile wheel_;
   Profile rail_;
   double half_tape_;
   double radius_;
-  double begin_;  ///< first searched wheel position [m]
-  double step_;   ///< coarse step [m]
+  ContactBed bed_;
+  double begin_;  ///< first sampled wheel position [m]
+  double step_;
   int samples_;
-  std::vector<Profile::Sample> sample_;  ///< of the wheel profile at the coarse positions
+  /// [sample] of the wheel: R, R t, R t^2/2, cosine of the slope.
+  std::vector<double> radius_at_, radius_slope_, radius_square_, cosine_at_;
+  double rail_begin_, rail_per_step_;
+  std::vector<double> rail_z_;  ///< fine equidistant table for the samples
 };
 
 }  // namespace phs::rail

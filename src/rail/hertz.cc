@@ -40,6 +40,10 @@ Hertz::Hertz(double shear_modulus_Pa, double poisson_ratio)
   }
 }
 
+double Hertz::BedModulus(double along, double across) const noexcept {
+  return 0.75 * std::sqrt(across) * AtApproach(1, along, across).normal;
+}
+
 Hertz::Shape Hertz::ShapeAt(double log_ratio) const noexcept {
   const double place = std::min(std::abs(log_ratio) / kMaxLogRatio, 1.0) * kIntervals;
   const int i = std::min(static_cast<int>(place), kIntervals - 1);
@@ -63,7 +67,19 @@ HertzContact Hertz::AtApproach(double approach, double along, double across) con
   c.b = log_ratio >= 0 ? minor : major;
   c.normal = 2 * pi / 3 * modulus_ * sum * minor * minor * minor / (s.g * s.e);
   c.peak_pressure = 3 * c.normal / (2 * pi * c.a * c.b);
+  c.approach = approach;
   return c;
+}
+
+HertzContact Hertz::UnderLoad(double normal, double along, double across) const noexcept {
+  if (!(normal > 0)) return {};
+  const double pi = std::numbers::pi;
+  const double log_ratio = std::log(across / along);
+  const Shape s = ShapeAt(log_ratio);
+  const double minor = std::cbrt(1.5 / pi * normal * s.g * s.e / (modulus_ * (along + across)));
+  const double major = minor / s.g;
+  return {log_ratio >= 0 ? major : minor, log_ratio >= 0 ? minor : major, normal,
+          1.5 * normal / (pi * minor * major), minor * minor * (along + across) / s.e_over_k};
 }
 
 double Hertz::ApproachUnder(double normal, double along, double across) const noexcept {

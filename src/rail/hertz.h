@@ -18,6 +18,7 @@ struct HertzContact {
   double b = 0;              ///< semi-axis across [m]
   double normal = 0;         ///< [N]
   double peak_pressure = 0;  ///< [Pa]
+  double approach = 0;       ///< [m]
 };
 
 /// Tabulated over the ratio of curvatures; a look-up costs a few nanoseconds.
@@ -26,6 +27,11 @@ class Hertz {
   Hertz(double shear_modulus_Pa, double poisson_ratio);
   /// Contact at approach > 0 [m]; curvature halves A (along) and B (across) > 0 [1/m].
   HertzContact AtApproach(double approach, double along, double across) const noexcept;
+  /// Contact under a load >= 0 [N].
+  HertzContact UnderLoad(double normal, double along, double across) const noexcept;
+  /// Bed of springs with Hertz's force, N = K I, on the area I = 4/3 approach^1.5/sqrt(B) by which
+  /// the parabolas overlap across. K depends on E* and B/A alone [Pa].
+  double BedModulus(double along, double across) const noexcept;
   /// Approach under a load [m].
   double ApproachUnder(double normal, double along, double across) const noexcept;
 

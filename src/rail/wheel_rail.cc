@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "rail/contact_search.h"
+#include "rail/elastic_rail.h"
 #include "rail/hertz.h"
 
 namespace phs::rail {
@@ -22,7 +23,12 @@ double SmoothStep(double x) {
 }
 
 constexpr double kFlangeBlend = 0.1;  ///< half width of the blend of friction [rad]
-constexpr int kSupportIterations = 12;
+
+/// A: half the curvature of the wheel in the rolling direction, normal to the contact plane: its
+/// parallel circle under the inclination of the normal (Meusnier). The rail is straight.
+double CurvatureAlong(const Overlap& p) {
+  return 0.5 / (p.radius * std::sqrt(1 + p.slope * p.slope));
+}
 
 /// The rolling speed; below twice the floor a parabola that ends level at the floor.
 double ReferenceSpeed(double speed, double floor) {
@@ -38,10 +44,10 @@ struct PatchAxes {
   Vec3 lateral;
   Vec3 normal;
 };
-PatchAxes AxesOf(const TouchingPoint& p, const Vec3& slopes) {
-  const double cosine = 1 / std::sqrt(1 + p.slope * p.slope);
+PatchAxes AxesOf(double slope, const Vec3& slopes) {
+  const double cosine = 1 / std::sqrt(1 + slope * slope);
   PatchAxes axes{
-      {1, slopes[1], slopes[2]}, {0, cosine, p.slope * cosine}, {0, -p.slope * cosine, cosine}};
+      {1, slopes[1], slopes[2]}, {0, cosine, slope * cosine}, {0, -slope * cosine, cosine}};
   for (Vec3* axis : {&axes.lateral, &axes.normal}) {
     (*axis)[0] = -((*axis)[1] * slopes[1] + (*axis)[2] * slopes[2]);
   }
@@ -65,13 +71,37 @@ double SupportDamping(const Vec3& normal, double contact_stiffness, const RailSu
 /// Slopes of the rail against x at one patch, C axes. The rail's own slopes hold on its axis; on a
 /// cant ramp they change across the head (the section turns about the track's axis), and in a curve
 /// the rail turns along the small distance by which a yawed wheel touches ahead of its axle.
-Vec3 SlopesAt(const TouchingPoint& p, const WheelsetMotion& motion, Side side,
-              const RailOffset& rail) {
+Vec3 SlopesAt(const Overlap& p, const WheelsetMotion& motion, Side side, const RailOffset& rail) {
   Vec3 slopes = MirrorPolar({0, rail.lateral_slope, rail.vertical_slope}, side);
   const double hand = side == Side::kLeft ? 1 : -1;
   slopes[1] += hand * (rail.curvature * p.arm[0] - rail.twist * (motion.vertical + p.arm[2]));
   slopes[2] += hand * rail.twist * (motion.lateral + p.arm[1] - rail.half_base);
   return slopes;
+}
+
+/// All but the patches, which are filled one by one.
+void ClearSums(WheelRailForces* out) {
+  out->count = 0;
+  for (Vec3* sum : {&out->force, &out->moment, &out->elastic_force, &out->elastic_moment}) {
+    *sum = {};
+  }
+  out->t_gamma = out->t_gamma_spin = 0;
+  out->creep_power = out->damping_power = out->stored_energy = 0;
+  out->rail_lateral = out->rail_vertical = 0;
+  out->beyond_profile = false;
+}
+
+/// Longitudinal part of a patch's force into the rail: each strip is square to the rail as it lies
+/// there, f_x = -(f_y dy/dx + f_z dz/dx). Summed with the slopes of SlopesAt at every strip's own
+/// arm, so that a frame that turns along the track (curve, cant ramp) does no work on its own.
+double ForwardPush(const Overlap& p, const WheelsetMotion& motion, Side side,
+                   const RailOffset& rail) {
+  const Vec3 own = MirrorPolar({0, rail.lateral_slope, rail.vertical_slope}, side);
+  const double hand = side == Side::kLeft ? 1 : -1;
+  const double turned =
+      p.turn[0] - motion.vertical * p.push[1] + (motion.lateral - rail.half_base) * p.push[2];
+  return -(p.push[1] * own[1] + p.push[2] * own[2] +
+           hand * (rail.curvature * p.turn[2] + rail.twist * turned));
 }
 
 Status Validate(const WheelRailParams& p) {
@@ -101,17 +131,21 @@ struct WheelRail::Impl {
   Hertz hertz{82e9, 0.28};
   double rail_y = 0;    ///< origin of the rail profile from the track centre [m]
   double touching = 0;  ///< z_C of the wheelset centre at mere touch
-  double flange = 0;
+  double flange = 0;    ///< largest flange angle [rad]
+  double climb_y = 0;   ///< contacts at smaller y of the wheel profile climb [m]
 
-  double Along(const TouchingPoint& p) const {
-    // Curvature of the wheel in the rolling direction, normal to the contact plane; the rail is
-    // straight.
-    return 0.5 / (p.radius * std::sqrt(1 + p.slope * p.slope));
-  }
-  Vec3 Deflect(const TouchingPoints& points, const RailSupport& support) const noexcept;
-  void Press(const WheelsetMotion& motion, const TouchingPoint& point, const PatchAxes& axes,
-             double approach, const RailSupport& support, WheelRailForces* out) const noexcept;
+  void Press(const WheelsetMotion& motion, const Overlap& overlap, double approach,
+             const Vec3& slopes, double forward_push, const RailSupport& support,
+             WheelRailForces* out) const noexcept;
+  void AddCreep(const WheelsetMotion& motion, const PatchAxes& axes, ContactPatch* patch,
+                WheelRailForces* out) const noexcept;
 };
+
+int WheelRailForces::contacts() const {
+  double places = 0;
+  for (int k = 0; k < count; ++k) places += patch[static_cast<size_t>(k)].weight;
+  return static_cast<int>(std::lround(places));
+}
 
 WheelRail::WheelRail(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 WheelRail::WheelRail(WheelRail&&) noexcept = default;
@@ -140,18 +174,31 @@ Result<WheelRail> WheelRail::Create(const WheelRailParams& params) {
   // A rail head of one arc need not reach down to the gauge point: its end stands for it.
   if (!std::isfinite(gauge_point)) gauge_point = rail.value().min_y();
   impl->rail_y = params.gauge / 2 - gauge_point;
-  for (double y = wheel.value().min_y(); y < wheel.value().max_y(); y += 1e-4) {
-    impl->flange = std::max(impl->flange, std::atan(-wheel.value().At(y).slope));
+  double flange_y = wheel.value().max_y();
+  for (double y = wheel.value().max_y(); y > wheel.value().min_y(); y -= 1e-4) {
+    const double angle = std::atan(-wheel.value().At(y).slope);
+    if (angle > impl->flange) {
+      impl->flange = angle;
+      flange_y = y;
+    }
+  }
+  // Inside of the steep flank the flange's tip rolls on the rail: it climbs.
+  impl->climb_y = flange_y;
+  while (impl->climb_y > wheel.value().min_y() &&
+         -wheel.value().At(impl->climb_y).slope > 0.5 * std::tan(impl->flange)) {
+    impl->climb_y -= 1e-4;
   }
   const double half_tape = params.flange_back_distance / 2 - params.flange_back_position;
   impl->search = std::make_unique<ContactSearch>(std::move(wheel).value(), std::move(rail).value(),
-                                                 half_tape, params.wheel_radius);
-  // Mere touch: lower a centred wheel from above until a minimum penetrates.
+                                                 half_tape, params.wheel_radius, impl->hertz);
+  // Mere touch: lower a centred wheel from above until it overlaps.
+  Overlaps found;
   double above = -params.wheel_radius - 0.05;
   double below = -params.wheel_radius + 0.05;
   for (int i = 0; i < 60; ++i) {
     const double z = 0.5 * (above + below);
-    (impl->search->Find({0, z, 0, 0}, impl->rail_y, 0).count == 0 ? above : below) = z;
+    impl->search->Find({0, z, 0, 0}, impl->rail_y, 0, &found);
+    (found.count == 0 ? above : below) = z;
   }
   impl->touching = 0.5 * (above + below);
   if (impl->touching > -params.wheel_radius + 0.049) {
@@ -161,99 +208,37 @@ Result<WheelRail> WheelRail::Create(const WheelRailParams& params) {
   return WheelRail(std::move(impl));
 }
 
-/// Displacement of an elastic, massless rail under the Hertz forces: k w = sum N n (2 x 2 Newton).
-Vec3 WheelRail::Impl::Deflect(const TouchingPoints& points, const RailSupport& s) const noexcept {
-  Vec3 w{};
-  const double k[3] = {0, s.lateral_stiffness_N_per_m, s.vertical_stiffness_N_per_m};
-  if (!(k[1] > 0) && !(k[2] > 0)) return w;
-  const double inverse[3] = {0, k[1] > 0 ? 1 / k[1] : 0, k[2] > 0 ? 1 / k[2] : 0};
-  for (int iteration = 0; iteration < kSupportIterations; ++iteration) {
-    // Residual in displacements, r = w - F(w)/k; jacobian = 1 + sum N' n n / k.
-    double r[2] = {w[1], w[2]};
-    double j[2][2] = {{1, 0}, {0, 1}};
-    for (int i = 0; i < points.count; ++i) {
-      const TouchingPoint& p = points.point[static_cast<size_t>(i)];
-      const PatchAxes axes = AxesOf(p, {});
-      const double approach = p.depth - Dot(axes.normal, w);
-      const double n = p.weight * hertz.AtApproach(approach, Along(p), p.across).normal;
-      const double stiffness = approach > 0 ? 1.5 * n / approach : 0;
-      for (int a = 0; a < 2; ++a) {
-        r[a] -= inverse[a + 1] * n * axes.normal[static_cast<size_t>(a) + 1];
-        for (int b = 0; b < 2; ++b) {
-          j[a][b] += inverse[a + 1] * stiffness * axes.normal[static_cast<size_t>(a) + 1] *
-                     axes.normal[static_cast<size_t>(b) + 1];
-        }
-      }
-    }
-    const double determinant = j[0][0] * j[1][1] - j[0][1] * j[1][0];
-    const double step_y = (r[0] * j[1][1] - r[1] * j[0][1]) / determinant;
-    const double step_z = (r[1] * j[0][0] - r[0] * j[1][0]) / determinant;
-    w[1] -= step_y;
-    w[2] -= step_z;
-    if (std::abs(step_y) + std::abs(step_z) < 1e-14) break;
-  }
-  return w;
-}
-
-/// Normal and creep force of one patch, added to the sums.
-void WheelRail::Impl::Press(const WheelsetMotion& motion, const TouchingPoint& point,
-                            const PatchAxes& axes, double approach, const RailSupport& support,
-                            WheelRailForces* out) const noexcept {
-  const double along = Along(point);
-  const HertzContact hertzian = hertz.AtApproach(approach, along, point.across);
-  ContactPatch& patch = out->patch[static_cast<size_t>(out->count)];
-  patch = {};
-  patch.rail_y = point.y;
-  patch.rail_z = point.z - point.depth * std::sqrt(1 + point.slope * point.slope);
-  patch.wheel_y = point.wheel_y;
-  patch.wheel_z = search->wheel().At(point.wheel_y).z;
-  // Forces act half-way into the overlap.
-  patch.point = point.arm;
-  for (size_t i = 0; i < 3; ++i) patch.point[i] -= 0.5 * point.depth * axes.normal[i];
-  // On a sloping rail the wheel touches ahead of or behind its lowest point: where its own normal
-  // is the rail's. (The search leaves this out; the change of height there is of second order.)
-  patch.point[0] += point.radius * std::sqrt(1 + point.slope * point.slope) * axes.normal[0];
-  patch.angle = -std::atan(point.slope);
-  patch.approach = approach;
-  // A patch that merges with its neighbour keeps its pressure and loses area with its load.
-  const double scale = std::sqrt(point.weight);
-  patch.a = scale * hertzian.a;
-  patch.b = scale * hertzian.b;
-  patch.peak_pressure = hertzian.peak_pressure;
-  patch.rolling_radius = point.radius;
-
-  const Vec3 spin = Cross(motion.rotation, patch.point);
+/// Creepages and creep force of a patch whose normal force is known, added to the sums.
+void WheelRail::Impl::AddCreep(const WheelsetMotion& motion, const PatchAxes& axes,
+                               ContactPatch* at, WheelRailForces* out) const noexcept {
+  ContactPatch& patch = *at;
+  const Vec3 turning = Cross(motion.rotation, patch.point);
   Vec3 velocity = motion.velocity;
-  for (size_t i = 0; i < 3; ++i) velocity[i] += spin[i];
-  const double elastic = point.weight * hertzian.normal;
-  const double closing = Dot(velocity, axes.normal);
-  const double stiffness = approach > 0 ? 1.5 * elastic / approach : 0;
-  const double damper = 2 * params.damping_ratio * std::sqrt(stiffness * params.wheel_mass);
-  const double dashpot = damper + SupportDamping(axes.normal, stiffness, support);
-  patch.normal = std::max(0.0, elastic + dashpot * closing);
-  patch.stored_energy = 0.4 * elastic * approach;
-
-  const double reference = ReferenceSpeed(motion.speed, params.speed_floor);
-  patch.xi = -Dot(velocity, axes.forward) / reference;
+  for (size_t i = 0; i < 3; ++i) velocity[i] += turning[i];
+  // Rolling speed: mean of the speeds at which the contact moves over rail and wheel (Kalker).
+  const double slip_forward = Dot(velocity, axes.forward);
+  const double travel = std::copysign(motion.speed, motion.velocity[0]);
+  const double reference =
+      ReferenceSpeed(std::abs(travel - 0.5 * slip_forward), params.speed_floor);
+  patch.xi = -slip_forward / reference;
   patch.eta = -Dot(velocity, axes.lateral) / reference;
   patch.phi = -Dot(motion.rotation, axes.normal) / reference;
   const double slip = reference * std::sqrt(patch.xi * patch.xi + patch.eta * patch.eta);
   const double flange = SmoothStep((std::abs(patch.angle) - params.flange_angle) / kFlangeBlend);
   patch.friction = (1 - flange) * params.tread.At(slip) + flange * params.flange.At(slip);
-  patch.creep = creep->Calc(
-      {patch.a, patch.b, patch.normal, patch.xi, patch.eta, patch.phi, reference, patch.friction});
-
+  // The law's axis 1 is the rolling direction: running backwards turns 1 and 2 about the normal.
+  const double way = travel < 0 ? -1 : 1;
+  const CreepForce whole = creep->Calc({patch.a, patch.b, patch.normal, way * patch.xi,
+                                        way * patch.eta, patch.phi, reference, patch.friction});
+  patch.creep = {patch.weight * way * whole.x, patch.weight * way * whole.y,
+                 patch.weight * whole.moment};
   // On the wheel: the opposite of what acts on the rail.
   Vec3 force{};
   for (size_t i = 0; i < 3; ++i) {
-    force[i] = -patch.normal * axes.normal[i] - patch.creep.y * axes.lateral[i] -
-               patch.creep.x * axes.forward[i];
+    force[i] = -patch.creep.y * axes.lateral[i] - patch.creep.x * axes.forward[i];
   }
   const Vec3 moment = Cross(patch.point, force);
-  const Vec3 elastic_moment = Cross(patch.point, axes.normal);
   for (size_t i = 0; i < 3; ++i) {
-    out->elastic_force[i] -= elastic * axes.normal[i];
-    out->elastic_moment[i] -= elastic * elastic_moment[i];
     out->force[i] += force[i];
     out->moment[i] += moment[i] - patch.creep.moment * axes.normal[i];
   }
@@ -261,32 +246,90 @@ void WheelRail::Impl::Press(const WheelsetMotion& motion, const TouchingPoint& p
   out->t_gamma_spin += std::abs(patch.creep.moment * patch.phi);
   out->creep_power -= reference * (patch.creep.x * patch.xi + patch.creep.y * patch.eta +
                                    patch.creep.moment * patch.phi);
-  out->damping_power += (patch.normal - elastic) * closing;
+}
+
+/// Normal and creep force of one patch, added to the sums.
+void WheelRail::Impl::Press(const WheelsetMotion& motion, const Overlap& overlap, double approach,
+                            const Vec3& slopes, double forward_push, const RailSupport& support,
+                            WheelRailForces* out) const noexcept {
+  const PatchAxes axes = AxesOf(overlap.slope, slopes);
+  ContactPatch& patch = out->patch[static_cast<size_t>(out->count++)];
+  patch.rail_y = overlap.y;
+  patch.rail_z = search->rail().At(overlap.y).z;
+  patch.wheel_y = overlap.wheel_y;
+  patch.wheel_z = overlap.radius - params.wheel_radius;
+  patch.angle = -std::atan(overlap.slope);
+  patch.rolling_radius = overlap.radius;
+  patch.weight = overlap.weight;
+  // Forces act half-way into the overlap.
+  patch.point = overlap.arm;
+  for (size_t i = 0; i < 3; ++i) patch.point[i] -= 0.5 * approach * axes.normal[i];
+
+  // On a sloping rail the wheel touches ahead of or behind its lowest point: where its own normal
+  // is the rail's. (The search leaves this out; the change of height there is of second order.)
+  Vec3 push = overlap.push;
+  Vec3 turn = overlap.turn;
+  push[0] = forward_push;
+  const double size = std::sqrt(Dot(push, push));
+  const double ahead =
+      overlap.radius * std::sqrt(1 + overlap.slope * overlap.slope) * push[0] / size;
+  patch.point[0] += ahead;
+  turn[1] += overlap.arm[2] * push[0] - ahead * push[2];
+  turn[2] += ahead * push[1] - overlap.arm[1] * push[0];
+
+  // Held shapes: the force follows the approach as Hertz's does.
+  const double ratio = approach / overlap.depth;
+  const double held = ratio * std::sqrt(ratio);
+  const double elastic = held * size;
+  const HertzContact ellipse = hertz.UnderLoad(elastic, CurvatureAlong(overlap), overlap.across);
+  patch.a = ellipse.a;
+  patch.b = ellipse.b;
+  patch.peak_pressure = ellipse.peak_pressure;
+  patch.approach = ellipse.approach;
+  const double closing = (Dot(motion.velocity, push) + Dot(motion.rotation, turn)) / size;
+  const double stiffness = 1.5 * elastic / approach;
+  const double damper = 2 * params.damping_ratio * std::sqrt(stiffness * params.wheel_mass) +
+                        SupportDamping(axes.normal, stiffness, support);
+  const double normal = std::max(0.0, elastic + damper * closing);
+  patch.normal = normal;
+  AddCreep(motion, axes, &patch, out);
+
+  const double weight = overlap.weight;
+  patch.normal = weight * normal;
+  patch.stored_energy = weight * held * ratio * overlap.energy;
+  const double pressed = weight * normal / size;
+  for (size_t i = 0; i < 3; ++i) {
+    out->force[i] -= pressed * push[i];
+    out->moment[i] -= pressed * turn[i];
+    out->elastic_force[i] -= weight * held * push[i];
+    out->elastic_moment[i] -= weight * held * turn[i];
+  }
+  out->damping_power += weight * (normal - elastic) * closing;
   out->stored_energy += patch.stored_energy;
-  out->beyond_profile = out->beyond_profile || (point.at_end && patch.normal > 0);
-  ++out->count;
+  const bool beyond = overlap.at_end || overlap.wheel_y < climb_y;
+  out->beyond_profile = out->beyond_profile || (beyond && patch.normal > 0);
 }
 
 void WheelRail::Calc(const WheelsetMotion& motion, Side side, const RailOffset& rail,
                      const RailSupport& support, WheelRailForces* out) const noexcept {
-  *out = WheelRailForces{};
   const Vec3 shift = MirrorPolar({0, rail.lateral, rail.vertical}, side);
-  const TouchingPoints points =
-      impl_->search->Find({motion.lateral, motion.vertical, motion.roll, motion.yaw},
-                          impl_->rail_y + shift[1], shift[2]);
-  if (points.count == 0) return;
-  const Vec3 bend = impl_->Deflect(points, support);
+  Vec3 bend{};
+  Overlaps found;
+  const Vec3 rest =
+      FindOnSupport(*impl_->search, {motion.lateral, motion.vertical, motion.roll, motion.yaw},
+                    impl_->rail_y + shift[1], shift[2], support, &bend, &found);
+  ClearSums(out);
+  if (found.count == 0) return;
   out->rail_lateral = bend[1];
   out->rail_vertical = bend[2];
   out->stored_energy = 0.5 * (support.lateral_stiffness_N_per_m * bend[1] * bend[1] +
                               support.vertical_stiffness_N_per_m * bend[2] * bend[2]);
-  for (int i = 0; i < points.count; ++i) {
-    const TouchingPoint& p = points.point[static_cast<size_t>(i)];
-    const PatchAxes axes = AxesOf(p, SlopesAt(p, motion, side, rail));
-    const double approach = p.depth - Dot(axes.normal, bend);
-    if (approach > 0 && out->count < kMaxPatches) {
-      impl_->Press(motion, p, axes, approach, support, out);
-    }
+  for (int i = 0; i < found.count; ++i) {
+    const Overlap& p = found.patch[static_cast<size_t>(i)];
+    const double approach = p.depth - Dot(NormalOf(p), rest);
+    if (!(approach > 0)) continue;
+    impl_->Press(motion, p, approach, SlopesAt(p, motion, side, rail),
+                 ForwardPush(p, motion, side, rail), support, out);
   }
 }
 

@@ -17,7 +17,8 @@
 
 namespace phs::rail {
 
-inline constexpr int kMaxPatches = 3;
+/// Three humps of overlap, and the ways of reading neighbours as one (contact_search.h).
+inline constexpr int kMaxPatches = 6;
 
 struct WheelRailParams {
   std::string wheel_profile;    ///< path: .prw, or a plain y,z table
@@ -53,7 +54,7 @@ struct ContactPatch {
   double wheel_y = 0, wheel_z = 0;  ///< in the wheel profile's axes [m]
   Vec3 point{};                     ///< from the wheelset centre, C axes [m]
   double angle = 0;     ///< contact angle: slope of the surface, > 0 falling to the track centre
-  double approach = 0;  ///< elastic approach [m]
+  double approach = 0;  ///< of Hertz's ellipse under this load [m]
   double a = 0, b = 0;  ///< Hertz semi-axes along / across [m]
   double peak_pressure = 0;         ///< [Pa]
   double rolling_radius = 0;        ///< distance of the point from the axle [m]
@@ -62,10 +63,13 @@ struct ContactPatch {
   CreepForce creep;     ///< on the rail, CONTACT's sign and axes (x forward, y in plane outward)
   double friction = 0;  ///< coefficient in use
   double stored_energy = 0;  ///< elastic [J]
+  /// Share in (0, 1]: below 1 while two patches grow into one; normal, creep and stored_energy are
+  /// those shares, axes and pressure those of the whole patch.
+  double weight = 1;
 };
 
 struct WheelRailForces {
-  int count = 0;  ///< patches in contact, 0 = wheel lifted
+  int count = 0;  ///< entries of `patch`, 0 = wheel lifted
   std::array<ContactPatch, kMaxPatches> patch{};
   Vec3 force{};              ///< on the wheelset, C axes [N]
   Vec3 moment{};             ///< about the wheelset centre, C axes [N m]
@@ -78,6 +82,8 @@ struct WheelRailForces {
   double stored_energy = 0;  ///< contact and support [J]
   double rail_lateral = 0, rail_vertical = 0;  ///< elastic displacement of the rail, C axes [m]
   bool beyond_profile = false;  ///< a contact lies at the end of a profile: climbing or fallen off
+  /// Places in contact: patches that grow into one count as the nearer number.
+  int contacts() const;
 };
 
 /// Immutable; thread-safe; Calc does not allocate.

@@ -203,6 +203,7 @@ std::vector<Shown> PatchColumns() {
   using W = const WheelRailForces&;
   using C = const ContactPatch&;
   return {
+      {"weight", [](P, W, C c) { return c.weight; }},
       {"ycp_rail_mm", [](P p, W, C c) { return HandOf(p) * 1e3 * c.rail_y; }},
       {"zcp_rail_mm", [](P, W, C c) { return 1e3 * c.rail_z; }},
       {"ycp_wheel_mm", [](P p, W, C c) { return HandOf(p) * 1e3 * c.wheel_y; }},

@@ -15,7 +15,8 @@
 // Lengths and speeds are also taken as y_m, z_m, vs_m_s, vy_m_s, vz_m_s. All other columns are
 // passed through. One row of result per patch; a lifted wheel gives one row with patch 0. Added, in
 // mm, N, rad unless named, forces on the rail, CONTACT's signs (positive creepage, negative force):
-//   case, patch, patches, z_solved_mm, FX_N, FY_N, FZ_N (whole wheel, track axes), ycp_rail_mm,
+//   case, patch, patches, z_solved_mm, FX_N, FY_N, FZ_N (whole wheel, track axes), weight
+//   (below 1 while two patches grow into one: forces are that share), ycp_rail_mm,
 //   zcp_rail_mm, ycp_wheel_mm, zcp_wheel_mm (profile axes: y to the right), contact_angle_rad, xi,
 //   eta, phi_rad_per_mm, FN_N, Fx_N, Fs_N, Mn_Nmm, a_mm, b_mm, approach_mm, pmax_MPa,
 //   rolling_radius_mm, friction

@@ -44,32 +44,52 @@ TEST(ManchesterA22, PositionAngleCreepageAndForcesOfAll21Positions) {
   int compared = 0;
   for (int row = 0; row < t.num_rows(); ++row) {
     const int k = static_cast<int>(Cell(t, "case", row)) - 1;
-    // Row 1 lies where the contact jumps: two patches here, one wide patch in CONTACT.
+    // Row 1 lies where the contact jumps: one wide patch, far from an ellipse; checked below.
     if (k == 0) continue;
     ++compared;
     const auto ours = [&](const char* name) { return Cell(t, name, row); };
     const auto theirs = [&](const char* name) { return Cell(ref, name, k); };
     SCOPED_TRACE("position " + std::to_string(k + 1));
     EXPECT_EQ(ours("patches"), 1);
-    EXPECT_NEAR(ours("ycp_rail_mm"), theirs("YCP(R)"), k == 1 ? 0.45 : 0.3);
-    EXPECT_NEAR(ours("ycp_wheel_mm"), theirs("YCP(W)"), k == 1 ? 0.45 : 0.3);
+    EXPECT_NEAR(ours("ycp_rail_mm"), theirs("YCP(R)"), 0.25);
+    EXPECT_NEAR(ours("ycp_wheel_mm"), theirs("YCP(W)"), 0.25);
     EXPECT_NEAR(ours("zcp_rail_mm"), theirs("ZCP(R)"), 0.02);
     EXPECT_NEAR(ours("z_solved_mm"), theirs("Z_WS"), 0.005);
-    EXPECT_NEAR(ours("contact_angle_rad"), theirs("DELTCP(TR)"), 1.5e-3);
-    // CONTACT refers creepages to the mean of rolling and forward speed: 1.3 % at the largest slip.
-    EXPECT_NEAR(ours("xi"), theirs("CKSI"), 1e-4 + 0.013 * std::abs(theirs("CKSI")));
-    EXPECT_NEAR(ours("eta"), theirs("CETA"), 1e-4 + 0.013 * std::abs(theirs("CETA")));
-    EXPECT_NEAR(ours("phi_rad_per_mm"), theirs("CPHI"), 4e-6);
+    EXPECT_NEAR(ours("contact_angle_rad"), theirs("DELTCP(TR)"), 5e-4);
+    EXPECT_NEAR(ours("xi"), theirs("CKSI"), 6e-5);
+    EXPECT_NEAR(ours("eta"), theirs("CETA"), 1e-5);
+    EXPECT_NEAR(ours("phi_rad_per_mm"), theirs("CPHI"), 1.5e-6);
     EXPECT_NEAR(ours("FN_N") / theirs("FN"), 1, 2e-3);
-    EXPECT_NEAR(ours("approach_mm") / theirs("APPROACH"), 1, 0.02);
-    EXPECT_NEAR(ours("pmax_MPa") / theirs("PMAX"), 1, 0.01);
+    EXPECT_NEAR(ours("approach_mm") / theirs("APPROACH"), 1, 0.03);
+    EXPECT_NEAR(ours("pmax_MPa") / theirs("PMAX"), 1, 0.02);
     // Tangential force: 10 % of the friction limit as a vector.
     const double limit = 0.3 * theirs("FN");
     EXPECT_LT(std::hypot(ours("FX_N") - theirs("FX(TR)"), ours("FY_N") - theirs("FY(TR)")),
-              0.1 * limit);
+              0.07 * limit);
     EXPECT_NEAR(ours("FZ_N"), 10000, 1);
   }
   EXPECT_EQ(compared, 20);
+}
+
+// CONTACT finds one patch of 1291 elements of 0.04 mm^2.
+TEST(ManchesterA22, ConformalPositionOneHasTheRightHeightAreaPressureAndForces) {
+  const auto result = CalcWheelsetCases(Cases("fastsim"));
+  ASSERT_TRUE(result.ok());
+  const Table& t = result.value();
+  double normal = 0, y = 0, area = 0, pressure = 0;
+  for (int row = 0; row < t.num_rows() && Cell(t, "case", row) == 1; ++row) {
+    normal += Cell(t, "FN_N", row);
+    y += Cell(t, "FN_N", row) * Cell(t, "ycp_rail_mm", row);
+    area += Cell(t, "weight", row) * 3.14159 * Cell(t, "a_mm", row) * Cell(t, "b_mm", row);
+    pressure = std::max(pressure, Cell(t, "pmax_MPa", row));
+  }
+  EXPECT_NEAR(normal, 9997, 10);
+  EXPECT_NEAR(y / normal, 8.66, 1);
+  EXPECT_NEAR(area / (1291 * 0.04), 1, 0.2);
+  EXPECT_NEAR(pressure / 338.3, 1, 0.05);
+  EXPECT_NEAR(Cell(t, "z_solved_mm", 0), 0.1981, 1e-3);
+  EXPECT_NEAR(Cell(t, "FX_N", 0), 0.28, 0.03 * 3000);
+  EXPECT_NEAR(Cell(t, "FY_N", 0), -36.2, 0.03 * 3000);
 }
 
 TEST(ManchesterA22, TheTableAgreesWithFastsim) {
@@ -135,7 +155,7 @@ TEST(WheelsetCases, OneTableUnderThreeSetsOfNames) {
     cases.table = ParseCsv(text, "c").value();
     const auto out = CalcWheelsetCases(cases);
     ASSERT_TRUE(out.ok()) << out.error().Line();
-    EXPECT_NEAR(Cell(out.value(), "pmax_MPa", 0), 552.8, 1);
+    EXPECT_NEAR(Cell(out.value(), "pmax_MPa", 0), 552.8, 6);
   }
 }
 

@@ -1,0 +1,163 @@
+// The humps of the overlap: where they are, how far they have grown together, their deepest points.
+#include <algorithm>
+#include <cmath>
+
+#include "rail/contact_search.h"
+
+namespace phs::rail {
+namespace {
+
+///< of the table for the samples [m]
+/// A hump between samples rises above them by less than B step^2/4; B = 1/(12 mm) at most.
+constexpr double kNear = 0.1e-3;
+/// Humps whose ridge is this near to the shallower one are one hump.
+constexpr double kSameHump = 0.98;
+constexpr int kMaxRidges = 12;
+constexpr double kUsual = 3;  ///< relative curvature across of a first guess [1/m]
+
+/// 0 at 0, 1 at 1, level at both.
+double SmoothStep(double x) {
+  const double t = std::clamp(x, 0.0, 1.0);
+  return t * t * (3 - 2 * t);
+}
+
+}  // namespace
+
+double ContactSearch::DeepestNear(const Axle& axle, double low, double high) const noexcept {
+  // The slopes of wheel and rail agree: false position that does not get stuck (Illinois).
+  const auto difference = [&](double at) {
+    const Locus l = LocusAt(axle, at);
+    return l.slope - l.rail_slope;  // > 0: deeper further out
+  };
+  double f_low = difference(low);
+  double f_high = difference(high);
+  if (!(f_low > 0 && f_high < 0)) return 0.5 * (low + high);
+  int side = 0;
+  double at = low;
+  for (int i = 0; i < 30; ++i) {
+    const double next = (low * f_high - high * f_low) / (f_high - f_low);
+    if (std::abs(next - at) < 1e-9) return next;
+    at = next;
+    const double f = difference(at);
+    if (f > 0) {
+      low = at;
+      f_low = f;
+      if (side == 1) f_high *= 0.5;
+      side = 1;
+    } else {
+      high = at;
+      f_high = f;
+      if (side == -1) f_low *= 0.5;
+      side = -1;
+    }
+  }
+  return at;
+}
+
+void ContactSearch::FindHumps(const Axle& axle, const Samples& s, Humps* humps) const noexcept {
+  for (int i = s.first; i <= s.last && humps->count < kMaxHumps; ++i) {
+    if (s.depth[i] > 0) {
+      int end = i;
+      while (end < s.last && s.depth[end + 1] > 0) ++end;
+      SplitRun(axle, s, i, end, humps);
+      i = end;
+      continue;
+    }
+    // A hump between samples: this one is nearest and does not quite touch.
+    const bool inside = i > s.first && i < s.last;
+    if (!inside || s.depth[i] < -kNear || s.depth[i - 1] > s.depth[i] ||
+        s.depth[i + 1] >= s.depth[i]) {
+      continue;
+    }
+    const double middle = DeepestNear(axle, WheelY(i - 1), WheelY(i + 1));
+    const Locus l = LocusAt(axle, middle);
+    if (!(l.overlap > 0)) continue;
+    Hump& h = humps->hump[humps->count++];
+    h.begin = EdgeBetween(axle, middle, WheelY(i - 1), 0.5 * (middle + WheelY(i - 1)));
+    h.end = EdgeBetween(axle, middle, WheelY(i + 1), 0.5 * (middle + WheelY(i + 1)));
+    h.depth = l.overlap;
+    h.merge_next = 0;
+    h.at_end = false;
+  }
+}
+
+void ContactSearch::SplitRun(const Axle& axle, const Samples& s, int begin, int end,
+                             Humps* humps) const noexcept {
+  // Ridges: local minima of the depth inside the run, with m of the humps beside them.
+  struct Ridge {
+    int sample;
+    double merge;
+  };
+  Ridge ridge[kMaxRidges];
+  int ridges = 0;
+  const auto greatest = [&](int from, int to) {
+    double depth = 0;
+    for (int i = from; i <= to; ++i) depth = std::max(depth, s.depth[i]);
+    return depth;
+  };
+  for (int i = begin + 1; i < end && ridges < kMaxRidges; ++i) {
+    if (s.depth[i] <= s.depth[i - 1] && s.depth[i] < s.depth[i + 1]) ridge[ridges++] = {i, 0};
+  }
+  // Take out the ridge that separates least until the rest are true and few enough.
+  for (;;) {
+    int weakest = -1;
+    for (int k = 0; k < ridges; ++k) {
+      const int left = k == 0 ? begin : ridge[k - 1].sample;
+      const int right = k + 1 == ridges ? end : ridge[k + 1].sample;
+      const double shallower =
+          std::min(greatest(left, ridge[k].sample), greatest(ridge[k].sample, right));
+      ridge[k].merge = s.depth[ridge[k].sample] / shallower;
+      if (weakest < 0 || ridge[k].merge > ridge[weakest].merge) weakest = k;
+    }
+    const bool room = humps->count + ridges + 1 <= kMaxHumps;
+    if (weakest < 0 || (room && ridge[weakest].merge < kSameHump)) break;
+    for (int k = weakest; k + 1 < ridges; ++k) ridge[k] = ridge[k + 1];
+    --ridges;
+  }
+  const bool open_begin = begin == s.first;
+  const bool open_end = end == s.last;
+  double from = open_begin ? WheelY(begin) : EdgeOfRun(axle, s, begin, begin - 1);
+  for (int k = 0; k <= ridges; ++k) {
+    Hump& h = humps->hump[humps->count++];
+    h.begin = from;
+    h.merge_next = 0;
+    h.at_end = (k == 0 && open_begin) || (k == ridges && open_end);
+    if (k == ridges) {
+      h.end = open_end ? WheelY(end) : EdgeOfRun(axle, s, end, end + 1);
+    } else {
+      const int i = ridge[k].sample;
+      const double rise = s.depth[i + 1] - s.depth[i - 1];
+      const double bend = s.depth[i + 1] + s.depth[i - 1] - 2 * s.depth[i];
+      h.end = WheelY(i) - 0.5 * step_ * std::clamp(rise / bend, -1.0, 1.0);
+      h.merge_next = SmoothStep(ridge[k].merge / kSameHump);
+    }
+    from = h.end;
+  }
+}
+
+void ContactSearch::FindPoints(const WheelPlacement& wheel, double rail_y, double rail_z,
+                               Overlaps* found) const noexcept {
+  const Axle axle = PlaceAxle(wheel, rail_y, rail_z);
+  Samples s;
+  Sample(axle, &s);
+  found->count = 0;
+  for (int i = s.first; i <= s.last && found->count < kMaxHumps; ++i) {
+    const bool left = i == s.first || s.depth[i] >= s.depth[i - 1];
+    const bool right = i == s.last || s.depth[i] > s.depth[i + 1];
+    if (!left || !right || !(s.depth[i] > 0)) continue;
+    const bool inside = i > s.first && i < s.last;
+    const double at = inside ? DeepestNear(axle, WheelY(i - 1), WheelY(i + 1)) : WheelY(i);
+    const Locus l = LocusAt(axle, at);
+    if (!(l.overlap > 0)) continue;
+    Overlap& p = found->patch[static_cast<size_t>(found->count++)];
+    p.slope = l.rail_slope;
+    p.depth = l.overlap / std::sqrt(1 + l.rail_slope * l.rail_slope);
+    p.radius = radius_ + wheel_.At(at).z;
+    p.across = kUsual;
+    const double push = bed_.At(l.y) * 4.0 / 3 * p.depth * std::sqrt(p.depth / p.across);
+    p.push = {0, -push * p.slope, push};
+    p.weight = 1;
+  }
+}
+
+}  // namespace phs::rail

@@ -1,0 +1,198 @@
+#include "rail/contact_search.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <numbers>
+#include <utility>
+
+#include "contact_pair.h"
+
+namespace phs::rail {
+namespace {
+
+constexpr double kRadius = 0.46;
+constexpr double kHalfTape = 0.75;
+
+ContactSearch Pair(const std::string& wheel, const std::string& rail) {
+  auto w = LoadProfile(wheel, ProfileKind::kWheel);
+  auto r = LoadProfile(rail, ProfileKind::kRail);
+  EXPECT_TRUE(w.ok() && r.ok());
+  return ContactSearch(std::move(w).value(), std::move(r).value(), kHalfTape, kRadius,
+                       Hertz(82e9, 0.28));
+}
+
+Overlaps Find(const ContactSearch& search, const WheelPlacement& place) {
+  Overlaps found;
+  search.Find(place, kHalfTape, 0, &found);
+  return found;
+}
+
+TEST(ContactSearch, ConeOnArcTouchesWhereTheSlopesAgree) {
+  const double lambda = 0.05;
+  const double rail_radius = 0.3;
+  const ContactSearch search = Pair("cone:0.05", "arc:0.3");
+  // The cone is a straight line in section: touch at y = -Rr sin(delta), tan(delta) = lambda.
+  const double cosine = 1 / std::sqrt(1 + lambda * lambda);
+  const double y = -rail_radius * lambda * cosine;
+  const double rail_z = rail_radius - rail_radius * cosine;
+  for (const double depth : {1e-6, 1e-5, 1e-4}) {
+    // Vertical overlap depth/cosine at the touching point; the wheel's z there is R - lambda y.
+    const double centre = rail_z - (kRadius - lambda * y) + depth / cosine;
+    const Overlaps found = Find(search, {0, centre, 0, 0});
+    ASSERT_EQ(found.count, 1);
+    const Overlap& p = found.patch[0];
+    EXPECT_NEAR(p.y, y, 5e-6);
+    EXPECT_NEAR(p.slope, -lambda, 1e-5);
+    EXPECT_NEAR(p.depth / depth, 1, 2e-3);
+    EXPECT_NEAR(p.across, 0.5 / rail_radius, 0.01 / rail_radius);
+    EXPECT_NEAR(p.radius, kRadius - lambda * y, 1e-6);
+    EXPECT_FALSE(p.at_end);
+  }
+}
+
+/// A wheel profile of one concave arc of 0.5 m.
+std::string HollowWheel() {
+  const std::string path = testing::TempDir() + "phs_hollow_wheel.txt";
+  std::ofstream file(path);
+  file.precision(15);
+  for (int i = -160; i <= 160; ++i) {
+    const double y = 0.4 * i;
+    file << y << " " << 500 - std::sqrt(500 * 500 - y * y) << "\n";
+  }
+  return path;
+}
+
+TEST(ContactSearch, HollowWheelOnArcHasTheDifferenceOfCurvatures) {
+  const ContactSearch search = Pair(HollowWheel(), "arc:0.3");
+  const Overlaps found = Find(search, {0, -kRadius + 5e-5, 0, 0});
+  ASSERT_EQ(found.count, 1);
+  EXPECT_NEAR(found.patch[0].across, 0.5 * (1 / 0.3 - 1 / 0.5), 0.01);
+  // Displaced by y, the contact moves by y R1/(R1 - R2) on the rail.
+  const double shift = 2e-3;
+  const Overlaps moved = Find(search, {shift, -kRadius + 5e-5, 0, 0});
+  ASSERT_EQ(moved.count, 1);
+  EXPECT_NEAR(moved.patch[0].y, -shift * 0.3 / (0.5 - 0.3), 0.02e-3);
+}
+
+/// Deepest vertical overlap of the wheel's surface with the rail, by brute force over the surface
+/// of revolution itself (profile position s, angle about the axle).
+struct Deepest {
+  double overlap = -1;
+  Vec3 arm{};
+};
+Deepest Brute(const ContactSearch& search, const WheelPlacement& w, double from, double to) {
+  const Vec3 e = {-std::sin(w.yaw) * std::cos(w.roll), std::cos(w.yaw) * std::cos(w.roll),
+                  std::sin(w.roll)};
+  // Two unit vectors square to the axle: d as far down as possible, f along.
+  const double q = std::sqrt(1 - e[2] * e[2]);
+  const Vec3 d = {-e[0] * e[2] / q, -e[1] * e[2] / q, q};
+  const Vec3 f = {e[1] * d[2] - e[2] * d[1], e[2] * d[0] - e[0] * d[2], e[0] * d[1] - e[1] * d[0]};
+  Deepest best;
+  double ds = (to - from) / 400, da = 0.2 / 400;
+  double s0 = 0.5 * (from + to), a0 = 0;
+  for (int zoom = 0; zoom < 5; ++zoom) {
+    const double s_centre = s0, a_centre = a0;
+    for (int i = -200; i <= 200; ++i) {
+      for (int j = -200; j <= 200; ++j) {
+        const double s = s_centre + i * ds;
+        const double a = a_centre + j * da;
+        const double r = kRadius + search.wheel().At(s).z;
+        Vec3 arm{};
+        for (size_t k = 0; k < 3; ++k) {
+          arm[k] = e[k] * (kHalfTape + s) + r * (std::cos(a) * d[k] + std::sin(a) * f[k]);
+        }
+        const double overlap = w.z + arm[2] - search.rail().At(w.y + arm[1] - kHalfTape).z;
+        if (overlap > best.overlap) {
+          best = {overlap, arm};
+          s0 = s;
+          a0 = a;
+        }
+      }
+    }
+    ds *= 0.02;
+    da *= 0.02;
+  }
+  return best;
+}
+
+TEST(ContactSearch, YawedAndRolledWheelTouchesWhereTheSurfaceItselfDoes) {
+  const ContactSearch search = Pair(ProfilePath("S1002.prw"), ProfilePath("UIC60.prr"));
+  for (const WheelPlacement& place :
+       {WheelPlacement{-0.003, 0, 0.002, 0.02}, WheelPlacement{0.0075, 0, -0.003, 0.02},
+        WheelPlacement{0.0085, 0, 0.001, -0.015}, WheelPlacement{0.002, 0, 0.004, -0.03}}) {
+    // Raise the wheel until only the last 0.2 um overlaps: then every measure means one point.
+    WheelPlacement w = place;
+    double low = -kRadius + 0.03, high = -kRadius - 0.03;
+    for (int i = 0; i < 60; ++i) {
+      w.z = 0.5 * (low + high);
+      (Find(search, w).count > 0 ? low : high) = w.z;
+    }
+    w.z = low + 0.2e-6;
+    const Overlaps found = Find(search, w);
+    ASSERT_GE(found.count, 1);
+    const Overlap& p = found.patch[0];
+    const Deepest truth = Brute(search, w, p.wheel_y - 2e-3, p.wheel_y + 2e-3);
+    EXPECT_NEAR(truth.overlap, 0.2e-6, 0.03e-6);
+    EXPECT_NEAR(p.arm[0], truth.arm[0], 0.05e-3);
+    EXPECT_NEAR(p.arm[1], truth.arm[1], 0.03e-3);
+    EXPECT_NEAR(p.arm[2], truth.arm[2], 0.03e-3);
+  }
+}
+
+TEST(ContactSearch, RootAndTreadAtOnce) {
+  const ContactSearch search = Pair(ProfilePath("S1002.prw"), ProfilePath("UIC60.prr"));
+  // Press down a little after first touch, over the end of the flange's play: somewhere both do.
+  bool both = false;
+  for (double y = 0; y < 0.012 && !both; y += 20e-6) {
+    WheelPlacement place{y, 0, 0, 0.01};
+    double low = -kRadius + 0.005, high = -kRadius - 0.005;
+    for (int i = 0; i < 40; ++i) {
+      place.z = 0.5 * (low + high);
+      (Find(search, place).count > 0 ? low : high) = place.z;
+    }
+    for (const double sunk : {20e-6, 50e-6, 80e-6}) {
+      place.z = low + sunk;
+      const Overlaps found = Find(search, place);
+      const auto last = static_cast<size_t>(std::max(found.count - 1, 0));
+      both = both || (found.count >= 2 && found.patch[last].slope - found.patch[0].slope > 0.05);
+    }
+  }
+  EXPECT_TRUE(both);
+}
+
+TEST(ContactSearch, WeightsOfAMergingChainAddUpToOnePerHump) {
+  const ContactSearch search = Pair(ProfilePath("S1002.prw"), ProfilePath("UIC60.prr"));
+  int merging = 0;
+  for (double y = -0.01; y < 0.01; y += 0.1e-3) {
+    for (double z = -0.4e-3; z < 0.6e-3; z += 0.01e-3) {
+      const Overlaps found = Find(search, {y, -kRadius + z, 0, 0});
+      EXPECT_LE(found.count, kMaxOverlaps);
+      for (int i = 0; i < found.count; ++i) {
+        const Overlap& p = found.patch[static_cast<size_t>(i)];
+        EXPECT_GT(p.weight, 0);
+        EXPECT_LE(p.weight, 1);
+        EXPECT_GT(p.depth, 0);
+        EXPECT_GT(p.across, 0);
+        if (p.weight < 1) ++merging;
+      }
+    }
+  }
+  EXPECT_GT(merging, 100);
+}
+
+TEST(ContactSearch, NothingFarAwayOrNotANumber) {
+  const ContactSearch search = Pair(ProfilePath("S1002.prw"), ProfilePath("UIC60.prr"));
+  const double nan = std::nan("");
+  EXPECT_EQ(Find(search, {0, -kRadius - 0.1, 0, 0}).count, 0);
+  EXPECT_EQ(Find(search, {nan, -kRadius, 0, 0}).count, 0);
+  EXPECT_EQ(Find(search, {0, nan, 0, 0}).count, 0);
+  EXPECT_EQ(Find(search, {0, -kRadius, nan, 0}).count, 0);
+  EXPECT_EQ(Find(search, {0, -kRadius, 0, nan}).count, 0);
+  EXPECT_EQ(Find(search, {1e300, -kRadius, 0, 0}).count, 0);
+}
+
+}  // namespace
+}  // namespace phs::rail

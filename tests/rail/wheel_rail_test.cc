@@ -1,0 +1,412 @@
+#include "rail/wheel_rail.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <string>
+
+#include "contact_pair.h"
+#include "rail/hertz.h"
+
+namespace phs::rail {
+namespace {
+
+double Dot(const Vec3& a, const Vec3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+TEST(WheelRail, StaticLoadOfAConeOnAnArcIsHertz) {
+  const WheelRail pair = Create(ConeOnArc("0.05", "0.3"));
+  WheelsetMotion m = Rolling(pair, 0, 0, 0, 0);
+  const double sunk = 8e-5;
+  m.vertical += sunk;
+  const WheelRailForces f = Calc(pair, m);
+  ASSERT_EQ(f.count, 1);
+  const double cosine = 1 / std::sqrt(1 + 0.05 * 0.05);
+  const ContactPatch& p = f.patch[0];
+  const HertzContact h =
+      Hertz(82e9, 0.28).AtApproach(sunk * cosine, 0.5 * cosine / p.rolling_radius, 0.5 / 0.3);
+  EXPECT_NEAR(p.normal / h.normal, 1, 2e-3);
+  EXPECT_NEAR(p.a / h.a, 1, 2e-3);
+  EXPECT_NEAR(p.b / h.b, 1, 2e-3);
+  EXPECT_NEAR(-f.force[2] / (h.normal * cosine), 1, 2e-3);
+  EXPECT_NEAR(p.angle, std::atan(0.05), 1e-5);
+}
+
+TEST(WheelRail, ForceIsTheSlopeOfTheStoredEnergyForAParabolicGap) {
+  const WheelRail pair = Create(ConeOnArc("0.025", "0.3"));
+  WheelsetMotion m = Rolling(pair, 0, 0, 0, 0);
+  for (const double sunk : {2e-6, 2e-5, 1e-4}) {
+    m.vertical = pair.touching_height() + sunk;
+    const double force = -Calc(pair, m).force[2];
+    const double h = 1e-3 * sunk;
+    m.vertical += h;
+    const double up = Calc(pair, m).stored_energy;
+    m.vertical -= 2 * h;
+    const double down = Calc(pair, m).stored_energy;
+    EXPECT_NEAR((up - down) / (2 * h) / force, 1, 2e-3) << sunk;
+  }
+}
+
+TEST(WheelRail, ForceIsNearTheSlopeOfTheStoredEnergyForRealProfiles) {
+  const WheelRail pair = Create(StandardPair());
+  double worst = 0, sum = 0;
+  int count = 0;
+  for (double y = -8e-3; y < 8e-3; y += 0.1e-3) {
+    WheelsetMotion m = Rolling(pair, 0, y, 0, 2e-3);
+    const double force = -Load(pair, 1e5, &m).force[2];
+    m.vertical += 1e-7;
+    const double up = Calc(pair, m).stored_energy;
+    m.vertical -= 2e-7;
+    const double down = Calc(pair, m).stored_energy;
+    const double error = std::abs((up - down) / 2e-7 / force - 1);
+    worst = std::max(worst, error);
+    sum += error;
+    ++count;
+  }
+  EXPECT_LT(sum / count, 2e-3);
+  EXPECT_LT(worst, 0.05);  // also where two patches grow into one
+}
+
+/// States anywhere between the flanges, with every velocity.
+WheelsetMotion RandomState(const WheelRail& pair, std::mt19937* random) {
+  const auto pick = [&](double size) {
+    return std::uniform_real_distribution<double>(-size, size)(*random);
+  };
+  WheelsetMotion m = Rolling(pair, 20 + pick(19), pick(8e-3), pick(5e-3), pick(20e-3));
+  m.vertical += 1e-4 + pick(3e-4);
+  for (size_t i = 0; i < 3; ++i) {
+    m.velocity[i] += pick(0.1);
+    m.rotation[i] += pick(0.2);
+  }
+  return m;
+}
+
+TEST(WheelRail, PowerOfTheWrenchIsElasticPowerPlusLossesToRounding) {
+  WheelRailParams params = StandardPair();
+  params.damping_ratio = 0.2;
+  const WheelRail pair = Create(params);
+  std::mt19937 random(1);
+  int touching = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const WheelsetMotion m = RandomState(pair, &random);
+    RailOffset rail;
+    rail.lateral_slope = 1e-3;
+    rail.vertical_slope = -2e-3;
+    const WheelRailForces f = Calc(pair, m, {}, rail);
+    const double wrench = Dot(f.force, m.velocity) + Dot(f.moment, m.rotation);
+    const double elastic = Dot(f.elastic_force, m.velocity) + Dot(f.elastic_moment, m.rotation);
+    const double size = std::abs(elastic) + f.creep_power + f.damping_power + 1;
+    EXPECT_NEAR(wrench - elastic, -f.creep_power - f.damping_power, 1e-9 * size);
+    EXPECT_GE(f.creep_power, -1e-9 * size);
+    EXPECT_GE(f.damping_power, -1e-9 * size);
+    touching += f.count > 0;
+  }
+  EXPECT_GT(touching, 800);
+}
+
+TEST(WheelRail, NormalForceDoesNoWorkOnTheSpin) {
+  const WheelRail pair = Create(StandardPair());
+  std::mt19937 random(2);
+  for (int i = 0; i < 500; ++i) {
+    const WheelsetMotion m = RandomState(pair, &random);
+    RailOffset rail;
+    rail.vertical_slope = 3e-3;
+    const WheelRailForces f = Calc(pair, m, {}, rail);
+    const Vec3 axle = {-std::sin(m.yaw) * std::cos(m.roll), std::cos(m.yaw) * std::cos(m.roll),
+                       std::sin(m.roll)};
+    // The slope of the rail is taken to first order.
+    EXPECT_NEAR(Dot(f.elastic_moment, axle), 0, 4e-5 * (1 + std::abs(f.elastic_force[2])));
+    const WheelRailForces level = Calc(pair, m);
+    EXPECT_NEAR(Dot(level.elastic_moment, axle), 0, 1e-11 * (1 + std::abs(f.elastic_force[2])));
+  }
+}
+
+TEST(WheelRail, NormalForceNeverPulls) {
+  WheelRailParams params = StandardPair();
+  params.damping_ratio = 1;
+  const WheelRail pair = Create(params);
+  WheelsetMotion m = Rolling(pair, 20, 0, 0, 0);
+  m.vertical += 1e-4;
+  for (const double speed : {-10.0, -0.5, -0.01}) {
+    m.velocity[2] = speed;
+    const WheelRailForces f = Calc(pair, m);
+    for (int k = 0; k < f.count; ++k) EXPECT_GE(f.patch[static_cast<size_t>(k)].normal, 0);
+    EXPECT_GE(f.damping_power, 0);
+  }
+  m.velocity[2] = 0.01;
+  const double in = Calc(pair, m).patch[0].normal;
+  m.velocity[2] = 0;
+  EXPECT_GT(in, Calc(pair, m).patch[0].normal);
+}
+
+TEST(WheelRail, LeftIsTheMirrorImageOfRightToTheLastBit) {
+  const WheelRail pair = Create(StandardPair());
+  const RailSupport support{3e7, 1e4, 7e7, 2e4};
+  std::mt19937 random(3);
+  for (int i = 0; i < 200; ++i) {
+    const WheelsetMotion m = RandomState(pair, &random);
+    // T axes: the left rail of a mirrored track has the opposite lateral displacement.
+    const RailOffset left{1.3e-3, -0.4e-3, 1e-3, 2e-3};
+    const RailOffset right{-1.3e-3, -0.4e-3, -1e-3, 2e-3};
+    const WheelRailForces a = Calc(pair, m, support, left, Side::kLeft);
+    const WheelRailForces b = Calc(pair, m, support, right, Side::kRight);
+    ASSERT_EQ(a.count, b.count);
+    EXPECT_EQ(a.force, b.force);
+    EXPECT_EQ(a.moment, b.moment);
+  }
+}
+
+struct Sweep {
+  double jump = 0;      ///< largest change of a force per step over the load
+  double wander = 0;    ///< largest step of the load's centre on the rail [m]
+  double backstep = 0;  ///< of the lateral elastic force, that should only grow
+  double at = 0;        ///< where the largest jump is [m]
+};
+double CentreOnRail(const WheelRailForces& f) {
+  double moment = 0, load = 0;
+  for (int k = 0; k < f.count; ++k) {
+    const ContactPatch& p = f.patch[static_cast<size_t>(k)];
+    moment += p.normal * p.rail_y;
+    load += p.normal;
+  }
+  return moment / load;
+}
+/// Wheel at constant load moved across the rail, from its field side to beyond flange contact.
+Sweep Across(const WheelRail& pair, double load, double yaw, double from, double to, double step) {
+  Sweep sweep;
+  WheelRailForces before;
+  for (double y = from; y <= to; y += step) {
+    WheelsetMotion m = Rolling(pair, 20, y, 0, yaw);
+    const WheelRailForces now = Load(pair, load, &m);
+    EXPECT_NEAR(-now.force[2], load, 1) << "no unique height at " << y;
+    if (y > from) {
+      for (const size_t i : {size_t{0}, size_t{1}}) {
+        const double jump = std::abs(now.force[i] - before.force[i]) / load;
+        if (jump > sweep.jump) {
+          sweep.jump = jump;
+          sweep.at = y;
+        }
+      }
+      sweep.wander = std::max(sweep.wander, std::abs(CentreOnRail(now) - CentreOnRail(before)));
+      sweep.backstep =
+          std::max(sweep.backstep, (now.elastic_force[1] - before.elastic_force[1]) / load);
+    }
+    before = now;
+  }
+  return sweep;
+}
+
+// The contact jumps from tread to flange within a few hundredths of a millimetre; followed in steps
+// of 2 um, no step may move the force or the place by more than a share of that.
+TEST(WheelRail, SlowLateralSweepIsContinuousAndMonotone) {
+  const WheelRail pair = Create(StandardPair());
+  for (const double load : {1e4, 6e4, 1.3e5}) {
+    for (const double yaw : {-8e-3, 0.0, 5e-3}) {
+      SCOPED_TRACE("load " + std::to_string(load) + " yaw " + std::to_string(yaw));
+      const Sweep tread = Across(pair, load, yaw, -10e-3, 4.5e-3, 20e-6);
+      EXPECT_LT(tread.jump, 0.01) << tread.at;
+      EXPECT_LT(tread.wander, 0.4e-3);
+      EXPECT_LT(tread.backstep, 1e-3);
+      const Sweep flange = Across(pair, load, yaw, 4.5e-3, 6.55e-3, 2e-6);
+      EXPECT_LT(flange.jump, 0.03) << flange.at;
+      EXPECT_LT(flange.wander, 0.3e-3);
+      EXPECT_LT(flange.backstep, 1e-3);
+    }
+  }
+}
+
+TEST(WheelRail, MoreDepthIsMoreForce) {
+  const WheelRail pair = Create(StandardPair());
+  for (double y = -9e-3; y < 8e-3; y += 0.13e-3) {
+    WheelsetMotion m = Rolling(pair, 20, y, 1e-3, 4e-3);
+    double before = 0;
+    for (double sunk = -0.6e-3; sunk < 0.6e-3; sunk += 5e-6) {
+      m.vertical = pair.touching_height() + sunk;
+      const double force = -Calc(pair, m).elastic_force[2];
+      EXPECT_GE(force, 0.99 * before) << y << " " << sunk;
+      before = force;
+    }
+  }
+}
+
+/// Closed way in lateral and vertical position, roll and yaw.
+struct Cycle {
+  double amplitude[4][3];
+  double lowest;
+  WheelsetMotion At(double t) const {
+    const auto wave = [&](int i) {
+      return amplitude[i][0] * std::sin(t) + amplitude[i][1] * std::sin(2 * t + 1) +
+             amplitude[i][2] * std::cos(t);
+    };
+    WheelsetMotion m;
+    m.lateral = 3e-3 * wave(0);
+    m.vertical = lowest + 3e-5 * wave(1);
+    m.roll = 1e-4 * wave(2);
+    m.yaw = 4e-3 * wave(3);
+    m.speed = 20;
+    return m;
+  }
+};
+
+// Pressed, shifted, turned and released: the work of the elastic forces over a closed cycle is
+// none.
+TEST(WheelRail, NoCycleDeliversEnergy) {
+  const WheelRail pair = Create(StandardPair());
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> pick(-1, 1);
+  constexpr int kSteps = 4000;
+  for (int trial = 0; trial < 8; ++trial) {
+    Cycle cycle{};
+    cycle.lowest = pair.touching_height() + 1.2e-4;
+    for (auto& row : cycle.amplitude) {
+      for (double& value : row) value = pick(random);
+    }
+    double work = 0, size = 0;
+    for (int i = 0; i < kSteps; ++i) {
+      const double h = 2 * std::numbers::pi / kSteps;
+      const WheelsetMotion a = cycle.At(i * h), m = cycle.At((i + 0.5) * h),
+                           b = cycle.At((i + 1) * h);
+      const WheelRailForces f = Calc(pair, m);
+      const double roll = b.roll - a.roll;
+      const Vec3 moved = {0, b.lateral - a.lateral, b.vertical - a.vertical};
+      const Vec3 turned = {roll * std::cos(m.yaw), roll * std::sin(m.yaw), b.yaw - a.yaw};
+      const double part = Dot(f.elastic_force, moved) + Dot(f.elastic_moment, turned);
+      work += part;
+      size += std::abs(part);
+    }
+    EXPECT_GT(size, 50);
+    EXPECT_LT(std::abs(work), 2e-3 * size);
+  }
+}
+
+TEST(WheelRail, ElasticSupportIsInSeriesWithTheContact) {
+  const WheelRail pair = Create(StandardPair());
+  for (const RailSupport& support :
+       {RailSupport{0, 0, 6e7, 0}, RailSupport{2e7, 0, 4e7, 0}, RailSupport{5e6, 0, 1e9, 0}}) {
+    for (const double y : {-5e-3, 0.0, 5e-3, 6.5e-3}) {
+      WheelsetMotion m = Rolling(pair, 20, y, 0, 3e-3);
+      const WheelRailForces f = Load(pair, 8e4, &m, support);
+      ASSERT_GT(f.count, 0);
+      // Rigid rail displaced by hand: the same forces.
+      const RailOffset moved{-f.rail_lateral, -f.rail_vertical, 0, 0};
+      const WheelRailForces rigid = Calc(pair, m, {}, moved);
+      EXPECT_NEAR(-rigid.force[2], 8e4, 800);
+      EXPECT_NEAR(f.rail_vertical * support.vertical_stiffness_N_per_m, -f.elastic_force[2], 800);
+      if (support.lateral_stiffness_N_per_m > 0) {
+        EXPECT_NEAR(f.rail_lateral * support.lateral_stiffness_N_per_m, -f.elastic_force[1], 800);
+      } else {
+        EXPECT_EQ(f.rail_lateral, 0);
+      }
+    }
+  }
+}
+
+TEST(WheelRail, LiftedWheelHasNoForce) {
+  const WheelRail pair = Create(StandardPair());
+  WheelsetMotion m = Rolling(pair, 20, 0, 0, 0);
+  m.vertical -= 1e-3;
+  const WheelRailForces f = Calc(pair, m, {3e7, 0, 7e7, 0});
+  EXPECT_EQ(f.count, 0);
+  EXPECT_EQ(f.force, (Vec3{}));
+  EXPECT_EQ(f.stored_energy, 0);
+  m.vertical = std::nan("");
+  EXPECT_EQ(Calc(pair, m).count, 0);
+}
+
+TEST(WheelRail, ResultsOfAnEarlierCallDoNotStay) {
+  const WheelRail pair = Create(StandardPair());
+  WheelsetMotion m = Rolling(pair, 20, 5e-3, 0, 5e-3);
+  WheelRailForces used;
+  m.vertical += 3e-4;
+  pair.Calc(m, Side::kRight, {}, {1e7, 0, 1e7, 0}, &used);
+  m = Rolling(pair, 20, -2e-3, 0, 0);
+  m.vertical += 1e-4;
+  pair.Calc(m, Side::kRight, {}, {}, &used);
+  const WheelRailForces fresh = Calc(pair, m);
+  EXPECT_EQ(used.force, fresh.force);
+  EXPECT_EQ(used.stored_energy, fresh.stored_energy);
+  EXPECT_EQ(used.rail_lateral, 0);
+  ASSERT_EQ(used.count, fresh.count);
+  EXPECT_EQ(used.patch[0].weight, fresh.patch[0].weight);
+}
+
+TEST(WheelRail, ClimbingFlangeIsBeyondTheProfile) {
+  const WheelRail pair = Create(StandardPair());
+  EXPECT_NEAR(pair.flange_angle(), 70 * 3.14159265 / 180, 0.01);
+  WheelsetMotion m = Rolling(pair, 20, 6e-3, 0, 0);
+  EXPECT_FALSE(Load(pair, 6e4, &m).beyond_profile);
+  m = Rolling(pair, 20, 20e-3, 0, 0);
+  EXPECT_TRUE(Load(pair, 6e4, &m).beyond_profile);
+  // A wheel without a flange only falls off at its end.
+  const WheelRail cone = Create(ConeOnArc("0.05", "0.3"));
+  m = Rolling(cone, 20, 6e-3, 0, 0);
+  EXPECT_FALSE(Load(cone, 6e4, &m).beyond_profile);
+}
+
+TEST(WheelRail, FlangeFrictionTakesOverWithTheContactAngle) {
+  WheelRailParams params = StandardPair();
+  params.tread.coefficient = 0.4;
+  params.flange.coefficient = 0.1;
+  const WheelRail pair = Create(params);
+  WheelsetMotion m = Rolling(pair, 20, 0, 0, 0);
+  EXPECT_DOUBLE_EQ(Load(pair, 6e4, &m).patch[0].friction, 0.4);
+  m = Rolling(pair, 20, 9e-3, 0, 0);
+  EXPECT_DOUBLE_EQ(Load(pair, 6e4, &m).patch[0].friction, 0.1);
+}
+
+TEST(WheelRail, RunningBackwardsTurnsTheForces) {
+  const WheelRail pair = Create(StandardPair());
+  WheelsetMotion m = Rolling(pair, 20, 1e-3, 0, 0);
+  m.rotation[1] *= 1.002;  // driving
+  const WheelRailForces ahead = Load(pair, 6e4, &m);
+  m.velocity[0] = -m.velocity[0];
+  for (double& w : m.rotation) w = -w;
+  const WheelRailForces back = Calc(pair, m);
+  EXPECT_GT(ahead.force[0], 1000);
+  EXPECT_DOUBLE_EQ(back.force[0], -ahead.force[0]);
+  EXPECT_DOUBLE_EQ(back.force[1], ahead.force[1]);  // camber thrust has no direction of running
+}
+
+TEST(WheelRail, CreepagesStayFiniteAtStandstill) {
+  const WheelRail pair = Create(StandardPair());
+  WheelsetMotion m = Rolling(pair, 0, 1e-3, 0, 0);
+  m.velocity[1] = 1e-4;
+  const WheelRailForces f = Load(pair, 6e4, &m);
+  EXPECT_NEAR(f.patch[0].eta, -1e-4 / 0.5, 1e-6);
+  EXPECT_LT(f.force[1], 0);
+}
+
+TEST(WheelRail, ReferenceSpeedIsTheMeanOfBothBodies) {
+  const WheelRail pair = Create(StandardPair());
+  WheelsetMotion m = Rolling(pair, 20, 0, 0, 0);
+  m.rotation = {};  // locked wheel
+  EXPECT_NEAR(Load(pair, 6e4, &m).patch[0].xi, -2, 1e-9);
+}
+
+struct BadParams {
+  const char* key;
+  void (*spoil)(WheelRailParams*);
+};
+class WheelRailErrors : public testing::TestWithParam<BadParams> {};
+TEST_P(WheelRailErrors, NameTheValue) {
+  WheelRailParams p = StandardPair();
+  GetParam().spoil(&p);
+  const auto pair = WheelRail::Create(p);
+  ASSERT_FALSE(pair.ok());
+  EXPECT_NE(pair.error().Line().find(GetParam().key), std::string::npos) << pair.error().Line();
+}
+INSTANTIATE_TEST_SUITE_P(
+    EveryMessage, WheelRailErrors,
+    testing::Values(
+        BadParams{"gauge", [](WheelRailParams* p) { p->gauge = 0; }},
+        BadParams{"wheel_radius", [](WheelRailParams* p) { p->wheel_radius = -1; }},
+        BadParams{"flange_back", [](WheelRailParams* p) { p->flange_back_distance = 9; }},
+        BadParams{"friction", [](WheelRailParams* p) { p->tread.coefficient = -1; }},
+        BadParams{"damping", [](WheelRailParams* p) { p->damping_ratio = -1; }},
+        BadParams{"no/such", [](WheelRailParams* p) { p->rail_profile = "/no/such.prr"; }},
+        BadParams{"never touch", [](WheelRailParams* p) { p->flange_back_distance = 1.0; }}));
+
+}  // namespace
+}  // namespace phs::rail
