@@ -146,9 +146,9 @@ TEST(ContactSearch, RootAndTreadAtOnce) {
   const ContactSearch search = Pair(ProfilePath("S1002.prw"), ProfilePath("UIC60.prr"));
   // Press down a little after first touch, over the end of the flange's play: somewhere both do.
   bool both = false;
-  for (double y = 0; y < 0.012 && !both; y += 20e-6) {
+  for (double y = -0.01; y < 0.002 && !both; y += 20e-6) {
     WheelPlacement place{y, 0, 0, 0.01};
-    double low = -kRadius + 0.005, high = -kRadius - 0.005;
+    double low = -kRadius + 0.03, high = -kRadius - 0.03;
     for (int i = 0; i < 40; ++i) {
       place.z = 0.5 * (low + high);
       (Find(search, place).count > 0 ? low : high) = place.z;
