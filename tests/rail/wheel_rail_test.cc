@@ -389,6 +389,7 @@ struct BadParams {
   const char* key;
   void (*spoil)(WheelRailParams*);
 };
+void PrintTo(const BadParams& p, std::ostream* out) { *out << p.key; }
 class WheelRailErrors : public testing::TestWithParam<BadParams> {};
 TEST_P(WheelRailErrors, NameTheValue) {
   WheelRailParams p = StandardPair();
