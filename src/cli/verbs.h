@@ -51,6 +51,7 @@ void AddLoads(CLI::App* app, Action* action);
 void AddReport(CLI::App* app, Action* action);
 void AddRig(CLI::App* app, Action* action);
 void AddIdentify(CLI::App* app, Action* action);
+void AddSweep(CLI::App* app, Action* action);
 void AddValidate(CLI::App* app, Action* action);
 
 }  // namespace phs::cli

@@ -1,0 +1,198 @@
+// phs sweep: many runs of one scenario, resumable, on all cores.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <thread>
+
+#include "base/data_path.h"
+#include "base/result_dir.h"
+#include "cli/verbs.h"
+#include "report/sweep_report.h"
+#include "sweep/case_files.h"
+#include "sweep/outputs.h"
+#include "sweep/result_store.h"
+#include "sweep/sensitivity.h"
+#include "sweep/sweep.h"
+
+namespace phs::cli {
+namespace {
+
+using sweep::RunRecord;
+using sweep::Study;
+
+struct SweepOptions {
+  CommonOptions common;
+  std::string study;
+  int workers = 0;
+  bool resume = false;
+  int only = -1;
+  bool report = false;
+};
+
+int Count(const std::vector<RunRecord>& records, const std::string& status) {
+  return static_cast<int>(std::count_if(records.begin(), records.end(),
+                                        [&](const auto& r) { return r.status == status; }));
+}
+
+void PrintOutcome(const Study& study, const std::vector<RunRecord>& records,
+                  const std::string& path) {
+  fmt::print("{}: {} runs", study.name, records.size());
+  for (const char* status : {"ok", "derailed", "diverged", "error", "killed"}) {
+    if (const int n = Count(records, status); n > 0) fmt::print(", {} {}", n, status);
+  }
+  fmt::print("\n\n{:<38}{:>14}{:>14}{:>14}   worst run\n", "output", "least", "median", "largest");
+  for (std::size_t i = 0; i < study.outputs.size(); ++i) {
+    std::vector<std::pair<double, int>> values;
+    for (const RunRecord& r : records) {
+      if (r.status == "ok" && std::isfinite(r.outputs[i])) values.emplace_back(r.outputs[i], r.run);
+    }
+    if (values.empty()) continue;
+    std::sort(values.begin(), values.end());
+    const auto worst = std::max_element(values.begin(), values.end(), [](auto a, auto b) {
+      return std::abs(a.first) < std::abs(b.first);
+    });
+    fmt::print("{:<38}{:>14.5g}{:>14.5g}{:>14.5g}   {}\n", sweep::OutputColumn(study.outputs[i]),
+               values.front().first, values[values.size() / 2].first, values.back().first,
+               worst->second);
+  }
+  int shown = 0;
+  for (const RunRecord& r : records) {
+    if (r.status == "ok") continue;
+    fmt::print("{}run {}: {}: {}\n", shown == 0 ? "\n" : "", r.run, r.status, r.reason);
+    if (++shown == 5) break;
+  }
+  fmt::print(
+      "\nTable: {0}/sweep.csv, report: {0}/report.html\n"
+      "Repeat a run with all its files: phs sweep {1} --only RUN --out DIR\n",
+      path, study.path);
+}
+
+report::SweepReportInput ReportInput(const Study& study, const std::vector<RunRecord>& records,
+                                     const std::string& table) {
+  report::SweepReportInput input{.table = table, .parameters = {}, .outputs = {}};
+  for (std::size_t axis = 0; axis < study.axes.size(); ++axis) {
+    bool numbers = true, varies = false;
+    for (const auto& run : study.runs) {
+      numbers &=
+          !run[axis].empty() && run[axis].find_first_not_of("+-.eE0123456789") == std::string::npos;
+      varies |= run[axis] != study.runs[0][axis];
+    }
+    if (numbers && varies) input.parameters.push_back(study.axes[axis].column);
+  }
+  for (std::size_t i = 0; i < study.outputs.size(); ++i) {
+    const bool any = std::any_of(records.begin(), records.end(),
+                                 [&](const auto& r) { return std::isfinite(r.outputs[i]); });
+    if (any) input.outputs.push_back(sweep::OutputColumn(study.outputs[i]));
+  }
+  return input;
+}
+
+/// The runs as files, and one of them simulated as `phs simulate` would.
+int RunOnly(const SweepOptions& options, const Study& study) {
+  if (options.only >= study.num_runs()) {
+    return BadInput({"--only", fmt::format("the study has no run {}", options.only),
+                     fmt::format("0 … {}", study.num_runs() - 1), ""});
+  }
+  const std::string out =
+      options.common.out.empty() ? fmt::format("run_{}", options.only) : options.common.out;
+  auto dir = ResultDir::Create(out, options.common.force);
+  if (!dir.ok()) return BadInput(dir.error());
+  const std::string folder = std::filesystem::absolute(dir.value().File("")).string();
+  if (auto file = sweep::WriteCaseFiles(study, options.only, folder); !file.ok()) {
+    return BadInput(file.error());
+  }
+  // The files name each other: let them name their final place.
+  for (const char* name : {"scenario.yaml"}) {
+    auto text = ReadFile(dir.value().File(name));
+    if (!text.ok()) return BadInput(text.error());
+    std::string moved = text.value();
+    const std::string final_folder =
+        std::filesystem::absolute(dir.value().final_path()).string() + "/";
+    for (std::size_t at = 0; (at = moved.find(folder, at)) != std::string::npos;) {
+      moved.replace(at, folder.size(), final_folder);
+      at += final_folder.size();
+    }
+    if (Status s = WriteFileAtomically(dir.value().File(name), moved); !s.ok()) {
+      return BadInput(s.error());
+    }
+  }
+  if (Status s = dir.value().Commit(); !s.ok()) return BadInput(s.error());
+  fmt::print("run {}:", options.only);
+  for (std::size_t i = 0; i < study.axes.size(); ++i) {
+    fmt::print(" {} = {}", study.axes[i].key,
+               study.runs[static_cast<std::size_t>(options.only)][i]);
+  }
+  fmt::print("\nphs simulate {}/scenario.yaml --out {}/result\n", out, out);
+  return kDone;
+}
+
+int Conclude(const SweepOptions& options, const Study& study, sweep::WorkDir* work) {
+  const auto records = sweep::ReadRecords(study, *work);
+  if (Status s = sweep::WriteTables(study, records, *work); !s.ok()) return BadInput(s.error());
+  const auto input = ReportInput(study, records, work->File("sweep.csv"));
+  if (Count(records, "ok") > 0 && !input.outputs.empty() && !input.parameters.empty()) {
+    if (Status s = report::WriteSweepReport(input, work->File("report.html")); !s.ok()) {
+      return BadInput(s.error());
+    }
+  }
+  if (Status s = work->Finish(); !s.ok()) return BadInput(s.error());
+  if (options.common.format == "json") {
+    fmt::print("{{\"runs\": {}, \"ok\": {}, \"table\": \"{}/sweep.csv\"}}\n", records.size(),
+               Count(records, "ok"), work->final_path());
+  } else {
+    PrintOutcome(study, records, work->final_path());
+  }
+  return Count(records, "ok") == study.num_runs() ? kDone : kFailed;
+}
+
+int RunSweep(const SweepOptions& options) {
+  const auto loaded = sweep::LoadStudy(options.study);
+  if (!loaded.ok()) return BadInput(loaded.error());
+  const Study& study = loaded.value();
+  if (options.only >= 0) return RunOnly(options, study);
+  const std::string out = options.common.out.empty() ? study.name : options.common.out;
+  auto work = sweep::WorkDir::Open(out, study, options.resume, options.common.force);
+  if (!work.ok()) return BadInput(work.error());
+  const int workers = options.workers > 0
+                          ? options.workers
+                          : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  ProgressLine progress(study.name, options.common.quiet);
+  const auto all = sweep::RunLocally(study, workers, &work.value(), [&](int done, int of) {
+    return progress(static_cast<double>(done) / of);
+  });
+  if (!all.ok()) {
+    Error error = all.error();
+    error.mend = "what is finished is kept: mend it, then --resume";
+    return BadInput(error);
+  }
+  if (!all.value()) {
+    const auto missing = work.value().Missing(study, false).size();
+    fmt::print(stderr, "phs: stopped with {} of {} runs done; --resume continues\n",
+               static_cast<std::size_t>(study.num_runs()) - missing, study.num_runs());
+    return kFailed;
+  }
+  return Conclude(options, study, &work.value());
+}
+
+}  // namespace
+
+void AddSweep(CLI::App* app, Action* action) {
+  CLI::App* verb =
+      app->add_subcommand("sweep", "Many runs of one scenario, resumable, on all cores");
+  auto options = std::make_shared<SweepOptions>();
+  AddCommonOptions(verb, &options->common);
+  verb->add_option("study", options->study, "Scenario, axes and design (YAML)")->required();
+  verb->add_option("--workers", options->workers, "Worker processes (one per core without it)")
+      ->check(CLI::Range(1, 4096));
+  verb->add_flag("--resume", options->resume, "Continue what was stopped or killed");
+  verb->add_option("--only", options->only, "Lay out one run as files, to be simulated alone")
+      ->check(CLI::NonNegativeNumber);
+  verb->footer("Exit code 1 when a run did not end well, or the sweep was stopped.");
+  verb->callback([=] { *action = [=] { return RunSweep(*options); }; });
+}
+
+}  // namespace phs::cli

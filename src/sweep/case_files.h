@@ -1,0 +1,22 @@
+// The files of one run: the base scenario, its track and its PHS model with the axes' values set.
+#pragma once
+
+#include <string>
+
+#include "base/result.h"
+#include "sweep/study.h"
+
+namespace phs::sweep {
+
+/// Whether `key` begins as an axis must (study.h).
+Status CheckAxisKey(const std::string& key);
+
+/// Writes scenario.yaml, and track.yaml and model.yaml where they differ from the base, into
+/// `folder`, which exists. `phs simulate FOLDER/scenario.yaml` then repeats the run. Returns the
+/// path of scenario.yaml. Errors name the axis.
+Result<std::string> WriteCaseFiles(const Study& study, int run, const std::string& folder);
+
+/// Lays out the first run and reads its scenario: finds wrong keys before anything runs.
+Status CheckFirstCase(const Study& study);
+
+}  // namespace phs::sweep

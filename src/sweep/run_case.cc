@@ -1,0 +1,93 @@
+#include "sweep/run_case.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "base/result_dir.h"
+#include "sweep/case_files.h"
+#include "sweep/outputs.h"
+#include "vehicle/simulation.h"
+#include "vehicle/summary.h"
+
+namespace phs::sweep {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
+
+/// Messages without the place where the run happened: they must not depend on the worker.
+std::string Without(std::string text, const std::string& place) {
+  for (std::size_t at = text.find(place); at != std::string::npos; at = text.find(place, at)) {
+    text.erase(at, place.size());
+  }
+  return text;
+}
+
+Result<RunRecord> Simulate(const Study& study, int run, const std::string& scratch) {
+  const auto file = WriteCaseFiles(study, run, scratch);
+  if (!file.ok()) return file.error();
+  const auto scenario = vehicle::LoadScenario(file.value());
+  if (!scenario.ok()) return scenario.error();
+  auto simulation = vehicle::Simulation::Create(scenario.value());
+  if (!simulation.ok()) return simulation.error();
+  const auto outcome = simulation.value().Run();
+  if (!outcome.ok()) return outcome.error();
+  const Json summary = vehicle::Summarise(simulation.value(), outcome.value());
+  RunRecord record{run, outcome.value().status, outcome.value().reason, {}};
+  for (const std::string& path : study.outputs) {
+    const auto value = FindOutput(summary, path);
+    if (value.ok()) {
+      record.outputs.push_back(value.value());
+    } else if (record.status == "ok") {
+      return value.error();
+    } else {  // a run that ended early has no steady curve
+      record.outputs.push_back(kNoNumber);
+    }
+  }
+  return record;
+}
+
+}  // namespace
+
+RunRecord RunCase(const Study& study, int run, const std::string& scratch) {
+  std::error_code ignored;
+  fs::create_directories(scratch, ignored);
+  const auto made = Simulate(study, run, scratch);
+  fs::remove_all(scratch, ignored);
+  if (made.ok()) return made.value();
+  return {run, "error", Without(made.error().Line(), scratch + "/"),
+          std::vector<double>(study.outputs.size(), kNoNumber)};
+}
+
+std::string RecordPath(const std::string& directory, int run) {
+  return (fs::path(directory) / "runs" / fmt::format("{:06}.json", run)).string();
+}
+
+Status WriteRecord(const RunRecord& record, const std::string& directory) {
+  Json json = {{"run", record.run}, {"status", record.status}, {"reason", record.reason}};
+  Json& outputs = json["outputs"] = Json::array();
+  for (double value : record.outputs) {
+    outputs.push_back(std::isfinite(value) ? Json(value) : Json(nullptr));
+  }
+  return WriteFileAtomically(RecordPath(directory, record.run), json.dump() + "\n");
+}
+
+std::optional<RunRecord> ReadRecord(const Study& study, const std::string& directory, int run) {
+  const auto text = ReadFile(RecordPath(directory, run));
+  if (!text.ok()) return std::nullopt;
+  const Json json = Json::parse(text.value(), nullptr, false);
+  if (json.is_discarded() || !json.is_object() || json.value("run", -1) != run) return std::nullopt;
+  RunRecord record{run, json.value("status", ""), json.value("reason", ""), {}};
+  for (const Json& value : json.value("outputs", Json::array())) {
+    record.outputs.push_back(value.is_number() ? value.get<double>() : kNoNumber);
+  }
+  if (record.status.empty() || record.outputs.size() != study.outputs.size()) return std::nullopt;
+  return record;
+}
+
+}  // namespace phs::sweep

@@ -1,0 +1,53 @@
+// A study: one scenario, the keys that are varied, and the list of runs that follows from them.
+// Read from a YAML file (docs/sweep.md).
+//
+// Keys of axes:
+//   scenario.KEY       any key of the scenario file, also nested: scenario.friction
+//   track.KEY          any key of the scenario's track file; lists by number or `*` for every
+//                      element that has the next key: track.segments.*.radius_m
+//   model.PARAMETER    any number of the PHS model: model.friction.scale, model.L1.gas_volume_m3,
+//                      `*` for every line or cylinder that has it: model.*.gas_volume_m3
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "sweep/sampling.h"
+
+namespace phs::sweep {
+
+enum class DesignKind { kGrid, kList, kLatinHypercube, kSobol, kSobolIndices };
+
+struct Axis {
+  std::string key;
+  std::string column;               ///< its column in sweep.csv: last part of the key, made unique
+  std::vector<std::string> values;  ///< grid only
+  Distribution distribution;        ///< samples only
+};
+
+struct Study {
+  std::string path;      ///< the file read
+  std::string text;      ///< its text, kept with the results
+  std::string name;      ///< file name without extension
+  std::string scenario;  ///< path of the base scenario
+  DesignKind design = DesignKind::kGrid;
+  int samples = 0;  ///< points of a sampled design
+  std::uint64_t seed = 1;
+  bool vary_irregularity = false;  ///< each run its own irregularity, by its seed
+  double time_limit_s = 600;       ///< a run that takes longer is ended and named
+  std::vector<Axis> axes;
+  std::vector<std::string> outputs;            ///< paths in summary.json (sweep/outputs.h)
+  std::vector<std::vector<std::string>> runs;  ///< [run][axis] values as text
+
+  int num_runs() const { return static_cast<int>(runs.size()); }
+};
+
+constexpr int kMostRuns = 1'000'000;
+
+/// Reads a study and lays out its runs. Errors name file:line and key. A first run is laid out and
+/// read as far as its files (case_files.h), so that a wrong key shows here.
+Result<Study> LoadStudy(const std::string& path);
+
+}  // namespace phs::sweep
