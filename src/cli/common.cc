@@ -57,7 +57,8 @@ bool ProgressLine::operator()(double share) {
   if (impl_->quiet) return true;
   const auto now = std::chrono::steady_clock::now();
   const double elapsed = std::chrono::duration<double>(now - impl_->begin).count();
-  const double left = share > 0 ? elapsed * (1 - share) / share : 0;
+  if (share <= 0) return true;  // no time left to tell yet
+  const double left = elapsed * (1 - share) / share;
   if (impl_->terminal) {
     if (now - impl_->last < std::chrono::milliseconds(100)) return true;
     impl_->last = now;

@@ -13,6 +13,7 @@
 #include "base/words.h"
 #include "effects/catalogue.h"
 #include "hydraulics/phs_params.h"
+#include "vehicle/compose.h"
 #include "vehicle/scenario.h"
 
 namespace phs::sweep {
@@ -199,11 +200,11 @@ class CaseBuilder {
 
   Status WriteModel() {
     if (!Varies("model.")) return {};
-    if (!scenario_["phs"]) {
-      return Error{study_.scenario + ": phs", "is not given", "a PHS model",
-                   "name the model whose parameters vary"};
-    }
-    auto params = effects::FindPhsParams(scenario_["phs"].Scalar());
+    const std::string bogie = scenario_["bogie"] ? scenario_["bogie"].Scalar() : "phs";
+    const std::string model =
+        scenario_["phs"] ? scenario_["phs"].Scalar() : vehicle::PhsModelOf(bogie);
+    if (model.empty()) return {};  // a bogie without hydraulics has nothing to vary
+    auto params = effects::FindPhsParams(model);
     if (!params.ok()) return params.error();
     for (std::size_t i = 0; i < study_.axes.size(); ++i) {
       const std::string& key = study_.axes[i].key;

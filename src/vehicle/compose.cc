@@ -239,4 +239,18 @@ std::string YardstickOf(const std::string& bogie) {
   return document.ok() ? TextOf(document.value()->RootElement(), "phs_yardstick") : "";
 }
 
+std::string PhsModelOf(const std::string& bogie) {
+  auto path = FindData("bogie", "bogie_xml", bogie, {".xml"});
+  if (!path.ok()) return "";
+  auto document = ReadMjcf(path.value());
+  if (!document.ok()) return "";
+  std::string model;
+  ForEach(document.value()->RootElement(), "custom", "text", [&](XMLElement* text) {
+    if (model.empty() && AttributeOf(*text, "name").starts_with("phs:")) {
+      model = AttributeOf(*text, "data");
+    }
+  });
+  return model;
+}
+
 }  // namespace phs::vehicle

@@ -32,4 +32,7 @@ std::vector<ComparedBogie> ListComparedBogies();
 /// The yardstick of one bogie, "" if it names none.
 std::string YardstickOf(const std::string& bogie);
 
+/// The PHS model that a bogie file names for its first PHS, "" if it has none.
+std::string PhsModelOf(const std::string& bogie);
+
 }  // namespace phs::vehicle
