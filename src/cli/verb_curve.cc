@@ -11,6 +11,7 @@
 #include "cli/radius_table.h"
 #include "cli/verbs.h"
 #include "report/curving_report.h"
+#include "report/radius_report.h"
 #include "vehicle/compose.h"
 #include "vehicle/radius_table.h"
 #include "vehicle/result_files.h"
@@ -206,7 +207,13 @@ int RunOverRadii(const CurveOptions& options) {
     if (Status s = WriteFileAtomically(file, described.dump(2) + "\n"); !s.ok()) {
       return BadInput(s.error());
     }
+    if (Status s = report::WriteRadiusReport(file, dir->File("report.html")); !s.ok()) {
+      return BadInput(s.error());
+    }
     if (Status s = dir->Commit(); !s.ok()) return BadInput(s.error());
+    if (options.common.format == "text") {
+      fmt::print("\nReport: {}/report.html\n", dir->final_path());
+    }
   }
   for (const auto& row : rows.value()) {
     if (row.summary["status"] != "ok") return kFailed;
@@ -243,7 +250,7 @@ void AddCompare(CLI::App* app, Action* action) {
   verb->add_option(
           "--radii", options->radii_m,
           "Radii in metres, separated by commas: track and speed of scenario curve_rRADIUS "
-          "each; prints a table, writes bogies.json")
+          "each; prints a table, writes bogies.json and report.html")
       ->delimiter(',')
       ->check(CLI::PositiveNumber);
   verb->callback([=] {

@@ -1,21 +1,27 @@
 // phs report: the HTML of a result directory made anew, without simulating.
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <memory>
 
 #include "cli/verbs.h"
 #include "report/curving_report.h"
+#include "report/radius_report.h"
 
 namespace phs::cli {
 
 void AddReport(CLI::App* app, Action* action) {
-  CLI::App* verb = app->add_subcommand("report", "Remake report.html of a simulate or compare result");
+  CLI::App* verb =
+      app->add_subcommand("report", "Remake report.html of a simulate or compare result");
   auto dir = std::make_shared<std::string>();
   verb->add_option("dir", *dir, "Result directory")->required();
   verb->callback([=] {
     *action = [=]() -> int {
       const std::string file = *dir + "/report.html";
-      if (Status s = report::WriteCurvingReport(*dir, file); !s.ok()) return BadInput(s.error());
+      const std::string bogies = *dir + "/bogies.json";
+      const Status s = std::filesystem::exists(bogies) ? report::WriteRadiusReport(bogies, file)
+                                                       : report::WriteCurvingReport(*dir, file);
+      if (!s.ok()) return BadInput(s.error());
       fmt::print("Report: {}\n", file);
       return kDone;
     };

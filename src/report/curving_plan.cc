@@ -178,8 +178,9 @@ MomentBudget CalcBudget(const BogieRun& run, const CurvingResults& results,
 void AddPlanView(const CurvingResults& results, ReportPage* page) {
   bool drawn = false;
   for (const std::string& prefix : results.prefixes) {
-    const json spec = PlanSpec(results, prefix);
+    json spec = PlanSpec(results, prefix);
     if (spec.is_null()) continue;
+    if (drawn) spec["track"] = nullptr;  // the map once
     page->AddFigure(
         "plan",
         fmt::format(

@@ -23,12 +23,6 @@ double NumberOf(const json& object, const char* key) {
   return found == object.end() ? kNone : AsNumber(*found);
 }
 
-std::string LabelOf(std::string name) {
-  if (name == "phs") return "PHS";
-  std::replace(name.begin(), name.end(), '_', ' ');
-  return name;
-}
-
 Result<json> ReadJson(const std::string& path) {
   Result<std::string> text = ReadFile(path);
   if (!text.ok()) return text.error();
@@ -199,6 +193,12 @@ double CurvingResults::SteadyWear(const BogieRun& run, const std::string& prefix
   return sum;
 }
 
+std::string BogieLabel(std::string name) {
+  if (name == "phs") return "PHS";
+  std::replace(name.begin(), name.end(), '_', ' ');
+  return name;
+}
+
 std::string BogieWords(const std::string& prefix) {
   return prefix.empty() ? "" : prefix.substr(0, prefix.size() - 1) + " bogie, ";
 }
@@ -230,8 +230,10 @@ Result<CurvingResults> ReadCurvingResults(const CurvingReportInput& input) {
   const bool several = results.all.contains("bogies");
   int colour = 0;
   for (const CurvingReportInput::Run& file : input.runs) {
-    BogieRun run{
-        .name = file.bogie, .label = LabelOf(file.bogie), .colour = colour % 8, .dash = colour % 2};
+    BogieRun run{.name = file.bogie,
+                 .label = BogieLabel(file.bogie),
+                 .colour = colour % 8,
+                 .dash = colour % 2};
     ++colour;
     if (several && !results.all["bogies"].contains(file.bogie)) {
       return MissingBogie(input, file.bogie);

@@ -76,6 +76,8 @@ std::string RatioText(double other, double own, double floor);
 
 /// "R 550 m" of a curve, "transition"; empty for a tangent.
 std::string SectionLabel(const Section& section);
+/// "PHS" for "phs", "rigid link" for "rigid_link".
+std::string BogieLabel(std::string name);
 /// "front bogie, " for the prefix "front_"; empty for a single bogie.
 std::string BogieWords(const std::string& prefix);
 

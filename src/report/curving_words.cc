@@ -184,9 +184,10 @@ void AddSteeringWords(const CurvingResults& results, ReportPage* page) {
       if (own.empty()) continue;
       const std::string where =
           prefix.empty() ? "" : " at the " + prefix.substr(0, prefix.size() - 1) + " bogie";
-      text += fmt::format("{}it has{} {}.", text.empty() ? "" : " ", where, own);
+      text += fmt::format("{}{} {}", text.empty() ? "it has" : ";", where, own);
     }
     if (text.empty()) continue;
+    text += ".";
     page->Paragraph(text, fmt::format("{} bogie against {} bogie:", Capital(results.runs[i].label),
                                       results.reference().label));
   }

@@ -12,6 +12,7 @@ const std::vector<CheckGroup>& AllCheckGroups() {
       {"creep", "creep forces on given patches", &AddCreepChecks},
       {"contact", "wheel on rail, Hertz, FASTSIM, Carter", &AddContactChecks},
       {"stability", "linear stability on straight track", &AddStabilityChecks},
+      {"steering", "steering bogies against their claims", &AddSteeringChecks},
   };
   return groups;
 }

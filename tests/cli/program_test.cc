@@ -209,4 +209,40 @@ TEST_F(ProgramTest, FrictionIsANumberOrABlock) {
   ExpectRefused(Scenario(head + "friction: {wheel: 0.3}\n"), 3, "wheel");
 }
 
+TEST_F(ProgramTest, BogiesOverRadiiGiveATableAndAReport) {
+  const Output out =
+      Phs("compare curve_r800 --bogies phs,rigid_link --radii 800 --quiet --out " + Path("radii"));
+  EXPECT_EQ(out.code, 0) << out.text;
+  EXPECT_THAT(out.text, HasSubstr("R = 800 m, 80 km/h"));
+  EXPECT_TRUE(fs::exists(Path("radii/bogies.json")));
+  EXPECT_TRUE(fs::exists(Path("radii/report.html")));
+  const Output none = Phs("compare curve_r800 --bogies phs --radii 801 --quiet");
+  EXPECT_EQ(none.code, 3);
+  EXPECT_THAT(none.text, HasSubstr("curve_r801"));
+}
+
+TEST_F(ProgramTest, AnImportedBogieCanBeSimulated) {
+  const std::string urdf = PHS_SOURCE_DIR "/models/urdf/bogie_19e";
+  const Output made =
+      Phs("import " + urdf + ".urdf --mapping " + urdf + "_phs.yaml --out " + Path("made"));
+  EXPECT_EQ(made.code, 0) << made.text;
+  const Output run = Phs("compare " + Scenario("track: straight\n") + " --quiet --bogies " +
+                         Path("made/bogie_19e_phs.xml") + ",phs --out " + Path("out"));
+  EXPECT_EQ(run.code, 0) << run.text;
+  EXPECT_TRUE(fs::exists(Path("out/bogie_19e_phs_timeseries.h5")));
+  const Output wrong =
+      Phs("import " + urdf + "_phs.yaml --mapping " + urdf + "_phs.yaml --out " + Path("none"));
+  EXPECT_EQ(wrong.code, 3) << wrong.text;
+  EXPECT_FALSE(fs::exists(Path("none")));
+}
+
+TEST_F(ProgramTest, LoadsSayWhichPartGivesFirst) {
+  const Output out = Phs("loads --bogie phs");
+  EXPECT_EQ(out.code, 0) << out.text;
+  EXPECT_THAT(out.text, HasSubstr("line L4 blows off"));
+  const Output rigid = Phs("loads --bogie rigid_link");
+  EXPECT_EQ(rigid.code, 3);
+  EXPECT_THAT(rigid.text, HasSubstr("has no PHS"));
+}
+
 }  // namespace

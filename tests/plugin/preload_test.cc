@@ -69,6 +69,21 @@ TEST(PreloadTest, AModelThatCannotBeAttachedIsRefusedWithTheReason) {
   EXPECT_NE(out.text.find("track 'nowhere'"), std::string::npos) << out.text;
 }
 
+TEST(PreloadTest, FailuresOfTheHydraulicsAreOptions) {
+  const std::string host =
+      std::string(kPreload) + PHS_BINARY_DIR + "/tests/foreign_host " + BogiePath("phs");
+  const Output whole = Execute(host + " 200");
+  const Output failed = Execute("PHS_OPTIONS=failures=reservoir_gas_lost:L2 " + host + " 200");
+  ASSERT_EQ(failed.status, 0) << failed.text;
+  EXPECT_NE(Numbers(failed.text), Numbers(whole.text));
+  // The flow of a burst line is a state: the plain model has no activation to carry it.
+  const Output burst = Execute("PHS_OPTIONS=failures=line_burst:L1:0.5 " + host + " 10");
+  EXPECT_NE(burst.status, 0);
+  EXPECT_NE(burst.text.find("append 1 state carrier"), std::string::npos) << burst.text;
+  const Output wrong = Execute("PHS_OPTIONS=failures=line_burst:L1:soon " + host + " 10");
+  EXPECT_NE(wrong.text.find("'soon' is no time"), std::string::npos) << wrong.text;
+}
+
 TEST(PreloadTest, DebiansOwnTestspeedRunsTheSteeredBogie) {
   if (Execute("command -v mujoco-testspeed").status != 0)
     GTEST_SKIP() << "libmujoco-samples not installed";

@@ -96,7 +96,7 @@ TEST_F(CurvingReport, ALocomotiveHasTwoBogies) {
     const std::string name = bogie;
     EXPECT_TRUE(Holds(html, name == "front" ? "Front bogie: all angles" : "Rear bogie: all angles"));
     EXPECT_TRUE(Holds(html, "Track-shifting force ΣY, leading axle [kN], " + name + " bogie"));
-    EXPECT_TRUE(Holds(html, "it has at the " + name + " bogie"));
+    EXPECT_TRUE(Holds(html, " at the " + name + " bogie "));
     EXPECT_TRUE(Holds(html, "Yaw moments, " + name + " bogie, leading axle"));
   }
   EXPECT_TRUE(Holds(html, "leading axle of the worse bogie"));

@@ -1,0 +1,155 @@
+#include "report/radius_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "base/result_dir.h"
+#include "report/curving_results.h"
+#include "report/report_page.h"
+
+namespace phs::report {
+namespace {
+
+using json = nlohmann::ordered_json;
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+/// A quantity of a row as it is shown.
+struct Quantity {
+  const char* title;
+  const char* axis;
+  const char* key;
+  double factor;
+};
+constexpr Quantity kQuantities[] = {
+    {"Angle of attack of the leading axle", "angle of attack [mrad]", "angle_of_attack_lead_rad",
+     1e3},
+    {"Wear: conventional bogie over own, Tγ over the run", "conventional / own [–]",
+     "wear_yardstick_over_own_run", 1},
+    {"Wear number Tγ of all wheels, steady", "Tγ [N]", "T_gamma_N", 1},
+    {"Track-shifting force ΣY of the leading axle, steady", "ΣY [kN]", "sum_Y_lead_N", 1e-3}};
+
+double NumberOf(const json& row, const char* key) {
+  return row.contains(key) && row[key].is_number() ? row[key].get<double>() : kNone;
+}
+
+/// Value of a row; NaN for a run that did not end well, since its means do not hold.
+double ValueOf(const json& row, const Quantity& q) {
+  return row.value("status", "") == "ok" ? q.factor * NumberOf(row, q.key) : kNone;
+}
+
+std::vector<std::string> BogiesOf(const json& rows) {
+  std::vector<std::string> names;
+  for (const json& row : rows) {
+    const std::string name = row.value("bogie", "");
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  }
+  return names;
+}
+
+void AddTable(const json& rows, ReportPage* page) {
+  DataTable table{.caption = "Every run",
+                  .head = {"Bogie", "Angle of attack, leading [mrad]", "trailing [mrad]",
+                           "Tγ, steady [N]", "Tγ, run [kJ]", "Wear, conventional / own",
+                           "ΣY, leading [kN]", "Greatest ΣY [kN]", "Greatest Y/Q"}};
+  std::string curve;
+  for (const json& row : rows) {
+    const std::string own = fmt::format("R = {:.0f} m, {:.0f} km/h", NumberOf(row, "radius_m"),
+                                        3.6 * NumberOf(row, "speed_m_s"));
+    if (own != curve) table.rows.push_back({TableCell(own)});
+    curve = own;
+    if (row.value("status", "") != "ok") {
+      table.rows.push_back({TableCell(BogieLabel(row.value("bogie", ""))),
+                            TableCell(row.value("status", "?") + ": " + row.value("reason", ""))});
+      continue;
+    }
+    std::vector<TableCell> cells = {TableCell(BogieLabel(row.value("bogie", "")))};
+    for (const auto& [key, factor] : {std::pair{"angle_of_attack_lead_rad", 1e3},
+                                      {"angle_of_attack_trail_rad", 1e3},
+                                      {"T_gamma_N", 1.0},
+                                      {"T_gamma_total_J", 1e-3},
+                                      {"wear_yardstick_over_own_run", 1.0},
+                                      {"sum_Y_lead_N", 1e-3},
+                                      {"max_sum_Y_N", 1e-3},
+                                      {"max_Y_over_Q", 1.0}}) {
+      cells.emplace_back(FormatNumber(factor * NumberOf(row, key)));
+    }
+    table.rows.push_back(std::move(cells));
+  }
+  page->Add(table);
+}
+
+void AddPlots(const json& rows, ReportPage* page) {
+  page->BeginGrid(2);
+  for (const Quantity& q : kQuantities) {
+    XyPlot plot{.title = q.title, .x_label = "radius [m]", .y_label = q.axis};
+    int colour = 0;
+    for (const std::string& bogie : BogiesOf(rows)) {
+      Curve curve{.label = BogieLabel(bogie), .colour = colour % 8, .dash = colour / 8};
+      ++colour;
+      for (const json& row : rows) {
+        if (row.value("bogie", "") != bogie) continue;
+        curve.x.push_back(NumberOf(row, "radius_m"));
+        curve.y.push_back(ValueOf(row, q));
+      }
+      plot.curves.push_back(std::move(curve));
+    }
+    page->Add(plot);
+  }
+  page->EndGrid();
+}
+
+void AddCriticalSpeeds(const json& all, ReportPage* page) {
+  if (!all.contains("critical_speed_m_s")) return;
+  BarChart chart{.title = "Linear critical speed on straight track", .unit = "km/h"};
+  BarChart::Bars bars{.label = "critical speed"};
+  for (const auto& [bogie, speed] : all["critical_speed_m_s"].items()) {
+    chart.categories.push_back(BogieLabel(bogie));
+    bars.values.push_back(speed.is_number() ? 3.6 * speed.get<double>() : kNone);
+  }
+  chart.bars.push_back(std::move(bars));
+  page->Section("Running straight");
+  page->Paragraph(
+      "Speed above which small motions grow, by the eigenvalues of the bogie linearised about "
+      "running on straight track. No bar: stable over the whole range looked at. Seals of a PHS "
+      "stick at small motions and count as springs there.");
+  page->Add(chart);
+}
+
+}  // namespace
+
+Status WriteRadiusReport(const std::string& bogies_file, const std::string& path) {
+  Result<std::string> text = ReadFile(bogies_file);
+  if (!text.ok()) return text.error();
+  const json all = json::parse(text.value(), nullptr, false);
+  if (!all.is_object() || !all.contains("rows") || !all["rows"].is_array() || all["rows"].empty()) {
+    return Error{.where = bogies_file,
+                 .what = "holds no rows of bogies and curves",
+                 .allowed = "bogies.json of phs compare --radii",
+                 .mend = ""};
+  }
+  const json scenario = all.value("scenario", json::object());
+  ReportPage page(
+      "Bogies over the radius of the curve",
+      fmt::format("{} on {}, friction {}", scenario.value("wheel", "?"),
+                  scenario.value("rail", "?"), FormatNumber(NumberOf(scenario, "friction"))));
+  page.Section("Over the radius");
+  page.Paragraph(
+      "Steady values: means over the last third of the arc. Wear: Tγ = |Tx ξ| + |Ty η| without "
+      "spin, "
+      "added up over the run, of the conventional bogie with the same number of axles, divided by "
+      "that of the bogie itself. A run that derailed has no point.");
+  AddPlots(all["rows"], &page);
+  AddCriticalSpeeds(all, &page);
+  page.Section("Numbers");
+  AddTable(all["rows"], &page);
+  page.BeginDetails("Scenario that the curves share");
+  page.Preformatted(scenario.dump(2));
+  page.EndDetails();
+  return page.Write(path);
+}
+
+}  // namespace phs::report

@@ -1,0 +1,42 @@
+#include "report/radius_report.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "base/result_dir.h"
+#include "holds.h"
+#include "tests/base/scratch_dir.h"
+
+namespace phs::report {
+namespace {
+
+using testing::Holds;
+
+const char kBogies[] = R"({"scenario": {"wheel": "S1002", "rail": "UIC60", "friction": 0.35},
+ "rows": [
+  {"radius_m": 300, "speed_m_s": 15, "bogie": "rigid_link", "yardstick": "rigid_link", "status": "ok",
+   "reason": "", "angle_of_attack_lead_rad": -0.0089, "angle_of_attack_trail_rad": 0.0006,
+   "T_gamma_N": 1331, "T_gamma_total_J": 348000, "sum_Y_lead_N": 19000, "max_sum_Y_N": 40000,
+   "max_Y_over_Q": 1.4, "wear_yardstick_over_own_run": 1},
+  {"radius_m": 300, "speed_m_s": 15, "bogie": "phs", "yardstick": "rigid_link", "status": "derailed",
+   "reason": "a wheel runs on the tip of its flange"}],
+ "critical_speed_m_s": {"rigid_link": 55.5, "phs": null}})";
+
+TEST(RadiusReport, ShowsRunsCurvesAndWhatDerailed) {
+  const std::string in = ScratchFile("bogies.json");
+  const std::string out = ScratchFile("bogies.html");
+  std::ofstream(in) << kBogies;
+  const Status status = WriteRadiusReport(in, out);
+  ASSERT_TRUE(status.ok()) << status.error().Line();
+  const std::string html = ReadFile(out).value();
+  EXPECT_TRUE(Holds(html, "R = 300 m, 54 km/h"));
+  EXPECT_TRUE(Holds(html, "<td>-8.90</td>") || Holds(html, "<td>−8.90</td>"));
+  EXPECT_TRUE(Holds(html, "derailed: a wheel runs on the tip of its flange"));
+  EXPECT_TRUE(Holds(html, "Linear critical speed on straight track"));
+  std::ofstream(in) << "{}";
+  EXPECT_FALSE(WriteRadiusReport(in, out).ok());
+}
+
+}  // namespace
+}  // namespace phs::report
