@@ -16,23 +16,37 @@ Result<std::vector<StepRow>> ReadStepTable(const std::string& path) {
   Result<Table> table = ReadCsv(path);
   if (!table.ok()) return table.error();
   const Table& t = table.value();
-  const char* names[] = {
-      "row",       "chamber", "setup", "step_actuator_mm", "step_piston_mm", "p_begin_MPa",
-      "p_end_MPa", "tau_s",   "valid"};
+  const std::vector<std::vector<std::string>> names = {{"row"},
+                                                       {"chamber"},
+                                                       {"setup"},
+                                                       {"step_actuator_mm", "step_schenck_mm"},
+                                                       {"step_piston_mm", "step_laser_mm"},
+                                                       {"p_begin_MPa", "P_begin_MPa"},
+                                                       {"p_end_MPa", "P_end_MPa"},
+                                                       {"tau_s"},
+                                                       {"valid"}};
   std::vector<std::vector<double>> c;
-  for (const char* name : names) {
-    Result<std::vector<double>> column = t.Column(name);
+  for (const auto& known : names) {
+    size_t used = 0;
+    while (used + 1 < known.size() && t.Find(known[used]) < 0) ++used;
+    if (t.Find(known[used]) < 0) used = 0;
+    Result<std::vector<double>> column = t.Column(known[used]);
     if (!column.ok()) return column.error();
     c.push_back(std::move(column.value()));
     for (int i = 0; i < t.num_rows(); ++i) {
       if (std::isfinite(c.back()[i])) continue;
-      return Error{path + ":" + std::to_string(t.line[i]), std::string(name) + " is no number"};
+      return Error{path + ":" + std::to_string(t.line[i]), known[used] + " is no number", "numbers",
+                   "mend or remove the row"};
     }
   }
   std::vector<StepRow> rows;
   for (int i = 0; i < t.num_rows(); ++i) {
     StepRow r;
     r.row = static_cast<int>(c[0][i]);
+    if (c[1][i] != 1 && c[1][i] != 2) {
+      return Error{path + ":" + std::to_string(t.line[i]), "chamber is neither 1 nor 2",
+                   "1 (bore) or 2 (rod)"};
+    }
     r.bore = c[1][i] == 1;
     r.setup = static_cast<int>(c[2][i]);
     r.actuator_step_m = c[3][i] * 1e-3;

@@ -26,7 +26,8 @@ struct StepRow {
   double tau_s = 0;     ///< as printed (time to P_begin - 0.37 dP)
   bool valid = false;   ///< false: placeholder zeros in the thesis
 };
-/// Reads models/rigs/lowe_table_b1.csv or a table with the same columns.
+/// Reads models/rigs/lowe_table_b1.csv or a table with the same columns (as there, or by the
+/// thesis's names: step_schenck_mm, step_laser_mm, P_begin_MPa, P_end_MPa).
 Result<std::vector<StepRow>> ReadStepTable(const std::string& path);
 
 struct StepOptions {
@@ -44,6 +45,12 @@ Result<StepPrediction> PredictStep(const hydraulics::PhsParams& params, const St
 /// Mean of |predicted - measured|/measured, each capped at 1, as the thesis's relative errors are.
 double MeanRelativeError(const std::vector<double>& predicted, const std::vector<double>& measured);
 
+/// What a fit may move beside the oil compliance and the two gas volumes.
+struct StepFreedom {
+  bool precharge = false;  ///< effect accumulator_precharge
+  bool stop = false;       ///< effect diaphragm_stop, of each line
+};
+
 /// Free parameters of a setup, fitted to settled pressures in ln(absolute pressure).
 struct StepFit {
   double oil_compliance_m3_per_Pa = 0;  ///< V_oil/beta of each line
@@ -52,19 +59,24 @@ struct StepFit {
   double precharge_Pa = 0;                         ///< blow-off, absolute
   double error_in_sample = 0;  ///< mean relative error of the rows it was fitted to
 };
-/// `with_stop`: the two stops are free too (else 0). Deterministic (Levenberg-Marquardt).
+/// Deterministic (Levenberg-Marquardt).
 Result<StepFit> FitSteps(const hydraulics::PhsParams& declared, const std::vector<StepRow>& rows,
-                         bool with_stop);
-hydraulics::PhsParams WithStepFit(const hydraulics::PhsParams& declared, const StepFit& fit);
+                         const StepFreedom& freedom);
+hydraulics::PhsParams WithStepFit(const hydraulics::PhsParams& declared, const StepFit& fit,
+                                  const StepFreedom& freedom);
+/// Settled pressures (gauge) of `rows`: every gas at the temperature of its surroundings.
+Result<std::vector<double>> PredictSettled(const hydraulics::PhsParams& params,
+                                           const std::vector<StepRow>& rows);
 
 /// Settled pressures of one setup: declared, fitted, and each step predicted from the others.
 struct StepComparison {
-  int setup = 0;
-  int rows = 0;
+  std::vector<StepRow> rows;                                ///< those with a settled pressure
+  std::vector<double> declared_Pa, fitted_Pa, left_out_Pa;  ///< of the rows, gauge
   double error_declared = 0, error_fitted = 0, error_left_out = 0;
-  StepFit fit;
+  StepFit fit;                   ///< to all rows
+  std::vector<StepFit> without;  ///< to the rows of all steps but one
 };
 Result<StepComparison> CompareSteps(const hydraulics::PhsParams& declared,
-                                    const std::vector<StepRow>& rows, int setup, bool with_stop);
+                                    const std::vector<StepRow>& rows, const StepFreedom& freedom);
 
 }  // namespace phs::effects

@@ -13,13 +13,19 @@
 //   factors: {force_N: 35.15}             on top of that, for a channel given in another quantity
 //   free: [L1.gas_volume_m3, …]           free parameters of the baseline, instead of the usual
 //   low_pass_Hz: 20                       all channels, forwards and backwards (no lag)
+//   signal: {duration_s: 40, actuator_m: {kind: sine, …}}   generated motion instead of data
+//   setup: 2                              rows of a step table (default: by the model's name)
+//   beam: {lever_m: 1.0, …}, substeps: 1  how the rig is simulated (full rig, time step)
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "base/result.h"
+#include "effects/rig_model.h"
+#include "effects/rig_signal.h"
 
 namespace phs::identify {
 
@@ -44,9 +50,16 @@ struct Manifest {
   std::map<std::string, std::string> columns;  ///< our channel -> column of the file
   std::map<std::string, double> factors;       ///< our channel -> factor
   std::vector<std::string> free;
-  double low_pass_Hz = 0;  ///< 0: none
+  double low_pass_Hz = 0;                     ///< 0: none
+  std::optional<effects::RigSignals> signal;  ///< then no run is read
+  int setup = 0;                              ///< of a step table; 0: by the model's name
+  effects::RigOptions options;
 };
 
-Result<Manifest> LoadManifest(const std::string& path);
+enum class WindowNeed {
+  kEstimation,  ///< some run has an estimation window, nothing is generated: to fit
+  kNone,        ///< to run only
+};
+Result<Manifest> LoadManifest(const std::string& path, WindowNeed need = WindowNeed::kEstimation);
 
 }  // namespace phs::identify
