@@ -39,16 +39,18 @@ Result<std::vector<double>> PredictSettled(const PhsParams& params,
 
 namespace {
 
-constexpr int kParameters = 6;
+constexpr int kParameters = 8;
 using Vector = Eigen::VectorXd;
 
-// [compliance, gas bore, gas rod, precharge, stop bore, stop rod], logarithms.
+// [compliance, gas bore, gas rod, precharge, stop bore, stop rod, static bore, static rod], logs.
 StepFit FromLogs(const Vector& q, const StepFreedom& freedom) {
   StepFit fit;
   fit.oil_compliance_m3_per_Pa = std::exp(q[0]);
   fit.gas_bore_m3 = std::exp(q[1]);
   fit.gas_rod_m3 = std::exp(q[2]);
   fit.precharge_Pa = std::exp(q[3]);
+  fit.static_bore_Pa = std::exp(q[6]);
+  fit.static_rod_Pa = std::exp(q[7]);
   if (freedom.stop) {
     fit.min_gas_bore_m3 = std::min(std::exp(q[4]), 0.999 * fit.gas_bore_m3);
     fit.min_gas_rod_m3 = std::min(std::exp(q[5]), 0.999 * fit.gas_rod_m3);
@@ -81,7 +83,11 @@ Result<Vector> Residuals(const PhsParams& declared, const std::vector<StepRow>& 
 // What is not free stays where it is.
 void Pin(const StepFreedom& freedom, Eigen::MatrixXd* normal, Vector* slope) {
   for (int k = 0; k < kParameters; ++k) {
-    if (k < 3 || (k == 3 ? freedom.precharge : freedom.stop)) continue;
+    const bool free = k < 3    ? true
+                      : k == 3 ? freedom.precharge
+                      : k < 6  ? freedom.stop
+                               : freedom.filling;
+    if (free) continue;
     normal->row(k).setZero();
     normal->col(k).setZero();
     (*normal)(k, k) = 1;
@@ -96,7 +102,8 @@ Vector StartLogs(const PhsParams& declared) {
   auto gas = [](const hydraulics::LineParams& l) { return std::max(l.gas_volume_m3, 1e-7); };
   Vector q(kParameters);
   q << std::log(bore.oil_volume_m3 / bore.bulk_modulus_Pa), std::log(gas(bore)), std::log(gas(rod)),
-      std::log(rod.accumulator_precharge_Pa), std::log(0.03 * gas(bore)), std::log(0.03 * gas(rod));
+      std::log(rod.accumulator_precharge_Pa), std::log(0.03 * gas(bore)), std::log(0.03 * gas(rod)),
+      std::log(bore.static_pressure_Pa), std::log(rod.static_pressure_Pa);
   return q;
 }
 
@@ -115,6 +122,10 @@ PhsParams WithStepFit(const PhsParams& declared, const StepFit& fit, const StepF
   if (freedom.stop) {
     bore.reservoir.min_gas_volume_m3 = fit.min_gas_bore_m3;
     rod.reservoir.min_gas_volume_m3 = fit.min_gas_rod_m3;
+  }
+  if (freedom.filling) {
+    bore.static_pressure_Pa = fit.static_bore_Pa;
+    rod.static_pressure_Pa = fit.static_rod_Pa;
   }
   if (freedom.precharge) rod.accumulator_precharge_Pa = fit.precharge_Pa;
   return out;

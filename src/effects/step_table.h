@@ -49,6 +49,7 @@ double MeanRelativeError(const std::vector<double>& predicted, const std::vector
 struct StepFreedom {
   bool precharge = false;  ///< effect accumulator_precharge
   bool stop = false;       ///< effect diaphragm_stop, of each line
+  bool filling = false;    ///< static pressure of each line: filled to another one than declared
 };
 
 /// Free parameters of a setup, fitted to settled pressures in ln(absolute pressure).
@@ -57,6 +58,7 @@ struct StepFit {
   double gas_bore_m3 = 0, gas_rod_m3 = 0;
   double min_gas_bore_m3 = 0, min_gas_rod_m3 = 0;  ///< diaphragm on its stop
   double precharge_Pa = 0;                         ///< blow-off, absolute
+  double static_bore_Pa = 0, static_rod_Pa = 0;    ///< before the step, absolute
   double error_in_sample = 0;  ///< mean relative error of the rows it was fitted to
 };
 /// Deterministic (Levenberg-Marquardt).

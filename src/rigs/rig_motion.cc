@@ -8,6 +8,7 @@
 #include "base/words.h"
 #include "effects/rig_signal.h"
 #include "identify/channel_noise.h"
+#include "identify/data_checks.h"
 #include "identify/motion_smoother.h"
 
 namespace phs::rigs {
@@ -60,7 +61,10 @@ Result<RigCase> Measured(const Manifest& manifest, const RigModel& model) {
     out.motion.speed_m_s.push_back(std::move(smooth.speed));
   }
   for (identify::Channel& output : run.outputs) {
-    if (output.present()) output.noise = identify::EstimateNoise(output, rest, run.step_s);
+    if (!output.present()) continue;
+    output.noise = identify::EstimateNoise(output, rest, run.step_s);
+    identify::search::MarkSpikes(&output, &run.findings);
+    identify::search::MarkStuck(&output, run, &run.findings);
   }
   if (model.kind() == RigKind::kElement && run.pressure.present()) {
     out.motion.pressure_Pa = run.pressure.y;

@@ -106,12 +106,12 @@ void AddComparison(const RigCase& c, const RigPrediction& predicted, RigOutcome*
     }
   }
   for (const identify::DataFinding& f : c.run.findings) {
-    findings.push_back({{"channel", f.channel}, {"what", f.text}});
-    outcome->summary += "note: " + f.channel + " " + f.text + "\n";
+    findings.push_back({{"channel", f.channel}, {"text", f.text}});
+    outcome->summary += "data: " + f.channel + " " + f.text + "\n";
   }
   json& result = outcome->result;
   result["noise"] = noise;
-  result["findings"] = findings;
+  result["data_findings"] = findings;
   if (!c.run.estimation.empty()) {
     result["estimation"] = {c.run.estimation.begin, c.run.estimation.end};
     result["channels_estimation"] = ScoreWindow(c, predicted, c.run.estimation);

@@ -1,4 +1,6 @@
 // Which of the effects that a step table can show are needed: greedy, judged on steps left out.
+// `filling` is no effect of the catalogue but a declared number that may be wrong: the static
+// pressures to which the lines were filled.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -23,7 +25,8 @@ struct Candidate {
   bool StepFreedom::*free;
 };
 constexpr Candidate kCandidates[] = {{"accumulator_precharge", &StepFreedom::precharge},
-                                     {"diaphragm_stop", &StepFreedom::stop}};
+                                     {"diaphragm_stop", &StepFreedom::stop},
+                                     {"filling", &StepFreedom::filling}};
 
 /// A fitted value with the range it takes when single steps are left out.
 json Value(const StepComparison& c, double StepFit::*member) {
@@ -38,6 +41,10 @@ json Value(const StepComparison& c, double StepFit::*member) {
 json Parameters(const std::string& effect, const StepComparison& c) {
   if (effect == "accumulator_precharge")
     return {{"precharge_Pa", Value(c, &StepFit::precharge_Pa)}};
+  if (effect == "filling") {
+    return {{"static_pressure_bore_Pa", Value(c, &StepFit::static_bore_Pa)},
+            {"static_pressure_rod_Pa", Value(c, &StepFit::static_rod_Pa)}};
+  }
   return {{"min_gas_volume_bore_m3", Value(c, &StepFit::min_gas_bore_m3)},
           {"min_gas_volume_rod_m3", Value(c, &StepFit::min_gas_rod_m3)}};
 }
@@ -127,6 +134,10 @@ std::string Summary(const Search& s, const StepCase& c) {
   if (s.freedom.stop) {
     out += fmt::format(", stops at {:.2f} and {:.2f} ml", f.min_gas_bore_m3 * 1e6,
                        f.min_gas_rod_m3 * 1e6);
+  }
+  if (s.freedom.filling) {
+    out += fmt::format(", filled to {:.2f} and {:.2f} MPa", f.static_bore_Pa * 1e-6,
+                       f.static_rod_Pa * 1e-6);
   }
   return out + "\n";
 }

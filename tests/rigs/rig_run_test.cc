@@ -56,7 +56,9 @@ class RigRunTest : public testing::Test {
     Result<ResultDir> dir = ResultDir::Create(Path(out), true);
     if (!dir.ok()) return dir.error();
     Result<RigOutcome> outcome = RunRig(manifest, dir.value());
-    if (outcome.ok()) EXPECT_TRUE(dir.value().Commit().ok());
+    if (outcome.ok()) {
+      EXPECT_TRUE(dir.value().Commit().ok());
+    }
     return outcome;
   }
   std::string Signal(const std::string& rig, const std::string& model, const std::string& channel,
@@ -150,7 +152,7 @@ TEST_F(RigRunTest, RefusesBrokenData) {
   ExpectRefused(Signal("quarter", model, "actuator1_m", kSine), "did you mean 'actuator_m'?");
   ExpectRefused(Signal("quarter", model, "actuator_m", "{kind: sinus, amplitude_m: 1}"), "sine");
   ExpectRefused("rig: steps\nmodel: quarter_setup2\ndata: " +
-                    Write("steps.csv", "row,chamber,setup\n1,2,x\n") + "\n",
+                    Write("steps.csv", "row,chamber,setup\n1,2,3\n") + "\n",
                 "step_actuator_mm");
 }
 
