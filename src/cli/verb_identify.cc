@@ -7,7 +7,9 @@
 #include "base/result_dir.h"
 #include "cli/verbs.h"
 #include "identify/identify_run.h"
+#include "identify/manifest.h"
 #include "report/identify_report.h"
+#include "rigs/steps_run.h"
 
 namespace phs::cli {
 namespace {
@@ -28,15 +30,29 @@ void WriteReport(const ResultDir& dir) {
   if (!s.ok()) std::fprintf(stderr, "phs: report: %s\n", s.error().Line().c_str());
 }
 
+/// A table of steps has no clock: its own search (docs/rig_table_b1.md).
+Result<identify::search::IdentifyOutcome> Identify(const IdentifyOptions& options,
+                                                   const identify::search::Progress& progress,
+                                                   const ResultDir& dir) {
+  Result<identify::Manifest> manifest = identify::LoadManifest(options.manifest);
+  if (!manifest.ok()) return manifest.error();
+  if (manifest.value().rig != "steps") {
+    return identify::search::RunIdentify(options.manifest, options.search, progress, dir);
+  }
+  Result<rigs::RigOutcome> steps = rigs::IdentifySteps(manifest.value(), dir);
+  if (!steps.ok()) return steps.error();
+  return identify::search::IdentifyOutcome{.result = steps.value().result,
+                                           .summary = steps.value().summary};
+}
+
 int RunIdentifyVerb(const IdentifyOptions& options) {
   const std::string out = options.common.out.empty() ? "identify" : options.common.out;
   Result<ResultDir> dir = ResultDir::Create(out, options.common.force);
   if (!dir.ok()) return BadInput(dir.error());
   Result<identify::search::IdentifyOutcome> outcome = [&] {
     ProgressLine progress("identify", options.common.quiet);
-    return identify::search::RunIdentify(
-        options.manifest, options.search, [&](double share) { return progress(share); },
-        dir.value());
+    return Identify(
+        options, [&](double share) { return progress(share); }, dir.value());
   }();
   if (!outcome.ok()) return BadInput(outcome.error());
   if (outcome.value().cancelled) {

@@ -1,15 +1,16 @@
-// phs rig: a declared model driven by measured motion, compared with what was measured.
+// phs rig: a declared model driven by measured or generated motion, compared with what was
+// measured.
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <memory>
 #include <string>
 
 #include "base/result_dir.h"
 #include "cli/verbs.h"
-#include "identify/identify_run.h"
 #include "identify/manifest.h"
 #include "report/identify_report.h"
+#include "report/rig_report.h"
+#include "rigs/rig_run.h"
 
 namespace phs::cli {
 namespace {
@@ -19,32 +20,35 @@ struct RigVerbOptions {
   CommonOptions common;
 };
 
-/// What was compared, where the run saved it; else the first run's data.
-std::string MeasuredFile(const ResultDir& dir, const identify::Manifest& manifest) {
-  const std::string saved = dir.File("measured.csv");
-  return std::filesystem::exists(saved) ? saved : manifest.runs.front().data;
+/// A clocked measurement has the report of an identification without its findings.
+Status WriteReport(const ResultDir& dir, const identify::Manifest& manifest) {
+  const std::string page = dir.File("report.html");
+  if (manifest.rig == "steps" || manifest.signal) {
+    return report::WriteRigReport({.result = dir.File("result.json"),
+                                   .predicted = dir.File("predicted.csv"),
+                                   .measured = dir.File("measured.csv")},
+                                  page);
+  }
+  return report::WriteIdentifyReport({.result = dir.File("result.json"),
+                                      .measured = dir.File("measured.csv"),
+                                      .predicted = dir.File("predicted.csv")},
+                                     page);
 }
 
 int RunRigVerb(const RigVerbOptions& options) {
+  Result<identify::Manifest> manifest =
+      identify::LoadManifest(options.manifest, identify::WindowNeed::kNone);
+  if (!manifest.ok()) return BadInput(manifest.error());
   const std::string out = options.common.out.empty() ? "rig" : options.common.out;
   Result<ResultDir> dir = ResultDir::Create(out, options.common.force);
   if (!dir.ok()) return BadInput(dir.error());
-  Result<identify::search::IdentifyOutcome> outcome =
-      identify::search::RunRig(options.manifest, dir.value());
+  Result<rigs::RigOutcome> outcome = rigs::RunRig(manifest.value(), dir.value());
   if (!outcome.ok()) return BadInput(outcome.error());
-  const auto manifest = identify::LoadManifest(options.manifest);
-  if (manifest.ok()) {
-    const Status s =
-        report::WriteIdentifyReport({.result = dir.value().File("result.json"),
-                                     .measured = MeasuredFile(dir.value(), manifest.value()),
-                                     .predicted = dir.value().File("predicted.csv")},
-                                    dir.value().File("report.html"));
-    if (!s.ok()) std::fprintf(stderr, "phs: report: %s\n", s.error().Line().c_str());
-  }
+  if (Status s = WriteReport(dir.value(), manifest.value()); !s.ok()) return BadInput(s.error());
   if (Status s = dir.value().Commit(); !s.ok()) return BadInput(s.error());
   if (options.common.format == "json") {
     fmt::print("{}\n", outcome.value().result.dump(1));
-  } else {
+  } else if (!options.common.quiet) {
     fmt::print("{}{}/report.html\n", outcome.value().summary, out);
   }
   return kDone;
@@ -54,9 +58,9 @@ int RunRigVerb(const RigVerbOptions& options) {
 
 void AddRig(CLI::App* app, Action* action) {
   CLI::App* verb = app->add_subcommand(
-      "rig", "A hydraulic rig driven by measured motion, compared with measured forces");
+      "rig", "A hydraulic rig driven by measured or generated motion, beside what was measured");
   auto options = std::make_shared<RigVerbOptions>();
-  verb->add_option("manifest", options->manifest, "Rig, model, data and windows (YAML)")
+  verb->add_option("manifest", options->manifest, "Rig, model, data or signal (YAML; docs/rig.md)")
       ->required();
   AddCommonOptions(verb, &options->common);
   verb->callback([=] { *action = [=] { return RunRigVerb(*options); }; });

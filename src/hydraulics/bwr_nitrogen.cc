@@ -26,6 +26,7 @@ BwrPressure CalcBwrPressure(double rho, double T, const BwrConstants& k) {
   const double third = k.b * RT - k.a;
   const double tail = k.c * inv_T2 * decay;
   BwrPressure out;
+  out.decay = decay;
   out.p =
       RT * rho + second * rho2 + third * rho3 + k.a * k.alpha * rho3 * rho3 + tail * rho3 * (1 + g);
   out.dp_drho = RT + 2 * second * rho + 3 * third * rho2 + 6 * k.a * k.alpha * rho3 * rho2 +
@@ -47,7 +48,7 @@ double CalcBwrDensity(double p, double T, const BwrConstants& k) {
     if (!(next > low && next < high)) next = 0.5 * (low + high);
     const double move = std::abs(next - rho);
     rho = next;
-    if (move <= 1e-13 * rho) break;
+    if (move <= 1e-9 * rho) break;  // quadratic: the error left is at rounding
   }
   return rho;
 }
@@ -59,10 +60,13 @@ double CalcNitrogenCv0(double T) {
                              ((kN7 * T + kN6) * T + kN5) * T + vibration);
 }
 
+double CalcBwrResidualCv(double rho, double T, double decay, const BwrConstants& k) {
+  return (6 * (k.C0 * rho - k.c / k.gamma) + 3 * k.c * (2 / k.gamma + rho * rho) * decay) /
+         (T * T * T);
+}
+
 double CalcBwrCv(double rho, double T, const BwrConstants& k) {
-  const double T3 = T * T * T, rho2 = rho * rho;
-  return CalcNitrogenCv0(T) + 6 / T3 * (k.C0 * rho - k.c / k.gamma) +
-         3 * k.c / T3 * (2 / k.gamma + rho2) * std::exp(-k.gamma * rho2);
+  return CalcNitrogenCv0(T) + CalcBwrResidualCv(rho, T, std::exp(-k.gamma * rho * rho), k);
 }
 
 double CalcBwrEnergy(double rho, double T, const BwrConstants& k) {

@@ -32,6 +32,7 @@ struct BwrPressure {
   double p = 0;        ///< [Pa]
   double dp_drho = 0;  ///< [Pa m3/kg]
   double dp_dT = 0;    ///< [Pa/K]
+  double decay = 0;    ///< exp(-gamma rho²), for CalcBwrResidualCv
 };
 BwrPressure CalcBwrPressure(double rho, double T, const BwrConstants& k = {});
 /// rho(p, T): the root on the gas branch, for T above the critical 126.2 K.
@@ -39,6 +40,7 @@ double CalcBwrDensity(double p, double T, const BwrConstants& k = {});
 
 /// Ideal part and real isochoric heat capacity [J/(kg K)].
 double CalcNitrogenCv0(double T);
+double CalcBwrResidualCv(double rho, double T, double decay, const BwrConstants& k = {});
 double CalcBwrCv(double rho, double T, const BwrConstants& k = {});
 /// Internal energy and entropy [J/kg], [J/(kg K)], up to one constant each.
 double CalcBwrEnergy(double rho, double T, const BwrConstants& k = {});

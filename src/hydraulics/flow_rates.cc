@@ -43,7 +43,7 @@ void CalcGasRates(const Node& node, const NodeState& at, double ambient, double 
     const NodeGas& g = node.gases[k];
     if (g.state < 0) continue;
     const double T = GasTemperature(g, ambient, state);
-    gas[k] = CalcGas(g.gas, at.p, T);
+    gas[k] = CalcGas(g.gas, at.p, T, g.blow_off ? 0 : at.gas_volume);
     heat[k] = CalcGasHeat(g.gas, gas[k].volume, T, ambient);
     const double a = 1 + heat[k].kappa * gas[k].dV_dT;
     stiff += gas[k].dV_dT * heat[k].kappa * gas[k].dV_dp / a;

@@ -11,7 +11,8 @@ namespace {
 // Below this the laws are no longer meant; it keeps every expression finite.
 constexpr double kColdest = 150.0;
 
-double FreeVolume(const GasVolume& gas, double pressure, double T, double* dV_dp, double* dV_dT) {
+double FreeVolume(const GasVolume& gas, double pressure, double T, double solved_volume,
+                  double* dV_dp, double* dV_dT) {
   const double ratio = T / gas.reference_temperature;
   switch (gas.law) {
     case GasLaw::kIsothermal:
@@ -29,7 +30,12 @@ double FreeVolume(const GasVolume& gas, double pressure, double T, double* dV_dp
       return volume;
     }
     case GasLaw::kBwr: {
-      const double rho = CalcBwrDensity(pressure, T);
+      // A closed blow-off is the usual case: no need for the root.
+      if (solved_volume <= 0 && pressure < CalcBwrPressure(gas.mass / gas.max_volume, T).p) {
+        *dV_dp = *dV_dT = 0;
+        return 2 * gas.max_volume;
+      }
+      const double rho = solved_volume > 0 ? gas.mass / solved_volume : CalcBwrDensity(pressure, T);
       const BwrPressure at = CalcBwrPressure(rho, T);
       const double volume = gas.mass / rho;
       *dV_dp = -volume / (rho * at.dp_drho);
@@ -54,10 +60,10 @@ void GasVolume::SetMass() {
   mass = rho * reference_volume;
 }
 
-GasState CalcGas(const GasVolume& gas, double pressure, double temperature) {
+GasState CalcGas(const GasVolume& gas, double pressure, double temperature, double solved_volume) {
   const double T = std::max(temperature, kColdest);
   GasState out;
-  out.volume = FreeVolume(gas, pressure, T, &out.dV_dp, &out.dV_dT);
+  out.volume = FreeVolume(gas, pressure, T, solved_volume, &out.dV_dp, &out.dV_dT);
   if (out.volume < gas.min_volume || out.volume > gas.max_volume) {
     out.volume = std::clamp(out.volume, gas.min_volume, gas.max_volume);
     out.dV_dp = out.dV_dT = 0;
@@ -114,8 +120,9 @@ GasHeat CalcGasHeat(const GasVolume& gas, double volume, double temperature, dou
   double cv = kNitrogenCv, dp_dT = gas.mass * kNitrogenR / volume;
   if (gas.law == GasLaw::kBwr) {
     const double rho = gas.mass / volume;
-    cv = CalcBwrCv(rho, T);
-    dp_dT = CalcBwrPressure(rho, T).dp_dT;
+    const BwrPressure at = CalcBwrPressure(rho, T);
+    cv = CalcNitrogenCv0(T) + CalcBwrResidualCv(rho, T, at.decay);
+    dp_dT = at.dp_dT;
   }
   out.relax = (ambient - T) / gas.thermal_time;
   out.kappa = T * dp_dT / (gas.mass * cv);

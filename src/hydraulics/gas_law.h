@@ -50,7 +50,9 @@ struct GasState {
   bool stopped = false;
 };
 /// `temperature`: of the gas for the laws with a state, of the surroundings for the others.
-GasState CalcGas(const GasVolume& gas, double pressure, double temperature);
+/// `solved_volume`: the real gas's volume where it is known already; 0 = not known.
+GasState CalcGas(const GasVolume& gas, double pressure, double temperature,
+                 double solved_volume = 0);
 
 /// Unclamped p(V, T) of the same law [Pa].
 double CalcGasPressure(const GasVolume& gas, double volume, double temperature);

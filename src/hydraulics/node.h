@@ -38,18 +38,24 @@ struct Node {
   std::vector<const VolumeLaw*> laws;
   bool sequential = false;
   bool closed_form = false;  ///< set by Prepare
+  bool real_gas = false;     ///< set by Prepare: the first gas is a reservoir by BWR
 
   void Prepare();
 };
 
 /// Pressure and the state of the elements at it.
 struct NodeState {
-  double p = 0;      ///< [Pa]
-  double slope = 0;  ///< dD/dp at constant temperatures [m3/Pa], > 0
+  double p = 0;           ///< [Pa]
+  double slope = 0;       ///< dD/dp at constant temperatures [m3/Pa], > 0
+  double gas_volume = 0;  ///< of a real-gas reservoir as just solved [m3]; 0 = not known
 };
 
 /// Solves the balance. `ambient` [K]; `state` = all states (gas temperature deviations) or null.
 NodeState SolveNode(const Node& node, double D, double ambient, const double* state) noexcept;
+/// The same for a reservoir of real gas, with its density as the unknown: the pressure is explicit
+/// in it. False where the diaphragm rests on a stop (then the general solver takes over).
+bool SolveRealGasNode(const Node& node, double D, double ambient, const double* state, double guess,
+                      NodeState* out) noexcept;
 /// Left side of the balance at p: D and its slope.
 double CalcAbsorbed(const Node& node, double p, double ambient, const double* state,
                     double* slope) noexcept;

@@ -58,7 +58,9 @@ double GasAfterCharging(const LineParams& line, double charge, double T) {
   return CalcGas(gas, line.static_pressure_Pa, T).volume;
 }
 
-void ReadLine(YamlMap& map, double T, LineParams* line) {
+// A charge given for all lines depends on each line's own static pressure, so it is kept in
+// `charge` [Pa] and turned into a gas volume only by the lines themselves.
+void ReadLine(YamlMap& map, LineParams* line, double* charge) {
   line->static_pressure_Pa = map.Number("static_pressure_Pa", kPositive, line->static_pressure_Pa);
   line->oil_volume_m3 = map.Number("oil_volume_m3", kPositive, line->oil_volume_m3);
   line->bulk_modulus_Pa = map.Number("bulk_modulus_Pa", kPositive, line->bulk_modulus_Pa);
@@ -68,14 +70,11 @@ void ReadLine(YamlMap& map, double T, LineParams* line) {
   if (map.Has("reservoir")) {
     YamlMap r = map.Map("reservoir");
     ReadGas(r, &line->reservoir);
-    if (r.Has("charge_pressure_Pa")) {
-      const double charge = r.Number("charge_pressure_Pa", kPositive);
-      if (r.Has("gas_volume_m3")) {
-        r.Fail("gas_volume_m3", "given together with charge_pressure_Pa", "one of the two");
-      } else if (charge > 0 && line->static_pressure_Pa > 0) {
-        line->gas_volume_m3 = GasAfterCharging(*line, charge, T);
-      }
+    if (r.Has("charge_pressure_Pa") && r.Has("gas_volume_m3")) {
+      r.Fail("gas_volume_m3", "given together with charge_pressure_Pa", "one of the two");
     }
+    if (r.Has("gas_volume_m3")) *charge = 0;
+    *charge = r.Number("charge_pressure_Pa", kPositive, *charge);
     line->gas_volume_m3 = r.Number("gas_volume_m3", kNotNegative, line->gas_volume_m3);
   }
   if (map.Has("accumulator")) {
@@ -277,20 +276,16 @@ Result<PhsParams> ReadPhsParams(YamlMap& map) {
   double default_charge = 0;
   if (map.Has("line_defaults")) {
     YamlMap defaults = map.Map("line_defaults");
-    ReadLine(defaults, params.temperature_K, &line);
-    if (defaults.Has("reservoir") && defaults.Map("reservoir").Has("charge_pressure_Pa")) {
-      default_charge = defaults.Map("reservoir").Number("charge_pressure_Pa", kPositive);
-    }
+    ReadLine(defaults, &line, &default_charge);
   }
   for (YamlMap entry : map.Maps("lines")) {
     LineParams l = line;
+    double charge = default_charge;
     l.name = entry.Text("name");
-    l.static_pressure_Pa = entry.Number("static_pressure_Pa", kPositive, l.static_pressure_Pa);
-    // A charge given for all lines depends on each line's own static pressure.
-    if (default_charge > 0 && l.static_pressure_Pa > 0) {
-      l.gas_volume_m3 = GasAfterCharging(l, default_charge, params.temperature_K);
+    ReadLine(entry, &l, &charge);
+    if (charge > 0 && l.static_pressure_Pa > 0) {
+      l.gas_volume_m3 = GasAfterCharging(l, charge, params.temperature_K);
     }
-    ReadLine(entry, params.temperature_K, &l);
     params.lines.push_back(l);
   }
   if (map.Has("friction")) ReadFriction(map.Map("friction"), &params.friction);

@@ -132,30 +132,4 @@ Result<IdentifyOutcome> IdentifyDriven(const Manifest& manifest, const SearchOpt
   return outcome;
 }
 
-Result<IdentifyOutcome> CompareDriven(const Manifest& manifest, const ResultDir& dir) {
-  Result<Case> loaded = LoadCase(manifest);
-  if (!loaded.ok()) return loaded.error();
-  const FitData& data = loaded.value().data;
-  Result<Channels> predicted = Predict(data, loaded.value().declared);
-  if (!predicted.ok()) return predicted.error();
-  IdentifyOutcome outcome;
-  outcome.result = Head(manifest, data);
-  outcome.result["channels"] = ScoreChannels(data, predicted.value(), data.validation);
-  outcome.result["channels_estimation"] = ScoreChannels(data, predicted.value(), data.estimation);
-  for (const DataFinding& f : data.findings) {
-    outcome.summary += "data: " + f.channel + " " + f.text + "\n";
-  }
-  for (const auto& [name, score] : outcome.result["channels"].items()) {
-    outcome.summary += fmt::format("{:14} validation rmse {:.4g}  nrmse {:.4f}  m%RE {:.2f}\n",
-                                   name, score["rmse"].get<double>(), score["nrmse"].get<double>(),
-                                   score["m_re_percent"].get<double>());
-  }
-  for (const Status& s :
-       {WriteMeasured(dir, data), WriteChannels(dir, "predicted.csv", data, predicted.value()),
-        WriteFileAtomically(dir.File("result.json"), outcome.result.dump(1) + "\n")}) {
-    if (!s.ok()) return s.error();
-  }
-  return outcome;
-}
-
 }  // namespace phs::identify::search

@@ -10,7 +10,5 @@ namespace phs::identify::search {
 /// Identification; see RunIdentify.
 Result<IdentifyOutcome> IdentifyDriven(const Manifest& manifest, const SearchOptions& options,
                                        const Progress& progress, const ResultDir& dir);
-/// The declared model as it is; see RunRig.
-Result<IdentifyOutcome> CompareDriven(const Manifest& manifest, const ResultDir& dir);
 
 }  // namespace phs::identify::search

@@ -31,12 +31,4 @@ Result<IdentifyOutcome> RunIdentify(const std::string& manifest_path, const Sear
   return NoSuchRun(manifest.value());
 }
 
-Result<IdentifyOutcome> RunRig(const std::string& manifest_path, const ResultDir& dir) {
-  Result<Manifest> manifest = LoadManifest(manifest_path);
-  if (!manifest.ok()) return manifest.error();
-  if (manifest.value().rig == "element") return element::RunElementRig(manifest.value(), dir);
-  if (IsDriven(manifest.value().rig)) return CompareDriven(manifest.value(), dir);
-  return NoSuchRun(manifest.value());
-}
-
 }  // namespace phs::identify::search

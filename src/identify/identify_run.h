@@ -1,4 +1,4 @@
-// A whole run of `phs identify` and `phs rig`: from a manifest to a result directory
+// A whole run of `phs identify`: from a manifest to a result directory
 // (docs/identify.md, docs/program.md).
 #pragma once
 
@@ -21,7 +21,5 @@ struct IdentifyOutcome {
 /// model.yaml into `dir` (not the report, not committed). A cancelled run writes nothing.
 Result<IdentifyOutcome> RunIdentify(const std::string& manifest_path, const SearchOptions& options,
                                     const Progress& progress, const ResultDir& dir);
-/// The declared model as it is: result.json, measured.csv and predicted.csv.
-Result<IdentifyOutcome> RunRig(const std::string& manifest_path, const ResultDir& dir);
 
 }  // namespace phs::identify::search

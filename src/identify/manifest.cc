@@ -61,9 +61,43 @@ RunSpec ReadRun(YamlMap& map, const std::string& path) {
   return run;
 }
 
+effects::RigOptions ReadOptions(YamlMap& map) {
+  effects::RigOptions options;
+  options.substeps = map.Integer("substeps", 1, 1000, options.substeps);
+  if (map.Has("beam")) {
+    YamlMap b = map.Map("beam");
+    effects::BeamParams& beam = options.beam;
+    const Range positive{.min = 0, .open_min = true}, not_negative{.min = 0};
+    beam.lever_m = b.Number("lever_m", positive, beam.lever_m);
+    beam.inertia_kg_m2 = b.Number("inertia_kg_m2", positive, beam.inertia_kg_m2);
+    beam.damping_Nms_per_rad =
+        b.Number("damping_Nms_per_rad", not_negative, beam.damping_Nms_per_rad);
+    beam.hinge_friction_Nm = b.Number("hinge_friction_Nm", not_negative, beam.hinge_friction_Nm);
+  }
+  return options;
+}
+
+/// What a run is driven by: signals, or measured runs.
+void ReadDrive(YamlMap& map, WindowNeed need, Manifest* m) {
+  if (map.Has("signal")) {
+    if (map.Has("data") || map.Has("runs")) {
+      map.Fail("signal", "is given together with data", "either `data:` or `signal:`");
+    }
+    if (need == WindowNeed::kEstimation || m->rig == "steps") {
+      map.Fail("signal", "nothing was measured", "`data:`", "generated motion is for phs rig");
+    }
+    m->signal = effects::ReadRigSignals(map.Map("signal"));
+  } else if (map.Has("runs")) {
+    for (YamlMap& run : map.Maps("runs")) m->runs.push_back(ReadRun(run, m->path));
+    if (m->runs.empty()) map.Fail("runs", "names no run", "at least one");
+  } else {
+    m->runs.push_back(ReadRun(map, m->path));
+  }
+}
+
 }  // namespace
 
-Result<Manifest> LoadManifest(const std::string& path) {
+Result<Manifest> LoadManifest(const std::string& path, WindowNeed need) {
   Result<YamlMap> loaded = YamlMap::Load(path);
   if (!loaded.ok()) return loaded.error();
   YamlMap& map = loaded.value();
@@ -71,12 +105,9 @@ Result<Manifest> LoadManifest(const std::string& path) {
   m.path = path;
   m.rig = map.Word("rig", {"cylinder", "quarter", "full", "element", "steps", "bogie"});
   m.model = map.Text("model");
-  if (map.Has("runs")) {
-    for (YamlMap& run : map.Maps("runs")) m.runs.push_back(ReadRun(run, path));
-    if (m.runs.empty()) map.Fail("runs", "names no run", "at least one");
-  } else {
-    m.runs.push_back(ReadRun(map, path));
-  }
+  ReadDrive(map, need, &m);
+  m.setup = map.Integer("setup", 1, 1000000, 0);
+  m.options = ReadOptions(map);
   YamlMap columns = map.Map("columns"), factors = map.Map("factors");
   for (const std::string& key : columns.Keys()) m.columns[key] = columns.Text(key);
   for (const std::string& key : factors.Keys()) m.factors[key] = factors.Number(key, {});
@@ -85,7 +116,7 @@ Result<Manifest> LoadManifest(const std::string& path) {
   m.low_pass_Hz = map.Number("low_pass_Hz", {.min = 0}, 0.0);
   bool any_estimation = false;
   for (const RunSpec& run : m.runs) any_estimation |= !run.estimation.empty();
-  if (!any_estimation && m.rig != "steps") {
+  if (need == WindowNeed::kEstimation && !any_estimation && m.rig != "steps") {
     map.Fail("estimation", "no run has an estimation window", "[begin, end] in seconds");
   }
   if (Status s = map.Finish(); !s.ok()) return s.error();

@@ -17,13 +17,19 @@
 //   compare_below_Hz: 40                  element bench: model and measurement are compared below
 //                                         this frequency, both filtered alike (band_limit.h)
 //   low_pass_Hz: 20                       all channels, forwards and backwards (no lag)
+//   signal: {duration_s: 40, actuator_m: {kind: sine, …}}   generated motion instead of data
+//   setup: 2                              rows of a step table (default: by the model's name)
+//   beam: {lever_m: 1.0, …}, substeps: 1  how the rig is simulated (full rig, time step)
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "base/result.h"
+#include "effects/rig_model.h"
+#include "effects/rig_signal.h"
 
 namespace phs::identify {
 
@@ -50,8 +56,15 @@ struct Manifest {
   std::vector<std::string> free;
   double low_pass_Hz = 0;       ///< 0: none
   double compare_below_Hz = 0;  ///< 0: all frequencies
+  std::optional<effects::RigSignals> signal;  ///< then no run is read
+  int setup = 0;                              ///< of a step table; 0: by the model's name
+  effects::RigOptions options;
 };
 
-Result<Manifest> LoadManifest(const std::string& path);
+enum class WindowNeed {
+  kEstimation,  ///< some run has an estimation window, nothing is generated: to fit
+  kNone,        ///< to run only
+};
+Result<Manifest> LoadManifest(const std::string& path, WindowNeed need = WindowNeed::kEstimation);
 
 }  // namespace phs::identify

@@ -13,6 +13,7 @@ const std::vector<CheckGroup>& AllCheckGroups() {
       {"contact", "wheel on rail, Hertz, FASTSIM, Carter", &AddContactChecks},
       {"stability", "linear stability on straight track", &AddStabilityChecks},
       {"steering", "steering bogies against their claims", &AddSteeringChecks},
+      {"hydraulics", "the PHS beside what the thesis measured", &AddHydraulicsChecks},
   };
   return groups;
 }

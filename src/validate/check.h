@@ -58,5 +58,6 @@ Status AddCreepChecks(Checks* checks);
 Status AddContactChecks(Checks* checks);
 Status AddStabilityChecks(Checks* checks);
 Status AddSteeringChecks(Checks* checks);
+Status AddHydraulicsChecks(Checks* checks);
 
 }  // namespace phs::validate

@@ -1,12 +1,13 @@
 // Friction: true stick, no sign flicker, exact integration, passivity.
-#include <cmath>
-#include <random>
+#include "hydraulics/friction.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 #include <rapidcheck/gtest.h>
 
-#include "hydraulics/friction.h"
+#include <cmath>
+#include <random>
+
 #include "test_systems.h"
 
 namespace phs::hydraulics {
@@ -56,8 +57,12 @@ TEST(Presliding, SticksUnderLoadBelowBreakawayForever) {
 
 TEST(Presliding, SlidesAtTheLevelOfTheTable) {
   const Friction f(FrictionParams{}, FrictionTerms{});
-  for (auto [v, F] : {std::pair{0.01, 1950.0}, {-0.01, -1700.0}, {0.05, 2150.0}, {-0.001, -1600.0},
-                      {0.0055, 1900.0}, {0.1, 2400.0}}) {
+  for (auto [v, F] : {std::pair{0.01, 1950.0},
+                      {-0.01, -1700.0},
+                      {0.05, 2150.0},
+                      {-0.001, -1600.0},
+                      {0.0055, 1900.0},
+                      {0.1, 2400.0}}) {
     const double z = f.Advance(1.0, v, 0, {});
     EXPECT_NEAR(f.Calc(v, z, {}).force, F, 1e-6) << v;
   }
@@ -128,8 +133,13 @@ TEST(Static, IsTheLookUpOfTheTable) {
   FrictionParams p;
   p.model = FrictionModel::kStatic;
   const Friction f(p, FrictionTerms{});
-  for (auto [v, F] : {std::pair{0.0, 0.0}, {0.0001, 850.0}, {-0.0001, -750.0}, {0.0006, 1775.0},
-                      {0.03, 2050.0}, {-0.05, -1900.0}, {-0.1, -2150.0}}) {
+  for (auto [v, F] : {std::pair{0.0, 0.0},
+                      {0.0001, 850.0},
+                      {-0.0001, -750.0},
+                      {0.0006, 1775.0},
+                      {0.03, 2050.0},
+                      {-0.05, -1900.0},
+                      {-0.1, -2150.0}}) {
     EXPECT_NEAR(f.Calc(v, 0, {}).force, F, 1e-9) << v;
   }
 }

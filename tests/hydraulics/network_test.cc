@@ -1,9 +1,9 @@
 // The Bo-Bo network: null space, stiffness of the axle modes, statics, pressures of one line.
-#include <cmath>
-
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 #include <rapidcheck/gtest.h>
+
+#include <cmath>
 
 #include "hydraulics/end_stop.h"
 #include "test_systems.h"
@@ -186,8 +186,10 @@ TEST(EndStop, HoldsBeyondTheStrokeAndIsSmooth) {
   EXPECT_GE(CalcEndStop(p, 0.0305, -100).force, 0) << "a stop never pulls";
   for (double y : {0.0301, 0.0309, 0.031, 0.033}) {
     const double h = 1e-8;
-    const double slope = (CalcEndStop(p, y + h, 0).force - CalcEndStop(p, y - h, 0).force) / (2 * h);
-    const double rate = (CalcEndStop(p, y + h, 0).energy - CalcEndStop(p, y - h, 0).energy) / (2 * h);
+    const double slope =
+        (CalcEndStop(p, y + h, 0).force - CalcEndStop(p, y - h, 0).force) / (2 * h);
+    const double rate =
+        (CalcEndStop(p, y + h, 0).energy - CalcEndStop(p, y - h, 0).energy) / (2 * h);
     EXPECT_NEAR(slope / CalcEndStop(p, y, 0).slope, 1, 1e-4);
     EXPECT_NEAR(rate / CalcEndStop(p, y, 0).force, 1, 1e-5);
   }

@@ -57,8 +57,13 @@ struct Evaluation {
   std::vector<double> force, pressure_force, friction, piston, p_bore, p_rod, pressure;
   PhsOutputs out;
   explicit Evaluation(const PhsSystem& s)
-      : force(s.num_cylinders()), pressure_force(force), friction(force), piston(force),
-        p_bore(force), p_rod(force), pressure(s.num_lines()) {
+      : force(s.num_cylinders()),
+        pressure_force(force),
+        friction(force),
+        piston(force),
+        p_bore(force),
+        p_rod(force),
+        pressure(s.num_lines()) {
     out.force = force.data();
     out.pressure_force = pressure_force.data();
     out.friction_force = friction.data();

@@ -13,12 +13,13 @@ declare -A allowed=(
   [src/vehicle]="base hydraulics effects rail plugin vehicle"
   [src/analysis]="base hydraulics effects rail plugin vehicle analysis"
   [src/identify]="base hydraulics effects rail plugin vehicle identify"
-  [src/validate]="base hydraulics effects rail plugin vehicle analysis identify validate"
+  [src/rigs]="base hydraulics effects rail plugin vehicle identify rigs"
+  [src/validate]="base hydraulics effects rail plugin vehicle analysis identify rigs validate"
   [src/sweep]="base hydraulics effects rail plugin vehicle analysis report sweep"
   [src/report]="base report"
-  [src/cli]="base hydraulics effects rail plugin vehicle analysis identify validate sweep report cli"
+  [src/cli]="base hydraulics effects rail plugin vehicle analysis identify rigs validate sweep report cli"
 )
-own="base|hydraulics|effects|rail|plugin|vehicle|analysis|identify|validate|sweep|report|cli"
+own="base|hydraulics|effects|rail|plugin|vehicle|analysis|identify|rigs|validate|sweep|report|cli"
 failed=0
 
 complain() { echo "$1"; failed=1; }
