@@ -28,7 +28,7 @@ const EffectInfo& BacklashInfo() {
       "cylinders",
       "free play g, then a stiff contact",
       {
-          {"gap_m", "m", 1e-4, 0, 0.05, 1e-5, 2e-3, "total free play"},
+          {"gap_m", "m", 1e-4, 0, 0.05, 1e-6, 2e-3, "total free play"},
           {"contact_N_per_m", "N/m", 1e9, 1e5, 1e12, 2e8, 1e11, "contact stiffness"},
       },
       Install};

@@ -1,6 +1,7 @@
 #include "effects/failures.h"
 
 #include "base/words.h"
+#include "effects/bogie_spread.h"
 #include "effects/catalogue.h"
 
 namespace phs::effects {
@@ -104,6 +105,7 @@ Result<hydraulics::PhsSystem> LoadPhsSystem(const std::string& path, const PhsCh
                                             const std::string& system) {
   auto params = hydraulics::LoadPhsParams(path);
   if (!params.ok()) return params.error();
+  if (IsQuarter(params.value())) params = SpreadOverBogie(params.value());
   for (const auto& [name, value] : changes.parameters) {
     if (Status s = hydraulics::SetParameter(&params.value(), name, value); !s.ok()) {
       return s.error();

@@ -26,7 +26,7 @@ const EffectInfo& MountComplianceInfo() {
                                   "cylinders",
                                   "F = k (actuator - piston)",
                                   {
-                                      {"stiffness_N_per_m", "N/m", 4.1e7, 1e3, 1e13, 4e6, 1e9, "k"},
+                                      {"stiffness_N_per_m", "N/m", 4.1e7, 1e3, 1e13, 4e6, 5e9, "k"},
                                   },
                                   Install};
   return info;

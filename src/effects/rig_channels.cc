@@ -7,7 +7,13 @@ namespace {
 
 using Channel = hydraulics::InstrumentTerms::Channel;
 
-void Apply(const Channel& error, double t0_s, double step_s, std::vector<double>* values) {
+/// Time the drift counts: t, or T (1 - exp(-t/T)) for one that settles.
+double DriftTime(double t, double settling) {
+  return settling > 0 ? -settling * std::expm1(-t / settling) : t;
+}
+
+void Apply(const Channel& error, double settling, double t0_s, double step_s,
+           std::vector<double>* values) {
   std::vector<double>& y = *values;
   if (error.delay_s > 0) {
     const double shift = error.delay_s / step_s;
@@ -24,7 +30,7 @@ void Apply(const Channel& error, double t0_s, double step_s, std::vector<double>
   }
   for (size_t i = 0; i < y.size(); ++i) {
     const double t = t0_s + static_cast<double>(i) * step_s;
-    y[i] = error.gain * y[i] + error.offset + error.drift_per_s * t;
+    y[i] = error.gain * y[i] + error.offset + error.drift_per_s * DriftTime(t, settling);
   }
 }
 
@@ -36,7 +42,8 @@ void ApplyToLines(const hydraulics::PhsSystem& system, double t0_s, double step_
       const auto& error = system.instruments(static_cast<int>(c));
       const bool bore = cylinders[c].bore_line == system.line_names()[l];
       if (!bore && cylinders[c].rod_line != system.line_names()[l]) continue;
-      Apply(bore ? error.p_bore : error.p_rod, t0_s, step_s, &prediction->channels[8 + l]);
+      Apply(bore ? error.p_bore : error.p_rod, error.settling_s, t0_s, step_s,
+            &prediction->channels[8 + l]);
       break;
     }
   }
@@ -51,19 +58,21 @@ void ApplyInstruments(RigKind kind, const hydraulics::PhsSystem& system, double 
   if (!any) return;
   auto& channels = prediction->channels;
   if (kind == RigKind::kElement) {
-    Apply(system.instruments(0).load, t0_s, step_s, &channels[0]);
+    Apply(system.instruments(0).load, system.instruments(0).settling_s, t0_s, step_s, &channels[0]);
   } else if (kind == RigKind::kFull) {
     for (int c = 0; c < 4; ++c) {
-      Apply(system.instruments(c).piston, t0_s, step_s, &channels[c]);
-      Apply(system.instruments(c).load, t0_s, step_s, &channels[4 + c]);
+      Apply(system.instruments(c).piston, system.instruments(c).settling_s, t0_s, step_s,
+            &channels[c]);
+      Apply(system.instruments(c).load, system.instruments(c).settling_s, t0_s, step_s,
+            &channels[4 + c]);
     }
     ApplyToLines(system, t0_s, step_s, prediction);
   } else {
     const auto& error = system.instruments(0);
-    Apply(error.piston, t0_s, step_s, &channels[0]);
-    Apply(error.load, t0_s, step_s, &channels[1]);
-    Apply(error.p_bore, t0_s, step_s, &channels[2]);
-    Apply(error.p_rod, t0_s, step_s, &channels[3]);
+    Apply(error.piston, error.settling_s, t0_s, step_s, &channels[0]);
+    Apply(error.load, error.settling_s, t0_s, step_s, &channels[1]);
+    Apply(error.p_bore, error.settling_s, t0_s, step_s, &channels[2]);
+    Apply(error.p_rod, error.settling_s, t0_s, step_s, &channels[3]);
   }
 }
 

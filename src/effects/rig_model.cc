@@ -125,6 +125,8 @@ struct RigModel::Impl {
 
   void RunCylinder(const RigMotion& motion, const std::vector<double>& speed,
                    RigPrediction* out) const;
+  void RunMounted(const RigMotion& motion, const std::vector<double>& speed,
+                  RigPrediction* out) const;
   void RunFull(const RigMotion& motion, const std::vector<std::vector<double>>& speed,
                RigPrediction* out) const;
 };
@@ -151,6 +153,7 @@ Result<RigModel> RigModel::Create(RigKind kind, const PhsParams& params,
 
 void RigModel::Impl::RunCylinder(const RigMotion& motion, const std::vector<double>& speed,
                                  RigPrediction* out) const {
+  if (options.substeps == 1 && system.has_mounts()) return RunMounted(motion, speed, out);
   const int n = motion.num_samples(), states = system.num_states();
   const double h = motion.step_s / options.substeps;
   std::vector<double> state(states, 0.0), rate(states, 0.0);
@@ -169,6 +172,43 @@ void RigModel::Impl::RunCylinder(const RigMotion& motion, const std::vector<doub
       system.CalcStateRate(t, h, &x, &v, state.data(), rate.data());
       for (int j = 0; j < states; ++j) state[j] += h * rate[j];
     }
+  }
+}
+
+// A yielding mount: the piston's speed is that of a step, so steps are laid about the samples, from
+// middle to middle. Friction then belongs to the speed at the sample (to second order), and state,
+// pressures and piston are taken there as the mean of the step's two ends. Were the steps laid from
+// sample to sample, friction would lag by half a step, some hundred newtons about a reversal.
+void RigModel::Impl::RunMounted(const RigMotion& motion, const std::vector<double>& speed,
+                                RigPrediction* out) const {
+  const int n = motion.num_samples(), states = system.num_states();
+  const double h = motion.step_s;
+  const std::vector<double>& x = motion.position_m[0];
+  std::vector<double> state(states, 0.0), middle(states), rate(states, 0.0);
+  double force = 0, pressure_force = 0, from = x[0], t = motion.t0_s;
+  PhsOutputs end, at;
+  end.energy = at.energy = false;
+  end.force = &force, end.pressure_force = &pressure_force;
+  for (int i = 0; i < n; ++i) {
+    // Cubic through both samples with their speeds, half way; straight on after the last.
+    const double to = i + 1 < n ? 0.5 * (x[i] + x[i + 1]) + h / 8 * (speed[i] - speed[i + 1])
+                                : x[i] + 0.5 * h * speed[i];
+    const double step = i == 0 ? 0.5 * h : h, v = (to - from) / step;
+    system.CalcStateRate(t, step, &from, &v, state.data(), rate.data());
+    for (int j = 0; j < states; ++j) {
+      middle[j] = state[j] + (i == 0 ? 0.0 : 0.5 * step * rate[j]);
+      state[j] += step * rate[j];
+    }
+    t += step, from = to;
+    system.Calc(t, &to, &v, state.data(), &end);
+    const double beside_pressure = force - pressure_force;  // friction and end stop at the sample
+    double pressure_at;
+    at.piston = &out->channels[0][i];
+    at.pressure_force = &pressure_at;
+    at.p_bore = &out->channels[2][i];
+    at.p_rod = &out->channels[3][i];
+    system.Calc(motion.t0_s + i * h, &x[i], &speed[i], middle.data(), &at);
+    out->channels[1][i] = pressure_at + beside_pressure;
   }
 }
 

@@ -13,6 +13,7 @@ Status Install(const EffectParams& effect, Extension* extension) {
   for (int i : TargetCylinders(effect, extension->params())) {
     hydraulics::InstrumentTerms& t = extension->instrument(i);
     t.present = true;
+    t.settling_s = effect.values.at("settling_s");
     t.load.drift_per_s += effect.values.at("load_N_per_s");
     t.p_bore.drift_per_s += effect.values.at("p_bore_Pa_per_s");
     t.p_rod.drift_per_s += effect.values.at("p_rod_Pa_per_s");
@@ -28,12 +29,13 @@ const EffectInfo& SensorDriftInfo() {
       "sensor_drift",
       "instrument",
       "cylinders",
-      "shown = true + drift t",
+      "shown = true + drift t; settling: drift T (1 - exp(-t/T))",
       {
           {"load_N_per_s", "N/s", 0, -1e6, 1e6, -30, 30, "load cell"},
           {"p_bore_Pa_per_s", "Pa/s", 0, -1e7, 1e7, -5e3, 5e3, "bore pressure"},
           {"p_rod_Pa_per_s", "Pa/s", 0, -1e7, 1e7, -5e3, 5e3, "rod pressure"},
           {"piston_m_per_s", "m/s", 0, -1, 1, -1e-5, 1e-5, "piston"},
+          {"settling_s", "s", 0, 0, 1e9, 3, 1e4, "T; 0 = never settles"},
       },
       Install};
   return info;

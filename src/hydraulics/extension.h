@@ -105,12 +105,14 @@ struct MountTerms {
 /// Stiffness used for a mounting that only has play [N/m].
 inline constexpr double kContactStiffness = 2e9;
 
-/// Error of the instruments of one cylinder: shown = gain * true(t - delay) + offset + drift * t.
+/// Error of the instruments of one cylinder: shown = gain * true(t - delay) + offset + drift * t,
+/// or drift T (1 - exp(-t/T)) for a drift that settles with the time T.
 struct InstrumentTerms {
   struct Channel {
     double gain = 1, offset = 0, drift_per_s = 0, delay_s = 0;
   };
   Channel load, p_bore, p_rod, piston;
+  double settling_s = 0;  ///< T; 0 = never settles
   bool present = false;
 };
 

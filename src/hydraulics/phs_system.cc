@@ -16,6 +16,7 @@ PhsSystem::~PhsSystem() = default;
 int PhsSystem::num_cylinders() const { return static_cast<int>(impl_->cylinders.size()); }
 int PhsSystem::num_lines() const { return static_cast<int>(impl_->line_names.size()); }
 int PhsSystem::num_states() const { return impl_->num_states(); }
+bool PhsSystem::has_mounts() const { return impl_->has_mounts; }
 const std::vector<std::string>& PhsSystem::cylinder_names() const { return impl_->cylinder_names; }
 const std::vector<std::string>& PhsSystem::line_names() const { return impl_->line_names; }
 const std::vector<std::string>& PhsSystem::state_names() const { return impl_->state_names; }

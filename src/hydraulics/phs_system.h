@@ -47,6 +47,8 @@ class PhsSystem {
 
   int num_cylinders() const;
   int num_lines() const;
+  /// True if a cylinder's mounting yields: its piston is not the driven end.
+  bool has_mounts() const;
   int num_states() const;  ///< deviations from the static state: all zero at rest
   const std::vector<std::string>& cylinder_names() const;
   const std::vector<std::string>& line_names() const;

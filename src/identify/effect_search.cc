@@ -20,7 +20,8 @@ std::string VariantName(const Candidate& candidate) {
   return name;
 }
 
-/// True if the main number of the candidate ended on a bound: not plausible, or not there.
+/// True if the main number of the candidate ended on a bound: not plausible, or
+/// not there.
 bool OnBound(const FreeModel& model, const FitResult& fit, const Candidate& candidate) {
   const size_t base = model.free.size() - candidate.free.size();
   const FreeParameter& p = model.free[base];
@@ -76,13 +77,37 @@ class Search {
     return !cancelled_;
   }
 
-  /// Screens candidates on top of `model` and fits the best `full_fits` effects in full.
+  /// Where candidates are tried: the best fit and, where it lies elsewhere, the
+  /// fit to what most of the record says; a rare strong deviation may have
+  /// drawn the first far off.
+  std::vector<std::vector<double>> Points(const FreeModel& model, const FitResult& fit) const {
+    constexpr double kElsewhere = 0.03;
+    std::vector<std::vector<double>> points = {fit.values};
+    std::vector<double> start = fit.values;
+    for (size_t i = 0; i < out_.declared.free.size(); ++i) start[i] = model.free[i].start;
+    const FitResult most = FitNear(coarse_, model, start, {}, {.max_steps = 12, .robust = 2.5});
+    if (!most.ok) return points;
+    for (size_t i = 0; i < start.size(); ++i) {
+      const FreeParameter& p = model.free[i];
+      const double apart = p.ToCoordinate(most.values[i]) - p.ToCoordinate(fit.values[i]);
+      if (p.logarithmic && std::abs(apart) > kElsewhere) {
+        points.push_back(most.values);
+        break;
+      }
+    }
+    return points;
+  }
+
+  /// Screens candidates on top of `model` and fits the best `full_fits` effects
+  /// in full.
   std::vector<FullTrial> Try(const FreeModel& model, const FitResult& fit,
                              const std::vector<Candidate>& list, int full_fits, double* reference) {
-    const ScreeningOptions screening{options_.threads, options_.coarse_fits};
+    const ScreeningOptions screening{
+        options_.threads, options_.coarse_fits,
+        model.params.effects.size() == out_.declared.params.effects.size()};
     std::vector<Trial> found = ScreenCandidates(
-        coarse_, model, fit.values, list, screening, [&](double part) { return Tick(0.15 * part); },
-        reference);
+        coarse_, model, Points(model, fit), list, screening,
+        [&](double part) { return Tick(0.15 * part); }, reference);
     std::vector<FullTrial> trials;
     for (Trial& trial : found) trials.push_back({std::move(trial), {}});
     std::vector<int> chosen;
@@ -137,7 +162,9 @@ class Search {
       return "gain too small";
     }
     if (OnBound(model, trial.fit, *trial.candidate)) return "value not plausible";
-    if (!out_.effects.empty() && e.excess_removed < options_.min_excess_removed) {
+    const double least =
+        out_.effects.empty() ? options_.min_first_removed : options_.min_excess_removed;
+    if (e.excess_removed < least && e.best_channel_gain < 0.5) {
       return "explains too little of what is left";
     }
     return "";
@@ -178,7 +205,8 @@ class Search {
     return true;
   }
 
-  /// Others whose residual is within the margin and whose evidence is not far behind.
+  /// Others whose residual is within the margin and whose evidence is not far
+  /// behind.
   void NoteConfusable(const FitResult& best, const FullTrial& other,
                       AcceptedEffect* accepted) const {
     const Evidence e = Compare(problem_, other.fit, best);

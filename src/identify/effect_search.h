@@ -43,6 +43,7 @@ struct SearchOptions {
   double min_delta_bic = 12;        ///< in units of 2 ln(likelihood)
   double min_gain = 0.012;          ///< of the pooled residual rms …
   double min_channel_gain = 0.03;   ///< … or of one channel
+  double min_first_removed = 0.03;  ///< of what exceeds the noise, by the first effect
   double min_excess_removed = 0.4;  ///< of a second effect: share of what exceeds the noise
   double margin = 0.02;             ///< residual rms within this: cannot be told apart
 };

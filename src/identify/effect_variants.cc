@@ -13,7 +13,8 @@ using hydraulics::PhsParams;
 
 enum class Spread { kAll, kEachLine };  // on all targets only, or also on each line alone
 
-/// One row: the effect, its free numbers, the starts, numbers held at other than default values.
+/// One row: the effect, its free numbers, the starts, numbers held at other
+/// than default values.
 struct Recipe {
   const char* effect;
   Spread spread;
@@ -33,7 +34,7 @@ const std::vector<Recipe>& Hydraulic() {
       {"line_resistance",
        Spread::kAll,
        {"laminar_Pas_per_m3", "turbulent_Pas2_per_m6"},
-       {{1e9, 1e13}, {1e9, 3e14}}},
+       {{3e8, 3e12}, {3e8, 3e13}, {1e9, 3e14}}},
       {"line_inertance",
        Spread::kAll,
        {"inertance_kg_per_m4", "laminar_Pas_per_m3"},
@@ -59,7 +60,7 @@ const std::vector<Recipe>& Hydraulic() {
       {"diaphragm_stop",
        Spread::kEachLine,
        {"min_gas_volume_m3"},
-       {{1e-6}, {2.5e-6}, {5e-6}, {1e-5}}},
+       {{1e-6}, {2.5e-6}, {4e-6}, {6e-6}, {1e-5}}},
       {"cavitation",
        Spread::kEachLine,
        {"release_Pa", "solubility"},
@@ -92,8 +93,8 @@ const std::vector<Recipe>& FrictionAndMounting() {
       {"backlash",
        Spread::kAll,
        {"gap_m", "contact_N_per_m"},
-       {{3e-5, 1e9}, {1e-4, 1e9}, {4e-4, 1e9}, {1e-4, 3e8}}},
-      {"mount_compliance", Spread::kAll, {"stiffness_N_per_m"}, {{2e7}, {7e7}, {2.5e8}}},
+       {{4e-6, 1e10}, {3e-5, 1e9}, {3e-5, 2e10}, {1e-4, 1e9}, {4e-4, 1e9}, {1e-4, 3e8}}},
+      {"mount_compliance", Spread::kAll, {"stiffness_N_per_m"}, {{2e7}, {7e7}, {2.5e8}, {1e9}}},
       {"bush_viscoelastic",
        Spread::kAll,
        {"stiffness_N_per_m", "relaxing_N_per_m", "relaxation_s"},
@@ -112,6 +113,10 @@ const std::vector<Recipe>& InstrumentAndEnvironment() {
       {"sensor_drift", Spread::kAll, {"p_bore_Pa_per_s"}, {{0}}},
       {"sensor_drift", Spread::kAll, {"p_rod_Pa_per_s"}, {{0}}},
       {"sensor_drift", Spread::kAll, {"piston_m_per_s"}, {{0}}},
+      {"sensor_drift", Spread::kAll, {"load_N_per_s", "settling_s"}, {{0.1, 30}}},
+      {"sensor_drift", Spread::kAll, {"p_bore_Pa_per_s", "settling_s"}, {{100, 30}}},
+      {"sensor_drift", Spread::kAll, {"p_rod_Pa_per_s", "settling_s"}, {{100, 30}}},
+      {"sensor_drift", Spread::kAll, {"piston_m_per_s", "settling_s"}, {{1e-8, 30}}},
       {"sensor_delay", Spread::kAll, {"load_s"}, {{2e-3}, {0.02}}},
       {"sensor_delay", Spread::kAll, {"p_bore_s"}, {{2e-3}, {0.02}}},
       {"sensor_delay", Spread::kAll, {"p_rod_s"}, {{2e-3}, {0.02}}},
@@ -132,13 +137,16 @@ const std::vector<Recipe>& InstrumentAndEnvironment() {
   return rows;
 }
 
-/// Bounds: the plausible range of the catalogue; logarithmic where it spans more than a factor 20.
-FreeParameter FreeNumber(const EffectInfo& info, const std::string& name) {
+/// Bounds: the plausible range of the catalogue; logarithmic where it spans
+/// more than a factor 20. A range that begins at zero begins, for a number
+/// whose starts are positive, at 1/300 of `start`, its smallest start.
+FreeParameter FreeNumber(const EffectInfo& info, const std::string& name, double start) {
   for (const auto& p : info.parameters) {
     if (p.name != name) continue;
     FreeParameter free;
     free.name = "effects." + info.name + "." + name;
     free.low = std::max(p.low, p.min), free.high = std::min(p.high, p.max);
+    if (free.low == 0 && start > 0) free.low = start / 300;
     free.logarithmic = free.low > 0 && free.high / free.low > 20;
     free.scale = (free.high - free.low) / (free.low > 0 ? 1 : 10);
     return free;
@@ -155,7 +163,11 @@ void AddVariants(const Recipe& recipe, const PhsParams& params, std::vector<Cand
   candidate.params.name = recipe.effect;
   for (const auto& p : info->parameters) candidate.params.values[p.name] = p.otherwise;
   for (const auto& [name, value] : recipe.fixed) candidate.params.values[name] = value;
-  for (const char* name : recipe.free) candidate.free.push_back(FreeNumber(*info, name));
+  for (size_t i = 0; i < recipe.free.size(); ++i) {
+    double smallest = recipe.starts[0][i];
+    for (const auto& start : recipe.starts) smallest = std::min(smallest, start[i]);
+    candidate.free.push_back(FreeNumber(*info, recipe.free[i], smallest));
+  }
   candidate.starts = recipe.starts;
   out->push_back(candidate);
   if (recipe.spread == Spread::kAll || params.lines.size() < 2) return;

@@ -16,6 +16,7 @@ struct Block {
 };
 
 constexpr int kBlocks = 6;
+constexpr double kLinear = 0.1;  // coordinates: a refit goes no further than its line holds
 
 std::vector<Block> SplitFit(const FitProblem& problem, const FitResult& fit) {
   const int n = problem.samples();
@@ -47,9 +48,9 @@ double WeightedLog(const std::vector<double>& square, const std::vector<double>&
   return sum / total;
 }
 
-/// Mean log of the residual's mean square on blocks held out of a linear refit.
-double CrossValidatedLog(const FitProblem& problem, const FitResult& fit,
-                         const std::vector<double>& independent) {
+/// Mean log, channels alike, of the residual's mean square on blocks held out
+/// of a linear refit.
+double CrossValidatedLog(const FitProblem& problem, const FitResult& fit) {
   const int n = problem.samples(), channels = problem.num_channels();
   const auto k = fit.jacobian.cols();
   const std::vector<Block> blocks = SplitFit(problem, fit);
@@ -60,7 +61,8 @@ double CrossValidatedLog(const FitProblem& problem, const FitResult& fit,
   for (const Block& b : blocks) {
     Eigen::MatrixXd rest = all - b.normal;
     rest.diagonal() += 1e-3 * all.diagonal() + Eigen::VectorXd::Constant(k, 1e-12);
-    const Eigen::VectorXd step = rest.ldlt().solve(b.right - all_right);
+    Eigen::VectorXd step = rest.ldlt().solve(b.right - all_right);
+    step *= std::min(1.0, kLinear / std::max(1e-300, step.cwiseAbs().maxCoeff()));
     for (int c = 0; c < channels; ++c) {
       held[c] += (fit.residual.segment(c * n + b.begin, b.count) +
                   fit.jacobian.middleRows(c * n + b.begin, b.count) * step)
@@ -68,7 +70,42 @@ double CrossValidatedLog(const FitProblem& problem, const FitResult& fit,
                  n;
     }
   }
-  return WeightedLog(held, independent);
+  return WeightedLog(held, std::vector<double>(held.size(), 1.0));
+}
+
+/// Variance of what the last kOrder samples of y do not foretell: prediction
+/// error of an autoregression (Levinson 1946, J. Math. Phys. 25, 261).
+double InnovationVariance(const Eigen::VectorXd& y) {
+  constexpr int kOrder = 8;
+  const auto n = y.size();
+  double rho[kOrder + 1];
+  for (int lag = 0; lag <= kOrder; ++lag) {
+    rho[lag] = y.head(n - lag).dot(y.tail(n - lag)) / static_cast<double>(n);
+  }
+  double error = std::max(rho[0], 1e-300), a[kOrder + 1] = {};
+  for (int m = 1; m <= kOrder; ++m) {
+    double k = rho[m];
+    for (int j = 1; j < m; ++j) k -= a[j] * rho[m - j];
+    k /= error;
+    double next[kOrder + 1];
+    for (int j = 1; j < m; ++j) next[j] = a[j] - k * a[m - j];
+    std::copy(next + 1, next + m, a + 1);
+    a[m] = k;
+    error = std::max(error * (1 - k * k), 1e-12 * rho[0] + 1e-300);
+  }
+  return error;
+}
+
+/// Fall of the information criterion of the whitened residuals.
+double WhitenedBic(const FitProblem& problem, const FitResult& without, const FitResult& with) {
+  const int n = problem.samples();
+  double fall = 0;
+  for (int c = 0; c < problem.num_channels(); ++c) {
+    fall += n * std::log(InnovationVariance(without.residual.segment(c * n, n)) /
+                         InnovationVariance(with.residual.segment(c * n, n)));
+  }
+  const double extra = double(with.values.size()) - double(without.values.size());
+  return fall - extra * std::log(double(n) * problem.num_channels());
 }
 
 }  // namespace
@@ -82,9 +119,11 @@ Evidence Compare(const FitProblem& problem, const FitResult& without, const FitR
   const double total = std::accumulate(independent.begin(), independent.end(), 0.0);
   const double extra = double(with.values.size()) - double(without.values.size());
   Evidence e;
-  e.delta_bic = total * (WeightedLog(without.channel_ms, independent) -
-                         WeightedLog(with.channel_ms, independent)) -
-                extra * std::log(total);
+  e.correlated_bic = total * (WeightedLog(without.channel_ms, independent) -
+                              WeightedLog(with.channel_ms, independent)) -
+                     extra * std::log(total);
+  e.whitened_bic = WhitenedBic(problem, without, with);
+  e.delta_bic = std::max(e.correlated_bic, e.whitened_bic);
   double mean = 0, excess = 0, left = 0;
   for (size_t c = 0; c < with.channel_ms.size(); ++c) {
     const double change = std::log(with.channel_ms[c] / without.channel_ms[c]);
@@ -98,8 +137,8 @@ Evidence Compare(const FitProblem& problem, const FitResult& without, const FitR
   }
   e.estimation_gain = 1 - std::exp(0.5 * mean);
   e.excess_removed = excess > 0 ? 1 - left / excess : 0;
-  e.cross_validation_gain = 1 - std::exp(0.5 * (CrossValidatedLog(problem, with, independent) -
-                                                CrossValidatedLog(problem, without, independent)));
+  e.cross_validation_gain =
+      1 - std::exp(0.5 * (CrossValidatedLog(problem, with) - CrossValidatedLog(problem, without)));
   return e;
 }
 

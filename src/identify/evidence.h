@@ -1,9 +1,14 @@
 // What speaks for one fitted model over another, from the estimation window alone.
 //
-// Per channel the residual variance s² is unknown and samples are correlated:
-//   BIC = sum_c n_eff,c ln s²_c + k ln(sum_c n_eff,c),  n_eff from the residual's autocorrelation
-// (the same n_eff for the models compared: of the better one). Cross-validation: blocks of the
-// estimation window left out in turn, the fit without them by one linear step from the full fit.
+// Per channel the residual variance s² is unknown and samples are correlated. Two criteria:
+//   correlated  BIC = sum_c n_eff,c ln s²_c + k ln(sum_c n_eff,c), n_eff from the autocorrelation
+//               of the residual of the better of the two models compared;
+//   whitened    BIC = sum_c N ln w²_c + k ln(sum_c N), w² the variance of the innovations of an
+//               autoregression of each residual.
+// The first sees slow effects (drift, heat), the second an effect of fast events on top of a slow
+// misfit that is still to be explained. Evidence is the stronger of the two. Cross-validation:
+// blocks of the estimation window left out in turn, the fit without them by one linear step from
+// the full fit.
 #pragma once
 
 #include <string>
@@ -14,12 +19,14 @@
 namespace phs::identify::search {
 
 struct Evidence {
-  double delta_bic = 0;          ///< > 0: better than without it
+  double delta_bic = 0;  ///< > 0: better than without it; the larger of the next two
+  double correlated_bic = 0, whitened_bic = 0;
   double estimation_gain = 0;    ///< share of the residual rms removed, over all channels
   double best_channel_gain = 0;  ///< the same of the channel that gains most
   std::string best_channel;
   double cross_validation_gain = 0;
-  /// Share of the mean square beyond the noise that went, over all channels (1: all of it).
+  /// Share of the mean square beyond the noise that went, over all channels (1:
+  /// all of it).
   double excess_removed = 0;
 };
 

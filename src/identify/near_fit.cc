@@ -18,6 +18,17 @@ std::vector<double> Moved(const FreeModel& model, const std::vector<double>& val
   return out;
 }
 
+double Cost(const Eigen::VectorXd& r, double robust) {
+  if (robust <= 0) return r.squaredNorm();
+  return robust * robust * (r / robust).array().square().log1p().sum();
+}
+
+/// Roots of the weights that make a least-squares step one of the robust cost.
+Eigen::VectorXd Weights(const Eigen::VectorXd& r, double robust) {
+  if (robust <= 0) return Eigen::VectorXd::Ones(r.size());
+  return (1 + (r / robust).array().square()).rsqrt();
+}
+
 }  // namespace
 
 Eigen::VectorXd BoundedStep(const FreeModel& model, const std::vector<double>& values,
@@ -84,27 +95,33 @@ FitResult FitNear(const FitProblem& problem, const FreeModel& model,
       if (first > 0) at.jacobian.leftCols(first) = kept.leftCols(first);
     }
     if (first < count) at.jacobian.rightCols(count - first) = own;
+    const bool fresh = first == 0;  // every column is of this point
     first = options.first_own;
-    const double cost = at.residual.squaredNorm();
+    const double cost = Cost(at.residual, options.robust);
+    const Eigen::VectorXd weight = Weights(at.residual, options.robust);
+    const Eigen::VectorXd weighted = weight.cwiseProduct(at.residual);
+    const Eigen::MatrixXd slopes =
+        options.robust > 0 ? Eigen::MatrixXd(weight.asDiagonal() * at.jacobian) : at.jacobian;
     double fall = 0, predicted = 0;
     for (int attempt = 0; attempt < 4; ++attempt, lambda *= 30) {
-      const Eigen::VectorXd step =
-          BoundedStep(model, at.values, at.residual, at.jacobian, lambda, 1.2);
+      const Eigen::VectorXd step = BoundedStep(model, at.values, weighted, slopes, lambda, 1.2);
       const std::vector<double> moved = Moved(model, at.values, step);
       const Eigen::VectorXd r = problem.Residual(model, moved);
       ++at.runs;
-      predicted = cost - (at.residual + at.jacobian * step).squaredNorm();
-      if (r.size() == 0 || r.squaredNorm() >= cost) {
+      predicted = weighted.squaredNorm() - (weighted + slopes * step).squaredNorm();
+      const double next = r.size() > 0 ? Cost(r, options.robust) : 1e300;
+      if (!(next < cost)) {
         if (predicted < options.tolerance * cost) break;
         continue;
       }
-      fall = cost - r.squaredNorm();
+      fall = cost - next;
       at.values = moved, at.residual = r;
       lambda = std::max(1e-7, lambda / 10);
       break;
     }
-    if (fall < 0.3 * predicted && predicted > options.tolerance * cost && steps > 0) {
+    if (fall < 0.3 * predicted && predicted > options.tolerance * cost && (fall > 0 || !fresh)) {
       first = 0;  // the kept columns have aged
+      lambda = std::min(lambda, 1e-3);
     } else if (fall < options.tolerance * cost) {
       break;
     }

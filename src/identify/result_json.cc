@@ -47,6 +47,8 @@ size_t WorstChannel(const FitResult& fit) {
 
 Json ToJson(const Evidence& e) {
   return {{"delta_bic", e.delta_bic},
+          {"correlated_bic", e.correlated_bic},
+          {"whitened_bic", e.whitened_bic},
           {"estimation_gain", e.estimation_gain},
           {"best_channel", e.best_channel},
           {"best_channel_gain", e.best_channel_gain},
@@ -150,6 +152,7 @@ Json CandidateList(const Identification& found) {
                   {"verdict", r.verdict}};
     if (r.fitted) {
       entry["delta_bic"] = r.evidence.delta_bic;
+      entry["whitened_bic"] = r.evidence.whitened_bic;
       entry["estimation_gain"] = r.evidence.estimation_gain;
       entry["cross_validation_gain"] = r.evidence.cross_validation_gain;
     }

@@ -22,38 +22,58 @@ struct Linear {
 
 constexpr double kReach = 0.8;  // [ln] how far one predicted step of a logarithmic number may go
 
-/// Best start of one candidate by a predicted Gauss–Newton step.
-Trial Screen(const Linear& at, const Candidate& candidate) {
-  Trial best;
-  best.candidate = &candidate;
-  const FreeModel model = WithCandidate(at.model, candidate);
+/// Notes residual and values if they are the best of this candidate so far.
+void Keep(const Eigen::VectorXd& residual, int channels, size_t point,
+          const std::vector<double>& values, Trial* best) {
+  best->predicted = std::min(best->predicted, MeanLogSquare(residual, channels));
+  if (residual.squaredNorm() >= best->square) return;
+  best->square = residual.squaredNorm();
+  best->start = values;
+  best->point = point;
+}
+
+/// Tries every start of one candidate on top of one point by a predicted Gauss–Newton step.
+void ScreenByStep(const Linear& at, size_t point, const FreeModel& model,
+                  const std::vector<double>& values, Trial* best) {
   const int base = static_cast<int>(at.model.free.size());
-  const int count = static_cast<int>(model.free.size());
+  Eigen::VectorXd r;
+  Eigen::MatrixXd own;
+  if (!at.problem.Linearise(model, values, base, &r, &own)) return;
+  Eigen::MatrixXd j(r.size(), base + own.cols());
+  j << at.jacobian, own;
+  const Eigen::VectorXd step = BoundedStep(model, values, r, j, 1e-6, kReach);
+  std::vector<double> moved = values;
+  for (size_t i = 0; i < moved.size(); ++i) {
+    const FreeParameter& p = model.free[i];
+    const double by = step[static_cast<Eigen::Index>(i)];
+    if (by != 0) moved[i] = p.FromCoordinate(p.ToCoordinate(moved[i]) + by);
+  }
+  Keep(r + j * step, at.problem.num_channels(), point, moved, best);
+}
+
+/// The same by a short fit: for effects whose onset makes one step a poor guide.
+void ScreenByFit(const Linear& at, size_t point, const FreeModel& model,
+                 const std::vector<double>& values, Trial* best) {
+  const FitResult fit = FitNear(
+      at.problem, model, values, at.jacobian,
+      {.first_own = static_cast<int>(at.model.free.size()), .max_steps = 4, .tolerance = 1e-3});
+  if (fit.ok) Keep(fit.residual, at.problem.num_channels(), point, fit.values, best);
+}
+
+void Screen(const Linear& at, size_t point, const Candidate& candidate, bool thorough,
+            Trial* best) {
+  best->candidate = &candidate;
+  const FreeModel model = WithCandidate(at.model, candidate);
   for (const auto& start : candidate.starts) {
     std::vector<double> values = at.values;
     values.insert(values.end(), start.begin(), start.end());
-    Eigen::VectorXd r;
-    Eigen::MatrixXd own;
-    if (!at.problem.Linearise(model, values, base, &r, &own)) continue;
-    Eigen::MatrixXd j(r.size(), count);
-    j << at.jacobian, own;
-    const Eigen::VectorXd step = BoundedStep(model, values, r, j, 1e-6, kReach);
-    const Eigen::VectorXd after = r + j * step;
-    best.predicted = std::min(best.predicted, MeanLogSquare(after, at.problem.num_channels()));
-    if (after.squaredNorm() >= best.square) continue;
-    best.square = after.squaredNorm();
-    best.start = values;
-    for (int i = 0; i < count; ++i) {
-      const FreeParameter& p = model.free[static_cast<size_t>(i)];
-      double& value = best.start[static_cast<size_t>(i)];
-      if (step[i] != 0) value = p.FromCoordinate(p.ToCoordinate(value) + step[i]);
-    }
+    (thorough ? ScreenByFit : ScreenByStep)(at, point, model, values, best);
   }
-  return best;
 }
 
-/// In turn the best by mean log square and the best by sum of squares: a rare strong deviation (a
-/// stop, a blow-off) shows in the second only. At most two variants of one effect in front.
+/// In turn the best by mean log square and the best by sum of squares: a rare
+/// strong deviation (a stop, a blow-off) shows in the second only. At most two
+/// variants of one effect in front.
 void SortByPromise(std::vector<Trial>* trials) {
   const size_t n = trials->size();
   std::vector<size_t> by_log(n), by_square(n), order;
@@ -92,19 +112,29 @@ double CoarseScore(const FitProblem& problem, const FitResult& fit) {
 }  // namespace
 
 std::vector<Trial> ScreenCandidates(const FitProblem& coarse, const FreeModel& model,
-                                    const std::vector<double>& values,
+                                    const std::vector<std::vector<double>>& points,
                                     const std::vector<Candidate>& list,
                                     const ScreeningOptions& options,
                                     const std::function<bool(double)>& tick, double* reference) {
-  Linear linear{coarse, model, values, {}, {}};
-  std::vector<Trial> trials(list.size());
-  if (!coarse.Linearise(model, values, 0, &linear.residual, &linear.jacobian)) return {};
+  std::vector<Linear> linear;
+  for (const std::vector<double>& point : points) {
+    Linear at{coarse, model, point, {}, {}};
+    if (coarse.Linearise(model, point, 0, &at.residual, &at.jacobian)) {
+      linear.push_back(std::move(at));
+    }
+  }
+  if (linear.empty()) return {};
+  const Linear& first = linear.front();
   const Eigen::VectorXd alone =
-      BoundedStep(model, values, linear.residual, linear.jacobian, 1e-6, kReach);
-  *reference = MeanLogSquare(linear.residual + linear.jacobian * alone, coarse.num_channels());
+      BoundedStep(model, first.values, first.residual, first.jacobian, 1e-6, kReach);
+  *reference = MeanLogSquare(first.residual + first.jacobian * alone, coarse.num_channels());
+  std::vector<Trial> trials(list.size());
   std::atomic<int> done{0};
   InParallel(static_cast<int>(list.size()), options.threads, [&](int i) {
-    if (tick(0.6 * done++ / static_cast<double>(list.size()))) trials[i] = Screen(linear, list[i]);
+    if (!tick(0.6 * done++ / static_cast<double>(list.size()))) return;
+    for (size_t k = 0; k < linear.size(); ++k) {
+      Screen(linear[k], k, list[i], options.thorough, &trials[i]);
+    }
   });
   std::erase_if(trials, [](const Trial& t) { return t.candidate == nullptr || t.start.empty(); });
   SortByPromise(&trials);
@@ -114,8 +144,8 @@ std::vector<Trial> ScreenCandidates(const FitProblem& coarse, const FreeModel& m
     if (!tick(0.6 + 0.4 * done++ / fits)) return;
     Trial& t = trials[i];
     const FreeModel whole = WithCandidate(model, *t.candidate);
-    t.coarse = FitNear(coarse, whole, t.start, linear.jacobian,
-                       {.first_own = static_cast<int>(model.free.size()), .max_steps = 6});
+    t.coarse = FitNear(coarse, whole, t.start, linear[t.point].jacobian,
+                       {.first_own = static_cast<int>(model.free.size()), .max_steps = 8});
     if (t.coarse.ok) t.coarse_score = CoarseScore(coarse, t.coarse);
   });
   std::stable_sort(trials.begin(), trials.end(),

@@ -1,7 +1,8 @@
 // Looking through many candidates with few runs of the model.
 //
 // On a coarse record (about 50 Hz) every variant of every effect, from each of its starts, is
-// judged by one predicted Gauss–Newton step of all numbers together; the promising are fitted on
+// judged by one predicted Gauss–Newton step of all numbers together (while the model is fast: by a
+// short fit); the promising are fitted on
 // the coarse record, and the best of these are then fitted to the whole record by the search.
 #pragma once
 
@@ -16,6 +17,7 @@ namespace phs::identify::search {
 
 struct Trial {
   const Candidate* candidate = nullptr;
+  size_t point = 0;             ///< the point it starts from
   std::vector<double> start;    ///< of all numbers of the extended model
   double predicted = 1e300;     ///< predicted mean log square
   double square = 1e300;        ///< predicted weighted sum of squares, what a fit minimises
@@ -26,13 +28,14 @@ struct Trial {
 struct ScreeningOptions {
   int threads = 2;
   int coarse_fits = 16;
+  bool thorough = false;  ///< judge every start by a short fit, not by one predicted step
 };
 
-/// Judges `list` on top of `model` at `values`. `tick(share)`: progress, false = stop. Best first;
-/// those with a coarse fit before those without. `reference`: mean log square of the model alone,
-/// refitted on the coarse record.
+/// Judges `list` on top of `model` at each of `points` (values of its free numbers; the first is
+/// its best fit). `tick(share)`: progress, false = stop. Best first; those with a coarse fit before
+/// those without. `reference`: mean log square of the model alone, refitted on the coarse record.
 std::vector<Trial> ScreenCandidates(const FitProblem& coarse, const FreeModel& model,
-                                    const std::vector<double>& values,
+                                    const std::vector<std::vector<double>>& points,
                                     const std::vector<Candidate>& list,
                                     const ScreeningOptions& options,
                                     const std::function<bool(double)>& tick, double* reference);

@@ -1,0 +1,20 @@
+// The PHS of a Bo-Bo bogie from the model of one cylinder: what a rig has taught, in the vehicle.
+//
+// Cylinders 1, 2 lead left, right; 3, 4 trail right, left. Every cylinder and its friction as the
+// one of the rig; its rod line becomes the cross lines L1 (rods 1, 2) and L4 (rods 3, 4), its bore
+// line the diagonal lines L2 (bores 1, 3) and L3 (bores 2, 4), each with the oil, gas and
+// accumulator of the rig's line. Effects act on the lines and cylinders that theirs became;
+// instrument effects, which no bogie has, stay behind.
+#pragma once
+
+#include "hydraulics/phs_params.h"
+
+namespace phs::effects {
+
+/// True for one cylinder between two lines (a quarter rig).
+bool IsQuarter(const hydraulics::PhsParams& params);
+
+/// @pre IsQuarter(quarter)
+hydraulics::PhsParams SpreadOverBogie(const hydraulics::PhsParams& quarter);
+
+}  // namespace phs::effects

@@ -1,0 +1,45 @@
+// The quarter rig's model spread over a bogie against the Bo-Bo model written by hand.
+#include "effects/bogie_spread.h"
+
+#include <gtest/gtest.h>
+
+#include "effects/catalogue.h"
+
+namespace phs::effects {
+namespace {
+
+TEST(BogieSpreadTest, QuarterModelGivesTheBoBoNetwork) {
+  const auto quarter = FindPhsParams("quarter_setup2").value();
+  const auto bo_bo = FindPhsParams("bo_bo").value();
+  ASSERT_TRUE(IsQuarter(quarter));
+  EXPECT_FALSE(IsQuarter(bo_bo));
+  const auto spread = SpreadOverBogie(quarter);
+  ASSERT_EQ(spread.cylinders.size(), bo_bo.cylinders.size());
+  for (size_t i = 0; i < 4; ++i) {
+    EXPECT_EQ(spread.cylinders[i].name, bo_bo.cylinders[i].name);
+    EXPECT_EQ(spread.cylinders[i].bore_line, bo_bo.cylinders[i].bore_line);
+    EXPECT_EQ(spread.cylinders[i].rod_line, bo_bo.cylinders[i].rod_line);
+    EXPECT_EQ(spread.lines[i].name, bo_bo.lines[i].name);
+    EXPECT_DOUBLE_EQ(spread.lines[i].static_pressure_Pa, bo_bo.lines[i].static_pressure_Pa);
+    EXPECT_DOUBLE_EQ(spread.lines[i].oil_volume_m3, bo_bo.lines[i].oil_volume_m3);
+    EXPECT_DOUBLE_EQ(spread.lines[i].gas_volume_m3, bo_bo.lines[i].gas_volume_m3);
+    EXPECT_DOUBLE_EQ(spread.lines[i].accumulator.volume_m3, bo_bo.lines[i].accumulator.volume_m3);
+  }
+  EXPECT_EQ(CreatePhsSystem(spread).value().num_cylinders(), 4);
+}
+
+TEST(BogieSpreadTest, EffectsFollowTheirLinesAndInstrumentsStayBehind) {
+  auto quarter = FindPhsParams("quarter_setup2").value();
+  ASSERT_TRUE(AddEffect(&quarter, "entrained_air").ok());
+  quarter.effects.back().targets = {quarter.cylinders[0].bore_line};
+  ASSERT_TRUE(AddEffect(&quarter, "sensor_gain").ok());
+  ASSERT_TRUE(AddEffect(&quarter, "stribeck").ok());
+  const auto spread = SpreadOverBogie(quarter);
+  ASSERT_EQ(spread.effects.size(), 2u);
+  EXPECT_EQ(spread.effects[0].targets, (std::vector<std::string>{"L2", "L3"}));
+  EXPECT_TRUE(spread.effects[1].targets.empty());
+  EXPECT_TRUE(CreatePhsSystem(spread).ok());
+}
+
+}  // namespace
+}  // namespace phs::effects
