@@ -24,6 +24,11 @@ PhsParams SpreadOverBogie(const PhsParams& quarter) {
   const LineParams& rod = quarter.lines[static_cast<size_t>(quarter.FindLine(one.rod_line))];
   const LineParams& bore = quarter.lines[static_cast<size_t>(quarter.FindLine(one.bore_line))];
   PhsParams bogie = quarter;
+  // The levels stay; how they are reached is for a run in time to stand: static friction is too
+  // steep at zero speed for any sensible step.
+  if (bogie.friction.model == hydraulics::FrictionModel::kStatic) {
+    bogie.friction.model = hydraulics::FrictionModel::kPresliding;
+  }
   bogie.cylinders.clear(), bogie.lines.clear(), bogie.effects.clear();
   const char* const lines[][3] = {
       {"1", "L2", "L1"}, {"2", "L3", "L1"}, {"3", "L2", "L4"}, {"4", "L3", "L4"}};

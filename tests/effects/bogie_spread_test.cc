@@ -25,6 +25,9 @@ TEST(BogieSpreadTest, QuarterModelGivesTheBoBoNetwork) {
     EXPECT_DOUBLE_EQ(spread.lines[i].gas_volume_m3, bo_bo.lines[i].gas_volume_m3);
     EXPECT_DOUBLE_EQ(spread.lines[i].accumulator.volume_m3, bo_bo.lines[i].accumulator.volume_m3);
   }
+  EXPECT_EQ(spread.friction.model, bo_bo.friction.model);
+  EXPECT_EQ(spread.friction.force_N, bo_bo.friction.force_N);
+  EXPECT_DOUBLE_EQ(spread.friction.stiffness_N_per_m, bo_bo.friction.stiffness_N_per_m);
   EXPECT_EQ(CreatePhsSystem(spread).value().num_cylinders(), 4);
 }
 
