@@ -11,6 +11,7 @@ const std::vector<CheckGroup>& AllCheckGroups() {
   static const std::vector<CheckGroup> groups = {
       {"creep", "creep forces on given patches", &AddCreepChecks},
       {"contact", "wheel on rail, Hertz, FASTSIM, Carter", &AddContactChecks},
+      {"stability", "linear stability on straight track", &AddStabilityChecks},
   };
   return groups;
 }
