@@ -24,6 +24,7 @@ int Main(int argc, char** argv) {
   phs::cli::AddLoads(&app, &action);
   phs::cli::AddStability(&app, &action);
   phs::cli::AddRig(&app, &action);
+  phs::cli::AddCurving(&app, &action);
   phs::cli::AddReport(&app, &action);
   phs::cli::AddSweep(&app, &action);
   phs::cli::AddValidate(&app, &action);
