@@ -30,11 +30,11 @@ void AddVolumes(const PhsParams& p, Checks* checks) {
         {{}, what, "m3", ours, reference, share * reference, Claim::kNear, source, {}});
   };
   add("volume of both chambers at mid stroke, calculated there", chambers, 4.47e-4, 0.002);
-  add("the same, measured", chambers, 4.5e-4, 0.01);
+  add("volume of both chambers, measured", chambers, 4.5e-4, 0.01);
   add("volume of the blow-off accumulator, measured", rod.accumulator.volume_m3, 0.74e-3, 0.02);
   add("volume of a reservoir, measured", rod.reservoir.volume_m3, 0.31e-3, 0.04);
   add("volume of 1 m of pipe of 12 mm, calculated there", pipe, 1.13e-4, 0.002);
-  add("the same, measured", pipe, 1.15e-4, 0.02);
+  add("volume of that pipe, measured", pipe, 1.15e-4, 0.02);
 }
 
 /// Force at rest with the precharge pressures as the thesis sets them.
@@ -87,7 +87,7 @@ Status AddBulkModulus(Checks* checks) {
                      Thesis("5.1.1, 5.2"),
                      {}});
   checks->push_back({{},
-                     "the same below 1 MPa, where the thesis sees air",
+                     "bulk modulus of the closed chamber below 1 MPa, where the thesis sees air",
                      "Pa",
                      modulus(0.2e6, 1e6),
                      0.7e9,
