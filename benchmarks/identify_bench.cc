@@ -78,3 +78,5 @@ BENCHMARK_CAPTURE(Search, mount_compliance, "mount_compliance")
 
 }  // namespace
 }  // namespace phs::identify::search
+
+BENCHMARK_MAIN();
