@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 
+#include "analysis/limits.h"
 #include "base/result_dir.h"
 #include "cli/curve_table.h"
 #include "cli/radius_table.h"
@@ -34,6 +35,8 @@ struct CurveOptions {
   bool csv = false;
   double timestep_s = 0;
   std::vector<int> radii_m;  ///< several curves instead of the scenario's own
+  std::string limits;        ///< file of limits to hold the result against
+  std::string junit;         ///< where to write them as JUnit XML
 };
 
 struct CurveRun {
@@ -113,7 +116,34 @@ Status WriteResults(const CurveOptions& options, const Scenario& scenario, bool 
   return report::WriteCurvingReport(dir->File(""), dir->File("report.html"));
 }
 
+/// The file of limits, read before any long work; none without --check.
+Result<std::vector<analysis::Limit>> ReadLimits(const CurveOptions& options) {
+  if (options.limits.empty()) return std::vector<analysis::Limit>();
+  return analysis::LoadLimits(options.limits);
+}
+
+/// Says on stderr what failed: runs and limits.
+int ReportChecks(const CurveOptions& options, const std::string& name,
+                 const std::vector<analysis::Limit>& limits, const NamedSummaries& summaries,
+                 const Json& ratios) {
+  auto checks = analysis::CheckLimits(limits, summaries, ratios);
+  if (!checks.ok()) return BadInput(checks.error());
+  if (!options.junit.empty()) {
+    const std::string xml = analysis::JUnitXml(name, checks.value());
+    if (Status s = WriteFileAtomically(options.junit, xml); !s.ok()) return BadInput(s.error());
+  }
+  int code = kDone;
+  for (const analysis::LimitCheck& check : checks.value()) {
+    if (check.Passed()) continue;
+    fmt::print(stderr, "phs: {}\n", check.Text());
+    code = kFailed;
+  }
+  return code;
+}
+
 int RunCurve(const CurveOptions& options, bool compare) {
+  auto limits = ReadLimits(options);
+  if (!limits.ok()) return BadInput(limits.error());
   auto loaded = vehicle::LoadScenario(options.scenario);
   if (!loaded.ok()) return BadInput(loaded.error());
   Scenario scenario = std::move(loaded).value();
@@ -151,12 +181,9 @@ int RunCurve(const CurveOptions& options, bool compare) {
       fmt::print("\nReport: {}/report.html\n", dir->final_path());
     }
   }
-  for (const CurveRun& run : runs) {
-    if (run.outcome.status == "ok") continue;
-    fmt::print(stderr, "phs: {}: {}: {}\n", run.bogie, run.outcome.status, run.outcome.reason);
-    return kFailed;
-  }
-  return kDone;
+  const Json compared =
+      vehicle::Compare(summaries, scenario, runs[0].simulation->binding().track());
+  return ReportChecks(options, scenario.name, limits.value(), summaries, compared["ratios"]);
 }
 
 /// "all" stands for every bogie that names a yardstick.
@@ -176,6 +203,9 @@ std::vector<std::string> ExpandBogies(const std::vector<std::string>& asked) {
 
 /// Several bogies in several curves: a table and bogies.json.
 int RunOverRadii(const CurveOptions& options) {
+  if (!options.limits.empty() || !options.junit.empty()) {
+    return BadInput({"--check, --junit", "are for one curve", "compare without --radii", ""});
+  }
   auto loaded = vehicle::LoadScenario(options.scenario);
   if (!loaded.ok()) return BadInput(loaded.error());
   Scenario base = std::move(loaded).value();
@@ -224,6 +254,9 @@ int RunOverRadii(const CurveOptions& options) {
 void AddCurveOptions(CLI::App* verb, CurveOptions* options) {
   AddCommonOptions(verb, &options->common);
   verb->add_option("scenario", options->scenario, "Scenario: a name or a YAML file")->required();
+  verb->add_option("--check", options->limits,
+                   "Limits (YAML) that the result must keep: else exit 1");
+  verb->add_option("--junit", options->junit, "Write how runs and limits did as JUnit XML");
   verb->add_flag("--csv", options->csv, "Time series as CSV too");
   verb->add_option("--timestep", options->timestep_s, "Step in seconds, instead of the scenario's")
       ->check(CLI::PositiveNumber);

@@ -1,0 +1,212 @@
+#include "analysis/limits.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <sstream>
+
+#include "base/words.h"
+#include "base/yaml.h"
+
+namespace phs::analysis {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr char kRatios[] = "ratios.";
+
+/// The part of `node` called `part`: a key of a map or the entry of a list with that name.
+const Json* PartOf(const Json& node, const std::string& part) {
+  if (node.is_object()) return node.contains(part) ? &node[part] : nullptr;
+  if (!node.is_array()) return nullptr;
+  for (const Json& entry : node) {
+    if (entry.is_object() && entry.value("name", "") == part) return &entry;
+  }
+  return nullptr;
+}
+
+const Json* Find(const Json& document, const std::string& path) {
+  const Json* node = &document;
+  std::istringstream parts(path);
+  for (std::string part; node != nullptr && std::getline(parts, part, '.');) {
+    node = PartOf(*node, part);
+  }
+  return node;
+}
+
+/// Paths of all numbers, and of places for numbers that this run has not (null).
+void CollectPaths(const Json& node, const std::string& path, std::vector<std::string>* paths) {
+  const std::string dot = path.empty() ? "" : path + ".";
+  if (node.is_number() || (node.is_null() && !path.empty())) {
+    paths->push_back(path);
+  } else if (node.is_object()) {
+    for (const auto& [key, value] : node.items()) CollectPaths(value, dot + key, paths);
+  } else if (node.is_array()) {
+    for (const Json& entry : node) {
+      if (entry.is_object() && entry.contains("name")) {
+        CollectPaths(entry, dot + entry["name"].get<std::string>(), paths);
+      }
+    }
+  }
+}
+
+Error UnknownQuantity(const Limit& limit, const Json& document, const std::string& prefix) {
+  std::vector<std::string> known;
+  CollectPaths(document, "", &known);
+  for (std::string& path : known) path = prefix + path;
+  return {limit.where, Quoted(limit.quantity) + " is no number of the result",
+          "paths of numbers in summary.json, or ratios.A_over_B. and such a path",
+          DidYouMean(limit.quantity, known, "check the path")};
+}
+
+void AddChecks(const Limit& limit, const std::string& bogie, const Json& found,
+               std::vector<LimitCheck>* checks) {
+  double value = found.is_number() ? found.get<double>() : std::nan("");
+  if (limit.of_magnitude) value = std::abs(value);
+  const std::string of = limit.of_magnitude ? "magnitude " : "";
+  if (std::isfinite(limit.at_most)) {
+    checks->push_back({bogie, limit.quantity, fmt::format("{}at most {:g}", of, limit.at_most),
+                       value, value - limit.at_most, ""});
+  }
+  if (std::isfinite(limit.at_least)) {
+    checks->push_back({bogie, limit.quantity, fmt::format("{}at least {:g}", of, limit.at_least),
+                       value, limit.at_least - value, ""});
+  }
+}
+
+Status CheckBogies(const Limit& limit, const std::vector<NamedSummary>& summaries,
+                   std::vector<LimitCheck>* checks) {
+  std::vector<std::string> names;
+  bool found_bogie = false;
+  bool known = false;
+  for (const auto& [bogie, summary] : summaries) {
+    names.push_back(bogie);
+    if (!limit.bogie.empty() && limit.bogie != bogie) continue;
+    found_bogie = true;
+    const Json* found = Find(summary, limit.quantity);
+    const bool number = found != nullptr && (found->is_number() || found->is_null());
+    known = known || number;
+    // Bogies differ in what they have: only those with this quantity are held to it.
+    if (number) AddChecks(limit, bogie, *found, checks);
+  }
+  if (!found_bogie) {
+    return Error{limit.where, Quoted(limit.bogie) + " is no bogie of this run", JoinWords(names),
+                 DidYouMean(limit.bogie, names)};
+  }
+  if (known) return {};
+  for (const auto& [bogie, summary] : summaries) {
+    if (limit.bogie.empty() || limit.bogie == bogie) return UnknownQuantity(limit, summary, "");
+  }
+  return {};
+}
+
+std::string XmlText(const std::string& text) {
+  std::string out;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        out += "&amp;";
+        break;
+      case '<':
+        out += "&lt;";
+        break;
+      case '>':
+        out += "&gt;";
+        break;
+      case '"':
+        out += "&quot;";
+        break;
+      default:
+        // XML 1.0 has no other control characters, not even as references.
+        out += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+    }
+  }
+  return out;
+}
+
+}  // namespace
+
+Result<std::vector<Limit>> LoadLimits(const std::string& path) {
+  auto doc = YamlMap::Load(path);
+  if (!doc.ok()) return doc.error();
+  YamlMap& map = doc.value();
+  std::vector<Limit> limits;
+  for (YamlMap& entry : map.Maps("limits")) {
+    Limit limit;
+    limit.quantity = entry.Text("quantity");
+    limit.where = entry.Where("quantity");
+    limit.bogie = entry.Text("bogie", "");
+    if (entry.Has("at_most")) limit.at_most = entry.Number("at_most", {});
+    if (entry.Has("at_least")) limit.at_least = entry.Number("at_least", {});
+    limit.of_magnitude = entry.Bool("magnitude", false);
+    if (!std::isfinite(limit.at_most) && !std::isfinite(limit.at_least)) {
+      entry.Fail("at_most", "is missing", "at_most, at_least or both", "add one");
+    }
+    if (limit.at_least > limit.at_most) entry.Fail("at_least", "is above at_most");
+    limits.push_back(std::move(limit));
+  }
+  if (limits.empty()) map.Fail("limits", "is empty or missing", "a list of limits", "add one");
+  if (Status s = map.Finish(); !s.ok()) return s.error();
+  return limits;
+}
+
+bool LimitCheck::Passed() const { return reason.empty() && std::isfinite(value) && excess <= 0; }
+
+std::string LimitCheck::Text() const {
+  const std::string whose = bogie.empty() ? "" : bogie + ": ";
+  if (!reason.empty()) return whose + reason;
+  if (!std::isfinite(value)) {
+    return fmt::format("{}{} has no value, {} asked: the run did not get there", whose, quantity,
+                       claim);
+  }
+  const std::string is = fmt::format("{}{} is {:.6g}, {} allowed", whose, quantity, value, claim);
+  if (Passed()) return is;
+  return fmt::format("{}: {:.4g} {}", is, excess,
+                     claim.find("at most") != std::string::npos ? "too much" : "too little");
+}
+
+Result<std::vector<LimitCheck>> CheckLimits(const std::vector<Limit>& limits,
+                                            const std::vector<NamedSummary>& summaries,
+                                            const Json& ratios) {
+  std::vector<LimitCheck> checks;
+  for (const auto& [bogie, summary] : summaries) {
+    const std::string status = summary.value("status", "");
+    checks.push_back({bogie, "status", "ok", 0, 0,
+                      status == "ok" ? "" : status + ": " + summary.value("reason", "")});
+  }
+  for (const Limit& limit : limits) {
+    if (!limit.quantity.starts_with(kRatios)) {
+      if (Status s = CheckBogies(limit, summaries, &checks); !s.ok()) return s.error();
+      continue;
+    }
+    const Json* found = Find(ratios, limit.quantity.substr(sizeof kRatios - 1));
+    if (found == nullptr || !(found->is_number() || found->is_null())) {
+      return UnknownQuantity(limit, ratios, kRatios);
+    }
+    AddChecks(limit, "", *found, &checks);
+  }
+  return checks;
+}
+
+std::string JUnitXml(const std::string& suite, const std::vector<LimitCheck>& checks) {
+  int failures = 0;
+  for (const LimitCheck& check : checks) failures += check.Passed() ? 0 : 1;
+  std::string xml = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n";
+  xml += fmt::format("  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"0\">\n",
+                     XmlText(suite), checks.size(), failures);
+  for (const LimitCheck& check : checks) {
+    xml += fmt::format("    <testcase classname=\"{}\" name=\"{} {}\"",
+                       XmlText(suite + "." + (check.bogie.empty() ? "ratios" : check.bogie)),
+                       XmlText(check.quantity), XmlText(check.claim));
+    if (check.Passed()) {
+      xml += "/>\n";
+    } else {
+      const std::string text = XmlText(check.Text());
+      xml +=
+          fmt::format(">\n      <failure message=\"{0}\">{0}</failure>\n    </testcase>\n", text);
+    }
+  }
+  return xml + "  </testsuite>\n</testsuites>\n";
+}
+
+}  // namespace phs::analysis
