@@ -67,7 +67,7 @@ TEST_F(CheckTest, EveryMissedLimitIsOneLineAndJUnitHasIt) {
   EXPECT_EQ(std::count(out.errors.begin(), out.errors.end(), '\n'), 3) << out.errors;
   EXPECT_THAT(out.errors, HasSubstr("phs: phs: run.min_Q_N is "));
   EXPECT_THAT(out.errors, HasSubstr(" too little"));
-  EXPECT_THAT(out.errors, HasSubstr("rigid_link: run.steps is 50, at most 1 allowed: 49 too much"));
+  EXPECT_THAT(out.errors, HasSubstr("rigid_link: run.steps is 51, at most 1 allowed: 50 too much"));
   std::ifstream file(Path("junit.xml"));
   const std::string xml{std::istreambuf_iterator<char>(file), {}};
   EXPECT_THAT(xml, HasSubstr("tests=\"6\" failures=\"3\""));
