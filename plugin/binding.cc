@@ -61,9 +61,14 @@ Status Binding::LoadRail(mjModel* m, const AttachOptions& options) {
 
   friction_ = CustomNumber(m, "phs_friction").value_or(kDefaultFriction);
   if (std::isfinite(track_->friction())) friction_ = track_->friction();
-  if (options.friction != AttachOptions::kUnset) friction_ = options.friction;
 
   rail::WheelRailParams params;
+  params.tread.coefficient = friction_;
+  params.flange.coefficient = friction_;
+  rail::FrictionSettings friction = options.friction;
+  friction.condition = Chosen(friction.condition, m, "phs_friction_condition", "");
+  if (Status s = rail::ApplyFriction(friction, &params); !s.ok()) return s;
+  friction_ = params.tread.coefficient;
   auto wheel = FindProfile("wheel profile", Chosen(options.wheel_profile, m, "phs_wheel", "S1002"));
   if (!wheel.ok()) return wheel.error();
   params.wheel_profile = wheel.value();
@@ -77,9 +82,6 @@ Status Binding::LoadRail(mjModel* m, const AttachOptions& options) {
       CustomNumber(m, "phs_flange_back_m").value_or(track_->gauge() - 0.075);
   params.wheel_radius = CustomNumber(m, "phs_wheel_radius_m").value_or(params.wheel_radius);
   params.creep.method = Chosen(options.creep_law, m, "phs_creep", "kalker_table");
-  params.tread.coefficient = friction_;
-  params.flange.coefficient =
-      options.flange_friction == AttachOptions::kUnset ? friction_ : options.flange_friction;
   auto wheel_rail = rail::WheelRail::Create(params);
   if (!wheel_rail.ok()) return wheel_rail.error();
   wheel_rail_ = std::make_unique<rail::WheelRail>(std::move(wheel_rail).value());

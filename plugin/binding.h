@@ -22,6 +22,7 @@
 #include "effects/failures.h"
 #include "hydraulics/phs_system.h"
 #include "plugin/running_forces.h"
+#include "rail/creep_conditions.h"
 #include "rail/track.h"
 #include "rail/wheel_rail.h"
 
@@ -39,8 +40,7 @@ struct AttachOptions {
   std::string rail_profile;
   std::string creep_law;
   std::string phs_model;            ///< replaces the model of every PHS system
-  double friction = kUnset;         ///< wheel-rail friction coefficient
-  double flange_friction = kUnset;  ///< on the flange; as `friction` if unset
+  rail::FrictionSettings friction;  ///< of wheel on rail
   double speed_m_s = kUnset;        ///< target of the speed hold
   double start_s_m = kUnset;        ///< arc length of the rearmost wheelset at the start
   effects::PhsChanges phs_changes;  ///< parameters and failures of every PHS

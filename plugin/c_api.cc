@@ -51,15 +51,17 @@ Result<std::vector<phs::effects::Failure>> ParseFailures(const std::string& text
 
 Result<AttachOptions> ParseOptions(const std::string& text) {
   AttachOptions options;
-  const std::map<std::string, std::string*> words = {{"track", &options.track},
-                                                     {"wheel", &options.wheel_profile},
-                                                     {"rail", &options.rail_profile},
-                                                     {"creep", &options.creep_law},
-                                                     {"phs", &options.phs_model}};
-  const std::map<std::string, double*> numbers = {{"friction", &options.friction},
-                                                  {"flange_friction", &options.flange_friction},
-                                                  {"speed_m_s", &options.speed_m_s},
-                                                  {"start_s_m", &options.start_s_m}};
+  const std::map<std::string, std::string*> words = {
+      {"track", &options.track},       {"wheel", &options.wheel_profile},
+      {"rail", &options.rail_profile}, {"creep", &options.creep_law},
+      {"phs", &options.phs_model},     {"friction_condition", &options.friction.condition}};
+  const std::map<std::string, double*> numbers = {
+      {"friction", &options.friction.tread},
+      {"flange_friction", &options.friction.flange},
+      {"falling_ratio", &options.friction.falling_ratio},
+      {"falling_rate_s_m", &options.friction.falling_rate_s_m},
+      {"speed_m_s", &options.speed_m_s},
+      {"start_s_m", &options.start_s_m}};
   size_t begin = 0;
   while (begin < text.size()) {
     const size_t end = std::min(text.find(';', begin), text.size());
@@ -86,11 +88,10 @@ Result<AttachOptions> ParseOptions(const std::string& text) {
       for (const auto& [name, unused] : words) known.push_back(name);
       for (const auto& [name, unused] : numbers) known.push_back(name);
       const std::string nearest = phs::NearestWord(key, known);
-      return Error{
-          "option '" + key + "'", "is unknown",
-          "track, wheel, rail, creep, phs, friction, flange_friction, speed_m_s, start_s_m, "
-          "failures",
-          nearest.empty() ? "" : "did you mean '" + nearest + "'?"};
+      return Error{"option '" + key + "'", "is unknown",
+                   "track, wheel, rail, creep, phs, friction, flange_friction, friction_condition, "
+                   "falling_ratio, falling_rate_s_m, speed_m_s, start_s_m, failures",
+                   nearest.empty() ? "" : "did you mean '" + nearest + "'?"};
     }
   }
   return options;

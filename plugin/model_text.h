@@ -5,6 +5,7 @@
 //   <text name="phs_rail" data="UIC60"/>            rail profile
 //   <text name="phs_creep" data="kalker_table"/>    creep law
 //   <numeric name="phs_friction" data="0.3"/>       else the track's, else 0.3
+//   <text name="phs_friction_condition" data="wet"/>  friction and creep slope by name, instead
 //   <numeric name="phs_speed_m_s" data="20"/>       speed that the drives hold; 0 = no speed hold
 //   <tuple name="wheelset:NAME">  body, spin joint, primary yaw joint, optional drive actuator
 //   <tuple name="phs:NAME">       actuators: the cylinders in order, then carriers of extra states

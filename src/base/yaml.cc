@@ -132,6 +132,11 @@ Result<YamlMap> YamlMap::Parse(const std::string& text, const std::string& name)
 
 bool YamlMap::Has(std::string_view key) const { return impl_->Find(key) != nullptr; }
 
+bool YamlMap::IsMap(std::string_view key) const {
+  const YAML::Node* node = impl_->Find(key);
+  return node != nullptr && node->IsMap();
+}
+
 double YamlMap::Number(std::string_view key, const Range& range) {
   const YAML::Node* node = impl_->Find(key);
   if (node == nullptr) {

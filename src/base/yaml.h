@@ -43,6 +43,8 @@ class YamlMap {
   static Result<YamlMap> Parse(const std::string& text, const std::string& name);
 
   bool Has(std::string_view key) const;
+  /// The value is a block of its own, not a number or a word.
+  bool IsMap(std::string_view key) const;
   double Number(std::string_view key, const Range& range);
   double Number(std::string_view key, const Range& range, double otherwise);
   int Integer(std::string_view key, int min, int max);

@@ -3,15 +3,20 @@
 
 #include <filesystem>
 #include <memory>
+#include <numbers>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "base/data_path.h"
 #include "base/table.h"
 #include "cli/verbs.h"
+#include "rail/contact_functions.h"
 #include "rail/creep_cases.h"
 #include "rail/creep_law.h"
 #include "rail/wheelset_cases.h"
+#include "report/report_page.h"
 
 namespace phs::cli {
 namespace {
@@ -26,6 +31,10 @@ struct PairOptions {
 struct ContactOptions {
   std::string cases;
   std::string wheelset;
+  bool functions = false;
+  double reach_m = 10e-3;
+  double step_m = 0.1e-3;
+  std::string report;
   std::string method;
   std::string side;
   PairOptions pair;
@@ -138,8 +147,105 @@ int RunWheelset(const ContactOptions& options) {
   return kDone;
 }
 
+Result<rail::WheelRail> CreatePair(const PairOptions& given) {
+  rail::WheelRailParams params = BenchmarkPair();
+  if (Status s = Apply(given, &params); !s.ok()) return s.error();
+  params.creep.method = "linear";
+  return rail::WheelRail::Create(params);
+}
+
+Status WriteFunctions(const std::string& path, const rail::ContactFunctions& f) {
+  std::vector<std::vector<double>> columns(12);
+  for (const rail::ContactFunctionRow& row : f.rows) {
+    const double values[] = {1e3 * row.y,
+                             row.roll,
+                             1e3 * row.height,
+                             1e3 * row.RadiusDifference(),
+                             1e3 * row.left.radius,
+                             1e3 * row.right.radius,
+                             row.left.angle,
+                             row.right.angle,
+                             1e3 * row.left.wheel_y,
+                             1e3 * row.right.wheel_y,
+                             1e3 * row.left.rail_y,
+                             1e3 * row.right.rail_y};
+    for (std::size_t i = 0; i < columns.size(); ++i) columns[i].push_back(values[i]);
+  }
+  return WriteCsv(
+      path,
+      {"y_mm", "roll_rad", "z_mm", "radius_difference_mm", "radius_left_mm", "radius_right_mm",
+       "contact_angle_left_rad", "contact_angle_right_rad", "ycp_wheel_left_mm",
+       "ycp_wheel_right_mm", "ycp_rail_left_mm", "ycp_rail_right_mm"},
+      columns);
+}
+
+Status WriteFunctionsReport(const std::string& path, const rail::WheelRailParams& pair,
+                            const rail::ContactFunctions& f) {
+  using report::Curve;
+  report::ReportPage page(
+      "Contact functions",
+      fmt::format("{} on {}, gauge {:.4g} m, rigid bodies, no yaw",
+                  std::filesystem::path(pair.wheel_profile).filename().string(),
+                  std::filesystem::path(pair.rail_profile).filename().string(), pair.gauge));
+  Curve difference{.label = "radius difference"}, left{.label = "left"},
+      right{.label = "right", .colour = 1}, conicity{.label = "equivalent conicity"};
+  for (const rail::ContactFunctionRow& row : f.rows) {
+    difference.x.push_back(1e3 * row.y);
+    difference.y.push_back(1e3 * row.RadiusDifference());
+    for (auto [curve, point] : {std::pair{&left, &row.left}, {&right, &row.right}}) {
+      curve->x.push_back(1e3 * row.y);
+      curve->y.push_back(point->angle * 180 / std::numbers::pi);
+    }
+  }
+  for (const rail::Conicity& c : f.conicity) {
+    conicity.x.push_back(1e3 * c.amplitude);
+    conicity.y.push_back(c.value);
+  }
+  const std::string place = "lateral position of the wheelset to the right [mm]";
+  page.Section("Over the lateral position");
+  page.BeginGrid(2);
+  page.Add(report::XyPlot{.title = "Rolling-radius difference, right less left",
+                          .x_label = place,
+                          .y_label = "difference [mm]",
+                          .curves = {difference}});
+  page.Add(report::XyPlot{.title = "Contact angle",
+                          .x_label = place,
+                          .y_label = "angle [deg]",
+                          .curves = {left, right}});
+  page.EndGrid();
+  page.Section("Equivalent conicity");
+  page.Paragraph(
+      "The cone whose free wave is as long as this pair's at the same amplitude (EN 15302).");
+  page.Add(report::XyPlot{.title = "Equivalent conicity",
+                          .x_label = "amplitude [mm]",
+                          .y_label = "tan(gamma_e)",
+                          .curves = {conicity}});
+  return page.Write(path);
+}
+
+int RunFunctions(const ContactOptions& options) {
+  const auto pair = CreatePair(options.pair);
+  if (!pair.ok()) return BadInput(pair.error());
+  const auto f =
+      rail::CalcContactFunctions(pair.value(), pair.value(), options.reach_m, options.step_m);
+  if (!f.ok()) return BadInput(f.error());
+  if (Status s = WriteFunctions(options.out, f.value()); !s.ok()) return BadInput(s.error());
+  fmt::print("amplitude [mm]   equivalent conicity\n");
+  for (const rail::Conicity& c : f.value().conicity) {
+    fmt::print("{:>14.1f}   {:>19.4f}\n", 1e3 * c.amplitude, c.value);
+  }
+  fmt::print("{} lateral positions: {}\n", f.value().rows.size(), options.out);
+  if (options.report.empty()) return kDone;
+  if (Status s = WriteFunctionsReport(options.report, pair.value().params(), f.value()); !s.ok()) {
+    return BadInput(s.error());
+  }
+  fmt::print("Report: {}\n", options.report);
+  return kDone;
+}
+
 int RunContact(const ContactOptions& options) {
   if (Status s = CheckOut(options); !s.ok()) return BadInput(s.error());
+  if (options.functions) return RunFunctions(options);
   return options.wheelset.empty() ? RunCases(options) : RunWheelset(options);
 }
 
@@ -179,7 +285,16 @@ void AddContact(CLI::App* app, Action* action) {
   what->add_option("--cases", options->cases, "CSV of contact patches and creepages");
   what->add_option("--wheelset", options->wheelset,
                    "CSV of wheelset positions, or CONTACT's input file (.inp)");
+  what->add_flag("--functions", options->functions,
+                 "Radius difference, contact angles and equivalent conicity of a pair");
   what->require_option(1);
+  verb->add_option("--reach_m", options->reach_m, "--functions: largest lateral position")
+      ->check(CLI::Range(2e-3, 40e-3))
+      ->capture_default_str();
+  verb->add_option("--step_m", options->step_m, "--functions: between lateral positions")
+      ->check(CLI::Range(1e-5, 1e-3))
+      ->capture_default_str();
+  verb->add_option("--report", options->report, "--functions: page with the plots (HTML)");
   verb->add_option("--method", options->method,
                    "Creep law (kalker_table for --cases, fastsim for --wheelset)")
       ->check(CLI::IsMember(rail::CreepLawNames()));

@@ -150,6 +150,9 @@ void ContactSearch::FindPoints(const WheelPlacement& wheel, double rail_y, doubl
     const Locus l = LocusAt(axle, at);
     if (!(l.overlap > 0)) continue;
     Overlap& p = found->patch[static_cast<size_t>(found->count++)];
+    p.wheel_y = at;
+    p.y = l.y;
+    p.z = l.z;
     p.slope = l.rail_slope;
     p.depth = l.overlap / std::sqrt(1 + l.rail_slope * l.rail_slope);
     p.radius = radius_ + wheel_.At(at).z;

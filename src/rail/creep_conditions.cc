@@ -1,5 +1,7 @@
 #include "rail/creep_conditions.h"
 
+#include "base/words.h"
+
 namespace phs::rail {
 
 const std::vector<FrictionCondition>& FrictionConditions() {
@@ -42,13 +44,30 @@ Result<FrictionCondition> FindFrictionCondition(const std::string& name) {
     if (c.name == name) return c;
     known += (known.empty() ? "" : ", ") + c.name;
   }
-  return Error{"friction condition", "'" + name + "' is not known", known, ""};
+  return Error{"friction condition", "'" + name + "' is not known", known,
+               DidYouMean(name, FrictionConditionNames())};
 }
 
-void ApplyCondition(const FrictionCondition& condition, CreepLawParams* params) {
-  params->polach_adhesion = condition.polach_adhesion;
-  params->polach_slip = condition.polach_slip;
-  params->slope_reduction = condition.slope_reduction;
+Status ApplyFriction(const FrictionSettings& settings, WheelRailParams* params) {
+  if (!settings.condition.empty()) {
+    const auto condition = FindFrictionCondition(settings.condition);
+    if (!condition.ok()) return condition.error();
+    params->tread = condition.value().tread;
+    params->flange = condition.value().flange;
+    params->creep.polach_adhesion = condition.value().polach_adhesion;
+    params->creep.polach_slip = condition.value().polach_slip;
+    params->creep.slope_reduction = condition.value().slope_reduction;
+  }
+  if (settings.tread >= 0) {
+    params->tread.coefficient = settings.tread;
+    if (settings.condition.empty()) params->flange.coefficient = settings.tread;
+  }
+  if (settings.flange >= 0) params->flange.coefficient = settings.flange;
+  for (FrictionLaw* law : {&params->tread, &params->flange}) {
+    if (settings.falling_ratio >= 0) law->falling_ratio = settings.falling_ratio;
+    if (settings.falling_rate_s_m >= 0) law->falling_rate_s_m = settings.falling_rate_s_m;
+  }
+  return {};
 }
 
 }  // namespace phs::rail

@@ -6,6 +6,7 @@
 
 #include "base/result.h"
 #include "rail/creep_law.h"
+#include "rail/wheel_rail.h"
 
 namespace phs::rail {
 
@@ -26,7 +27,17 @@ const std::vector<FrictionCondition>& FrictionConditions();
 Result<FrictionCondition> FindFrictionCondition(const std::string& name);
 std::vector<std::string> FrictionConditionNames();
 
-/// Puts the condition's slope into the parameters of a law.
-void ApplyCondition(const FrictionCondition& condition, CreepLawParams* params);
+/// Friction as a user asks for it; empty or < 0 = not asked for.
+struct FrictionSettings {
+  std::string condition;         ///< name
+  double tread = -1;             ///< coefficient f0, instead of the condition's
+  double flange = -1;            ///< as `tread` if no condition is given either
+  double falling_ratio = -1;     ///< A of both, (0, 1]
+  double falling_rate_s_m = -1;  ///< B of both [s/m]
+};
+
+/// Puts the settings over the friction and the creep law of `params`. An unknown condition is an
+/// error that lists the known ones.
+Status ApplyFriction(const FrictionSettings& settings, WheelRailParams* params);
 
 }  // namespace phs::rail

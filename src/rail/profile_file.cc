@@ -6,6 +6,7 @@
 
 #include "base/result_dir.h"
 #include "rail/profile.h"
+#include "rail/profile_smoothing.h"
 
 namespace phs::rail {
 namespace {
@@ -16,6 +17,7 @@ constexpr size_t kMaxPoints = 200000;
 struct RawProfile {
   std::vector<double> y, z;  ///< in the file's unit and order
   double per_metre = 1000;   ///< file units per metre
+  double smoothing = 0;      ///< wavelength [m]; 0 = none
   int mirror_y = 0;
   int mirror_z = 0;
   int inversion = 0;
@@ -69,6 +71,14 @@ Result<RawProfile> ReadRaw(const std::string& text, const std::string& name) {
     const std::string where = name + ":" + std::to_string(number);
     if (line.find("unit: m") != std::string::npos && line.find("unit: mm") == std::string::npos) {
       raw.per_metre = 1;
+    }
+    if (const size_t at = line.find("smoothing_mm:"); at != std::string::npos) {
+      const std::vector<std::string> words = Words(line.substr(at + 13));
+      double value = 0;
+      if (words.empty() || !ToNumber(words[0], &value) || value < 0 || value > 50) {
+        return Error{where, "smoothing_mm is wrong", "0 … 50", ""};
+      }
+      raw.smoothing = 1e-3 * value;
     }
     const size_t comment = line.find_first_of("!#%");
     const std::vector<std::string> words = Words(line.substr(0, comment));
@@ -138,6 +148,7 @@ Result<Profile> ParseProfile(const std::string& text, const std::string& name, P
                  "check the unit of length"};
   }
   (void)kind;
+  if (raw.smoothing > 0) SmoothOutline(raw.smoothing, &y, &z);
   return Profile::FromPoints(name, std::move(y), std::move(z));
 }
 

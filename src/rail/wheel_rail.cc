@@ -208,6 +208,28 @@ Result<WheelRail> WheelRail::Create(const WheelRailParams& params) {
   return WheelRail(std::move(impl));
 }
 
+TouchPoint WheelRail::Touch(double lateral, double roll, double yaw) const noexcept {
+  // The gap's shape does not depend on the height: lowered until they overlap, the bodies touch
+  // where the vertical overlap is greatest.
+  constexpr double kStep = 5e-3;
+  constexpr double kLowest = 60e-3;
+  TouchPoint touch;
+  Overlaps found;
+  for (double sunk = kStep; found.count == 0 && sunk < kLowest; sunk += kStep) {
+    const double height = impl_->touching + sunk;
+    impl_->search->FindPoints({lateral, height, roll, yaw}, impl_->rail_y, 0, &found);
+    double most = 0;
+    for (int i = 0; i < found.count; ++i) {
+      const Overlap& p = found.patch[static_cast<size_t>(i)];
+      const double vertical = p.depth * std::sqrt(1 + p.slope * p.slope);
+      if (vertical <= most) continue;
+      most = vertical;
+      touch = {true, height - vertical, p.y, p.wheel_y, -std::atan(p.slope), p.radius};
+    }
+  }
+  return touch;
+}
+
 /// Creepages and creep force of a patch whose normal force is known, added to the sums.
 void WheelRail::Impl::AddCreep(const WheelsetMotion& motion, const PatchAxes& axes,
                                ContactPatch* at, WheelRailForces* out) const noexcept {

@@ -86,6 +86,16 @@ struct WheelRailForces {
   int contacts() const;
 };
 
+/// Where rigid bodies touch.
+struct TouchPoint {
+  bool found = false;
+  double height = 0;   ///< z_C of the wheelset centre [m]
+  double rail_y = 0;   ///< in the rail profile's axes [m]
+  double wheel_y = 0;  ///< in the wheel profile's axes [m]
+  double angle = 0;    ///< contact angle, > 0 falling to the track centre [rad]
+  double radius = 0;   ///< rolling radius [m]
+};
+
 /// Immutable; thread-safe; Calc does not allocate.
 class WheelRail {
  public:
@@ -99,6 +109,8 @@ class WheelRail {
             const RailSupport& support, WheelRailForces* out) const noexcept;
   const WheelRailParams& params() const;
   const CreepLaw& creep_law() const;
+  /// A wheel lowered on the undisplaced rail until it touches; position in C.
+  TouchPoint Touch(double lateral, double roll, double yaw) const noexcept;
   /// z_C of the wheelset centre at which a centred, unrolled wheelset just touches the rail.
   double touching_height() const;
   /// Largest flange angle of the wheel profile [rad] (Nadal, derailment).

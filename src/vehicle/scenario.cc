@@ -22,6 +22,29 @@ void ReadRunning(YamlMap map, Scenario* s) {
   r.ramp_s = map.Number("ramp_s", {.min = 0, .max = 1e6, .open_min = true}, r.ramp_s);
 }
 
+/// `friction:` a coefficient, or a block with a condition by name and single values of its own.
+void ReadFriction(YamlMap* map, rail::FrictionSettings* f) {
+  const Range coefficients{.min = 0.01, .max = 1.0};
+  if (!map->IsMap("friction")) {
+    f->tread = map->Number("friction", coefficients, f->tread);
+    f->flange = map->Number("flange_friction", coefficients, f->flange);
+    return;
+  }
+  if (map->Has("flange_friction")) {
+    map->Fail("flange_friction", "stands beside a friction block", "flange in that block");
+  }
+  YamlMap block = map->Map("friction");
+  if (block.Has("condition")) {
+    f->condition = block.Word("condition", rail::FrictionConditionNames());
+  }
+  f->tread = block.Number("tread", coefficients, f->tread);
+  f->flange = block.Number("flange", coefficients, f->flange);
+  f->falling_ratio =
+      block.Number("falling_ratio", {.min = 0, .max = 1, .open_min = true}, f->falling_ratio);
+  f->falling_rate_s_m =
+      block.Number("falling_rate_s_m", {.min = 0, .max = 100}, f->falling_rate_s_m);
+}
+
 /// `joints:` springs and dampers by joint name.
 void ReadJoints(YamlMap map, Scenario* s) {
   for (const std::string& joint : map.Keys()) {
@@ -58,8 +81,7 @@ Result<Scenario> LoadScenario(const std::string& name_or_path) {
   } else {
     s.speed_m_s = map.Number("speed_km_h", {.min = 3.6, .max = 432}) / 3.6;
   }
-  s.friction = map.Number("friction", {.min = 0.01, .max = 1.0}, s.friction);
-  s.flange_friction = map.Number("flange_friction", {.min = 0.01, .max = 1.0}, s.flange_friction);
+  ReadFriction(&map, &s.friction);
   s.timestep_s = map.Number("timestep_s", {.min = 1e-6, .max = 0.05}, s.timestep_s);
   s.duration_s = map.Number("duration_s", {.min = 0, .max = 1e5, .open_min = true}, s.duration_s);
   s.start_s_m = map.Number("start_s_m", {.min = -1e4, .max = 1e7}, s.start_s_m);

@@ -7,6 +7,7 @@
 #include "base/result.h"
 #include "effects/failures.h"
 #include "plugin/running_forces.h"
+#include "rail/creep_conditions.h"
 
 namespace phs::vehicle {
 
@@ -17,11 +18,10 @@ struct Scenario {
   std::string vehicle = "bogie";  ///< bogie | locomotive
   std::string wheel;              ///< profile; empty = as in the bogie file
   std::string rail;
-  std::string creep;            ///< creep law; empty = as in the bogie file
-  std::string phs;              ///< PHS model; empty = as in the bogie file
-  double speed_m_s = 0;         ///< held by the drives, > 0
-  double friction = -1;         ///< < 0: the track's
-  double flange_friction = -1;  ///< < 0: as `friction`
+  std::string creep;                ///< creep law; empty = as in the bogie file
+  std::string phs;                  ///< PHS model; empty = as in the bogie file
+  double speed_m_s = 0;             ///< held by the drives, > 0
+  rail::FrictionSettings friction;  ///< nothing set: the track's
   double timestep_s = 0.001;
   double duration_s = 0;  ///< 0: until the vehicle reaches the end of the track
   double start_s_m = 1;   ///< arc length of the rearmost wheelset at the start

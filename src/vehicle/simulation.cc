@@ -112,8 +112,7 @@ Result<Simulation> Simulation::Create(const Scenario& scenario) {
   options.rail_profile = scenario.rail;
   options.creep_law = scenario.creep;
   options.phs_model = scenario.phs;
-  if (scenario.friction >= 0) options.friction = scenario.friction;
-  if (scenario.flange_friction >= 0) options.flange_friction = scenario.flange_friction;
+  options.friction = scenario.friction;
   options.speed_m_s = scenario.speed_m_s;
   options.start_s_m = scenario.start_s_m;
   options.phs_changes = scenario.phs_changes;

@@ -251,8 +251,11 @@ Json DescribeScenario(const Scenario& s) {
                     {"creep", s.creep},
                     {"phs", s.phs},
                     {"speed_m_s", s.speed_m_s},
-                    {"friction", number_or_null(s.friction)},
-                    {"flange_friction", number_or_null(s.flange_friction)},
+                    {"friction", number_or_null(s.friction.tread)},
+                    {"flange_friction", number_or_null(s.friction.flange)},
+                    {"friction_condition", s.friction.condition},
+                    {"falling_ratio", number_or_null(s.friction.falling_ratio)},
+                    {"falling_rate_s_m", number_or_null(s.friction.falling_rate_s_m)},
                     {"timestep_s", s.timestep_s},
                     {"record_interval_s", s.record_interval_s}};
   if (s.running.active) {

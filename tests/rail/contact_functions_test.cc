@@ -1,0 +1,61 @@
+#include "rail/contact_functions.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "contact_pair.h"
+
+namespace phs::rail {
+namespace {
+
+// A coned wheelset on round rails of radius R rolls as it moves aside, so it runs as a cone of
+//   lambda (b + R lambda)/(b - r0 lambda)
+// (Wickens, Fundamentals of Rail Vehicle Dynamics, 2003, section 2.3), at every amplitude.
+TEST(ContactFunctions, AConeHasItsOwnConicity) {
+  for (const char* cone : {"cone:0.05", "cone:0.1"}) {
+    const double lambda = std::stod(std::string(cone).substr(5));
+    WheelRailParams p = StandardPair();
+    p.wheel_profile = cone;
+    p.rail_profile = "arc:0.3";
+    const WheelRail wheel = Create(p);
+    const auto f = CalcContactFunctions(wheel, wheel, 10e-3, 0.2e-3);
+    ASSERT_TRUE(f.ok()) << f.error().Line();
+    EXPECT_NEAR(f.value().centre, 0, 1e-9);
+    const double wickens = lambda * (0.75 + 0.3 * lambda) / (0.75 - 0.46 * lambda);
+    EXPECT_GT(f.value().conicity.size(), 5u);
+    for (const Conicity& c : f.value().conicity) EXPECT_NEAR(c.value / wickens, 1, 5e-3);
+    for (const ContactFunctionRow& row : f.value().rows) {
+      EXPECT_NEAR(row.RadiusDifference(), 2 * wickens * row.y, 5e-3 * 2 * lambda * 10e-3);
+    }
+  }
+}
+
+TEST(ContactFunctions, TheSamePairOnBothSidesIsOdd) {
+  const WheelRail wheel = Create(StandardPair());
+  const auto result = CalcContactFunctions(wheel, wheel, 8e-3, 0.25e-3);
+  ASSERT_TRUE(result.ok());
+  const auto& rows = result.value().rows;
+  ASSERT_EQ(rows.size(), 65u);
+  for (size_t i = 0; i < rows.size(); ++i) {
+    const ContactFunctionRow& a = rows[i];
+    const ContactFunctionRow& b = rows[rows.size() - 1 - i];
+    EXPECT_NEAR(a.roll, -b.roll, 1e-9);
+    EXPECT_NEAR(a.right.radius, b.left.radius, 1e-6);
+    EXPECT_NEAR(a.right.angle, b.left.angle, 1e-4);
+  }
+}
+
+// S1002 on UIC60 1:40, 1435 mm: about 0.18 at 3 mm is the usual figure for new profiles.
+TEST(ContactFunctions, S1002OnUic60HasItsUsualConicity) {
+  WheelRailParams p = StandardPair();
+  const WheelRail wheel = Create(p);
+  const auto f = CalcContactFunctions(wheel, wheel, 8e-3, 0.05e-3);
+  ASSERT_TRUE(f.ok());
+  ASSERT_GT(f.value().conicity.size(), 4u);
+  EXPECT_NEAR(f.value().conicity[4].amplitude, 3e-3, 1e-9);
+  EXPECT_NEAR(f.value().conicity[4].value, 0.18, 0.01);
+}
+
+}  // namespace
+}  // namespace phs::rail
