@@ -17,7 +17,7 @@ vehicle::Scenario Dry() {
   s.wheel = "S1002";
   s.rail = "UIC60";
   s.creep = "kalker_table";
-  s.friction = 0.35;
+  s.friction.tread = 0.35;
   return s;
 }
 

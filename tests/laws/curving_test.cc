@@ -22,7 +22,7 @@ Scenario Curve(const std::string& bogie, const std::string& track, double speed)
   s.rail = "UIC60";
   s.creep = "kalker_table";
   s.speed_m_s = speed;
-  s.friction = 0.3;
+  s.friction.tread = 0.3;
   return s;
 }
 

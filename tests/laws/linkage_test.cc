@@ -22,7 +22,7 @@ Scenario OnTrack(const std::string& bogie, const std::string& track, double spee
   s.track = track;
   s.bogie = bogie;
   s.speed_m_s = speed;
-  s.friction = 0.35;
+  s.friction.tread = 0.35;
   return s;
 }
 

@@ -23,7 +23,7 @@ Scenario Straight(std::vector<effects::Failure> failures) {
   s.name = "failure";
   s.track = "straight";
   s.speed_m_s = 20;
-  s.friction = 0.35;
+  s.friction.tread = 0.35;
   s.duration_s = 3;
   s.phs_changes.failures = std::move(failures);
   return s;

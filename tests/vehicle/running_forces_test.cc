@@ -17,7 +17,7 @@ Scenario Running(const std::string& bogie, double torque, double blocks) {
   s.bogie = bogie;
   s.track = "straight";
   s.speed_m_s = 15;
-  s.friction = 0.4;
+  s.friction.tread = 0.4;
   s.duration_s = 6;
   s.running.active = true;
   s.running.drive_torque_Nm = torque;
