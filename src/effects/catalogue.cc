@@ -15,10 +15,13 @@
 #include "effects/hose_expansion.h"
 #include "effects/line_inertance.h"
 #include "effects/line_resistance.h"
+#include "effects/load_flexibility.h"
 #include "effects/mount_compliance.h"
+#include "effects/moving_mass.h"
 #include "effects/piston_leakage.h"
 #include "effects/position_friction.h"
 #include "effects/presliding.h"
+#include "effects/pressure_area.h"
 #include "effects/pressure_friction.h"
 #include "effects/sensor_delay.h"
 #include "effects/sensor_drift.h"
@@ -26,6 +29,8 @@
 #include "effects/sensor_offset.h"
 #include "effects/stribeck.h"
 #include "effects/temperature_drift.h"
+#include "effects/temperature_friction.h"
+#include "effects/unlisted.h"
 #include "effects/viscous_friction.h"
 
 namespace phs::effects {
@@ -49,12 +54,17 @@ class Table final : public hydraulics::EffectTable {
                  // friction
                  StribeckInfo(), PreslidingInfo(), PressureFrictionInfo(), PositionFrictionInfo(),
                  DwellFrictionInfo(), ViscousFrictionInfo(), AsymmetricFrictionInfo(),
+                 TemperatureFrictionInfo(),
                  // mounting
                  BacklashInfo(), MountComplianceInfo(), BushViscoelasticInfo(),
                  // instrument
                  SensorOffsetInfo(), SensorDriftInfo(), SensorDelayInfo(), SensorGainInfo(),
                  // environment
-                 TemperatureDriftInfo()} {}
+                 TemperatureDriftInfo(),
+                 // a part on a bench
+                 PressureAreaInfo(), MovingMassInfo(), LoadFlexibilityInfo(),
+                 // found in data
+                 UnlistedInfo()} {}
   const std::vector<EffectInfo>& effects() const override { return effects_; }
 
  private:

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "effects/catalogue.h"
+#include "effects/element_bench.h"
 #include "effects/hinged_beam.h"
 #include "effects/rig_channels.h"
 
@@ -87,7 +88,10 @@ Status CheckMotion(RigKind kind, const RigMotion& motion) {
   for (const auto& row : motion.speed_m_s) {
     if (Status s = check(row, "speed_m_s"); !s.ok()) return s;
   }
-  if (!motion.pressure_Pa.empty()) return check(motion.pressure_Pa, "pressure_Pa");
+  if (!motion.pressure_Pa.empty()) {
+    if (Status s = check(motion.pressure_Pa, "pressure_Pa"); !s.ok()) return s;
+  }
+  if (!motion.temperature_K.empty()) return check(motion.temperature_K, "temperature_K");
   return {};
 }
 
@@ -123,8 +127,6 @@ struct RigModel::Impl {
                    RigPrediction* out) const;
   void RunFull(const RigMotion& motion, const std::vector<std::vector<double>>& speed,
                RigPrediction* out) const;
-  void RunElement(const RigMotion& motion, const std::vector<double>& speed,
-                  RigPrediction* out) const;
 };
 
 RigModel::RigModel(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -200,33 +202,6 @@ void RigModel::Impl::RunFull(const RigMotion& motion, const std::vector<std::vec
   }
 }
 
-void RigModel::Impl::RunElement(const RigMotion& motion, const std::vector<double>& speed,
-                                RigPrediction* out) const {
-  const int n = motion.num_samples();
-  const hydraulics::Friction& friction = system.friction(0);
-  const hydraulics::ElementParams& part = params.element;
-  std::vector<double> acceleration;
-  if (part.mass_kg > 0) acceleration = DifferentiateMotion(speed, motion.step_s);
-  double z = 0, eta = 0;
-  for (int i = 0; i < n; ++i) {
-    const double x = motion.position_m[0][i];
-    hydraulics::FrictionPlace place;
-    place.piston = x;
-    place.rested = 1 - eta;
-    if (!motion.pressure_Pa.empty()) place.bore_rise = motion.pressure_Pa[i];
-    double force =
-        part.offset_N + part.stiffness_N_per_m * x + friction.Calc(speed[i], z, place).force;
-    if (part.mass_kg > 0) force += part.mass_kg * acceleration[i];
-    out->channels[0][i] = force;
-    if (i + 1 == n) continue;
-    const double v = (motion.position_m[0][i + 1] - x) / motion.step_s;
-    if (friction.model() == hydraulics::FrictionModel::kPresliding) {
-      z = friction.Advance(motion.step_s, v, z, place);
-    }
-    if (friction.has_dwell()) eta = friction.AdvanceDwell(motion.step_s, v, eta);
-  }
-}
-
 Status RigModel::Run(const RigMotion& motion, RigPrediction* prediction) const {
   if (Status s = CheckMotion(impl_->kind, motion); !s.ok()) return s;
   const size_t n = static_cast<size_t>(motion.num_samples());
@@ -244,7 +219,7 @@ Status RigModel::Run(const RigMotion& motion, RigPrediction* prediction) const {
       impl_->RunFull(motion, speed, prediction);
       break;
     case RigKind::kElement:
-      impl_->RunElement(motion, speed[0], prediction);
+      RunElementBench(impl_->system, motion, speed[0], &prediction->channels[0], nullptr);
       break;
     default:
       impl_->RunCylinder(motion, speed[0], prediction);

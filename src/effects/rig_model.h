@@ -6,12 +6,12 @@
 //   full      cylinders 1 and 2 driven by actuators, 3 and 4 on a beam hinged at the frame (bogie
 //             yaw of the trailing axle), with the beam's own inertia, friction and play
 //   steps     a quarter rig moved in steps and held (Table B-1), see steps_table.h
-//   element   any part moved by a prescribed motion: friction, mass, stiffness
+//   element   any part moved by a prescribed motion (element_bench.h)
 //
 // Channel names are those of the measured data: quarter and cylinder
 // `piston_m,load_cell_N,p_bore_Pa,p_rod_Pa` from `actuator_m`; full `piston1_m…piston4_m,
 // load1_N…load4_N,pL1_Pa…pL4_Pa` from `actuator1_m,actuator2_m`; element `force_N` from `x_m`
-// (optionally `v_m_s`, `p_Pa`). Signs: extension > 0, tension > 0; pressures absolute.
+// (optionally `v_m_s`, `p_Pa`, `temperature_K`). Signs: extension > 0, tension > 0; pressures absolute.
 #pragma once
 
 #include <memory>
@@ -48,6 +48,7 @@ struct RigMotion {
   std::vector<std::vector<double>> position_m;  ///< [actuator][sample]
   std::vector<std::vector<double>> speed_m_s;   ///< same shape; empty: central differences
   std::vector<double> pressure_Pa;              ///< element rig: side channel; else empty
+  std::vector<double> temperature_K;            ///< element rig: side channel; else empty
   int num_samples() const {
     return position_m.empty() ? 0 : static_cast<int>(position_m[0].size());
   }

@@ -28,6 +28,15 @@ inline std::vector<int> TargetLines(const hydraulics::EffectParams& effect,
   return out;
 }
 
+/// A part on a bench: one cylinder without lines.
+inline bool IsBenchPart(const hydraulics::PhsParams& params) {
+  return params.cylinders.size() == 1 && params.lines.empty();
+}
+inline Status NotABenchPart(const std::string& effect) {
+  return Error{"effects." + effect, "acts on a part on a bench only",
+               "a model of one cylinder without lines (rig: element)", "take it out here"};
+}
+
 /// Puts a spring in series with those already there: 1/k = 1/k1 + 1/k2.
 inline void AddInSeries(hydraulics::MountTerms* mount, double stiffness) {
   const double old = mount->stiffness_N_per_m;

@@ -45,11 +45,41 @@ class FlowLaw {
 /// Where a flow law begins and ends.
 enum class Port { kBore, kRod, kLine, kAtmosphere };
 
+/// What a further force of a cylinder (or of a part on a bench) may depend on.
+struct ForcePlace {
+  double time = 0;         ///< [s]
+  double piston = 0;       ///< y [m]
+  double speed = 0;        ///< [m/s]
+  double direction = 0;    ///< friction's own, -1 … 1: turns over its presliding or ramp
+  double bore_rise = 0;    ///< p_bore above static [Pa]; element bench: the pressure itself
+  double rod_rise = 0;     ///< p_rod above static [Pa]
+  double temperature = 0;  ///< above the model's [K]
+};
+
+/// A force beside friction, F > 0 tension.
+class ForceLaw {
+ public:
+  virtual ~ForceLaw() = default;
+  virtual double Force(const ForcePlace& place) const noexcept = 0;
+};
+
+/// A part on a bench, beyond its declared ElementParams.
+///   o--[ m ]--+--[ k ]--+--[ m_f ]     m_f part of the mass behind a spring and a damper:
+///      x      +--[ c ]--+      y       m_f y" = k (x - y) + c (x' - y'),  f² = k/m_f/(2 pi)²
+struct ElementTerms {
+  double pressure_area_m2 = 0;
+  double mass_kg = 0;
+  double flexible_mass_kg = 0;
+  double flexible_Hz = 0;       ///< natural frequency f with the drive held
+  double flexible_damping = 0;  ///< c / (2 sqrt(k m_f))
+};
+
 /// Friction level of one cylinder beyond its curve. level(v, …) = curve(v)
 ///   * (1 + position_slope y + position_curvature y²)     (kept >= 0)
 ///   + stribeck_extra exp(-(|v|/stribeck_speed)) + dwell_extra * phi + pressure terms
 ///   + level_shift (extension) or - level_shift (retraction),
-/// plus viscous force c v. phi: dwell state, dphi/dt = (1 - phi)/dwell_time - phi |v|/dwell_length.
+/// all times 1 - temperature_slope (T - T_static), kept >= 0,
+/// plus viscous force c v and a further force (effect `unlisted`). phi: dwell state, dphi/dt = (1 - phi)/dwell_time - phi |v|/dwell_length.
 struct FrictionTerms {
   double stribeck_extra_extension_N = 0, stribeck_extra_retraction_N = 0;
   double stribeck_speed_m_s = 1e-3;
@@ -57,6 +87,8 @@ struct FrictionTerms {
   double pressure_bore_N_per_Pa = 0, pressure_rod_N_per_Pa = 0;  ///< times p - p0 of the chamber
   double level_shift_N = 0;
   double position_slope_1_per_m = 0, position_curvature_1_per_m2 = 0;
+  double temperature_slope_1_per_K = 0;
+  std::shared_ptr<const ForceLaw> further;  ///< none if empty
   double dwell_extra_N = 0, dwell_time_s = 1, dwell_length_m = 1e-4;
   bool presliding = false;  ///< forces the presliding model with the two numbers below
   double presliding_stiffness_N_per_m = 0, presliding_breakaway_ratio = 0;
@@ -109,6 +141,7 @@ class Extension {
   virtual MountTerms& mount(int cylinder) = 0;
   virtual InstrumentTerms& instrument(int cylinder) = 0;
   virtual TemperatureTerms& temperature() = 0;
+  virtual ElementTerms& element() = 0;
   /// Line parameters may still be changed (precharge, gas law): laws are compiled afterwards.
   virtual LineParams& line(int index) = 0;
 };
@@ -132,6 +165,7 @@ struct EffectInfo {
   std::vector<EffectParameter> parameters;
   /// Adds the law. `value(name)` of every parameter is in `values`, defaults filled in.
   Status (*install)(const EffectParams& effect, Extension* extension);
+  bool has_formula = false;  ///< needs EffectParams::formula
 };
 
 /// The catalogue as the core sees it.

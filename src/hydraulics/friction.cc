@@ -74,6 +74,7 @@ double Friction::Level(int sign, double speed, const FrictionPlace& place) const
   level += terms_.dwell_extra_N * place.rested;
   level += terms_.pressure_bore_N_per_Pa * place.bore_rise;
   level += terms_.pressure_rod_N_per_Pa * place.rod_rise;
+  level *= std::max(1 - terms_.temperature_slope_1_per_K * place.warmer, 0.0);
   return std::max(level, 0.0);
 }
 
@@ -97,10 +98,30 @@ FrictionForce Friction::Calc(double v, double z, const FrictionPlace& place) con
     const double damped = v * std::max(1 - yield, 0.0);
     out.force = sigma0_ * z + sigma1_ * damped + viscous;
     out.lost_power = sigma0_ * z * v * yield + (sigma1_ * damped + viscous) * v;
-    return out;
   }
-  out.lost_power = out.force * v;
+  if (model_ != FrictionModel::kPresliding) out.lost_power = out.force * v;
+  if (terms_.further != nullptr) {
+    const double further = Further(v, z, place);
+    out.force += further;
+    out.lost_power += further * v;
+  }
   return out;
+}
+
+double Friction::Direction(double v, double z, const FrictionPlace& place) const {
+  constexpr double kRamp = 1e-4;  // [m/s] where there is no friction to tell
+  if (model_ == FrictionModel::kNone) return v / std::hypot(v, kRamp);
+  const int sign = v > 0 ? 1 : -1;
+  if (model_ == FrictionModel::kStatic) {
+    return sign * std::min(std::abs(v) / ramp_[v > 0 ? 0 : 1], 1.0);
+  }
+  const double level = Level(z > 0 ? 1 : -1, std::abs(v), place);
+  return level > 0 ? std::clamp(sigma0_ * z / level, -1.0, 1.0) : 0;
+}
+
+double Friction::Further(double v, double z, const FrictionPlace& place) const {
+  return terms_.further->Force({place.time, place.piston, v, Direction(v, z, place),
+                                place.bore_rise, place.rod_rise, place.warmer});
 }
 
 double Friction::Advance(double h, double v, double z, const FrictionPlace& place) const {

@@ -30,6 +30,8 @@ struct FrictionPlace {
   double rod_rise = 0;   ///< p_rod above static [Pa]
   double piston = 0;     ///< y [m]
   double rested = 1;     ///< dwell state phi, 0 just moved … 1 long at rest
+  double time = 0;       ///< [s]
+  double warmer = 0;     ///< temperature above the model's [K]
 };
 
 struct FrictionForce {
@@ -46,7 +48,8 @@ class Friction {
   FrictionModel model() const { return model_; }
   bool has_dwell() const { return terms_.dwell_extra_N != 0; }
   bool depends_on_pressure() const {
-    return terms_.pressure_bore_N_per_Pa != 0 || terms_.pressure_rod_N_per_Pa != 0;
+    return terms_.pressure_bore_N_per_Pa != 0 || terms_.pressure_rod_N_per_Pa != 0 ||
+           terms_.further != nullptr;
   }
   double stiffness() const { return sigma0_; }
   /// Largest d(force)/d(speed) near zero speed [N s/m].
@@ -56,6 +59,8 @@ class Friction {
   double Level(int sign, double speed, const FrictionPlace& place) const;
   /// Force at bristle deflection z [m] and speed v.
   FrictionForce Calc(double v, double z, const FrictionPlace& place) const;
+  /// Direction of the friction, -1 … 1: z over its final value, or the ramp through zero speed.
+  double Direction(double v, double z, const FrictionPlace& place) const;
   /// Bristle deflection after h seconds at constant v. Exact.
   double Advance(double h, double v, double z, const FrictionPlace& place) const;
   /// Dwell state eta = 1 - phi (0 = long at rest) after h seconds at constant v. Exact.
@@ -65,6 +70,7 @@ class Friction {
 
  private:
   double Curve(int sign, double speed) const;
+  double Further(double v, double z, const FrictionPlace& place) const;
 
   FrictionModel model_ = FrictionModel::kNone;
   FrictionCurve curve_ = FrictionCurve::kTable;

@@ -46,6 +46,7 @@ class Builder final : public Extension {
   MountTerms& mount(int cylinder) override { return mount_[cylinder]; }
   InstrumentTerms& instrument(int cylinder) override { return instrument_[cylinder]; }
   TemperatureTerms& temperature() override { return temperature_; }
+  ElementTerms& element() override { return element_; }
   LineParams& line(int index) override { return lines_[index]; }
 
   CompiledPhs Compile();
@@ -69,6 +70,7 @@ class Builder final : public Extension {
   std::vector<MountTerms> mount_;
   std::vector<InstrumentTerms> instrument_;
   TemperatureTerms temperature_;
+  ElementTerms element_;
   std::vector<std::string> path_names_;
   Status status_;
 };
@@ -250,6 +252,7 @@ CompiledPhs Builder::Compile() {
   CompileStates(sys);
   for (Node& node : sys->nodes) node.Prepare();
   sys->temperature = temperature_;
+  sys->element = element_;
   if (static_cast<int>(sys->paths.size()) > kMaxPaths || sys->num_states() > kMaxStates) {
     status_ = Error{params_.name, "too many flows or states for one system",
                     "at most " + std::to_string(kMaxPaths) + " flows", "switch effects off"};

@@ -38,6 +38,7 @@ struct Path {
 
 /// Everything known at one instant.
 struct Instant {
+  double time = 0;               ///< [s]
   double ambient = 0;            ///< [K]
   double piston[kMaxCylinders];  ///< y [m]
   double pushed[kMaxNodes];      ///< D [m3]
@@ -52,6 +53,7 @@ struct CompiledPhs {
   std::vector<Path> paths;
   std::vector<std::unique_ptr<VolumeLaw>> volume_laws;
   TemperatureTerms temperature;
+  ElementTerms element;
   int first_slow = 0;  ///< states below: friction and mounting; from here: hydraulic
   bool friction_needs_pressure = false;
   bool has_mounts = false;

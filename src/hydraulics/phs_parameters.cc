@@ -65,6 +65,7 @@ std::vector<Slot> CollectSlots(PhsParams* p) {
   out.push_back({"friction.breakaway_ratio", "-", &f.breakaway_ratio, 0, 0.95});
   out.push_back({"element.mass_kg", "kg", &p->element.mass_kg, 0, 1e4});
   out.push_back({"element.stiffness_N_per_m", "N/m", &p->element.stiffness_N_per_m, 0, 1e9});
+  out.push_back({"element.pressure_area_m2", "m2", &p->element.pressure_area_m2, -0.1, 0.1});
   out.push_back({"element.offset_N", "N", &p->element.offset_N, -1e4, 1e4});
   return out;
 }
@@ -99,6 +100,22 @@ std::vector<ParameterInfo> ListParameters(const PhsParams& params) {
   return out;
 }
 
+/// "friction.coulomb_N", "friction.viscous_Ns_per_m": both directions at once. The excess of the
+/// breakaway level over the Coulomb level stays.
+static bool SetBothDirections(PhsParams* params, const std::string& name, double value) {
+  FrictionParams& f = params->friction;
+  if (name == "friction.coulomb_N") {
+    f.breakaway_extension_N += value - f.coulomb_extension_N;
+    f.breakaway_retraction_N += value - f.coulomb_retraction_N;
+    f.coulomb_extension_N = f.coulomb_retraction_N = value;
+  } else if (name == "friction.viscous_Ns_per_m") {
+    f.viscous_extension_Ns_per_m = f.viscous_retraction_Ns_per_m = value;
+  } else {
+    return false;
+  }
+  return true;
+}
+
 Result<double> GetParameter(const PhsParams& params, const std::string& name) {
   PhsParams copy = params;
   if (name.rfind("effects.", 0) == 0) {
@@ -110,6 +127,8 @@ Result<double> GetParameter(const PhsParams& params, const std::string& name) {
     }
     return Error{name, "this effect or key is not set", "", "switch the effect on first"};
   }
+  if (name == "friction.coulomb_N") return copy.friction.coulomb_extension_N;
+  if (name == "friction.viscous_Ns_per_m") return copy.friction.viscous_extension_Ns_per_m;
   const std::vector<Slot> slots = CollectSlots(&copy);
   for (const Slot& slot : slots) {
     if (slot.name == name) return *slot.value;
@@ -125,6 +144,7 @@ Status SetParameter(PhsParams* params, const std::string& name, double value) {
   if (name.rfind("effects.", 0) == 0) {
     return Error{name, "this effect is not switched on", "", "add it to the model's effects first"};
   }
+  if (SetBothDirections(params, name, value)) return {};
   const std::vector<Slot> slots = CollectSlots(params);
   for (const Slot& slot : slots) {
     if (slot.name != name) continue;
@@ -169,6 +189,10 @@ Result<EffectParams> CompleteEffect(const PhsParams& params, const EffectParams&
                    nearest.empty() ? "" : "did you mean " + nearest + "?"};
     }
     found->second = value;
+  }
+  if (effect.formula.empty() == info->has_formula) {
+    return Error{where, info->has_formula ? "has no formula" : "takes no formula",
+                 info->has_formula ? "formula: \"c1*s*…\"" : "parameters only", ""};
   }
   for (const EffectParameter& p : info->parameters) {
     const double value = full.values[p.name];

@@ -162,6 +162,7 @@ Status Validate(const PhsParams& params) {
   CheckFriction(params.friction, &check);
   check.In("element.mass_kg", params.element.mass_kg, 0, 1e6);
   check.In("element.stiffness_N_per_m", params.element.stiffness_N_per_m, 0, 1e12);
+  check.In("element.pressure_area_m2", params.element.pressure_area_m2, -10, 10);
   check.In("element.offset_N", params.element.offset_N, -1e7, 1e7);
   return check.status();
 }

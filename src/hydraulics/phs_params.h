@@ -89,10 +89,12 @@ struct FrictionParams {
   double breakaway_ratio = 0.7;      ///< purely elastic below this share of the level, [0, 0.99]
 };
 
-/// A part on a bench moved by prescribed motion: force = mass a + stiffness x + offset + friction.
+/// A part on a bench moved by prescribed motion:
+/// force = mass a + stiffness x + pressure_area p + offset + friction.
 struct ElementParams {
   double mass_kg = 0;
   double stiffness_N_per_m = 0;
+  double pressure_area_m2 = 0;  ///< on which the bench's pressure channel acts
   double offset_N = 0;
 };
 
@@ -102,6 +104,7 @@ struct EffectParams {
   std::string name;
   std::vector<std::string> targets;
   std::map<std::string, double> values;
+  std::string formula = {};  ///< effect `unlisted` only: its law (effects/force_formula.h)
 };
 
 /// How line pressures follow from volumes.
@@ -147,7 +150,8 @@ struct ParameterInfo {
 /// Every addressable parameter of the core (effects: see effects/catalogue.h).
 std::vector<ParameterInfo> ListParameters(const PhsParams& params);
 Result<double> GetParameter(const PhsParams& params, const std::string& name);
-/// Sets one number. Does not validate ranges: PhsSystem::Create does.
+/// Sets one number; "friction.coulomb_N" and "friction.viscous_Ns_per_m" stand for both
+/// directions. Does not validate ranges: PhsSystem::Create does.
 Status SetParameter(PhsParams* params, const std::string& name, double value);
 
 }  // namespace phs::hydraulics

@@ -118,6 +118,8 @@ void ReadEffects(YamlMap map, PhsParams* params) {
     for (const std::string& key : entry.Keys()) {
       if (key == "targets") {
         effect.targets = entry.Texts("targets");
+      } else if (key == "formula") {
+        effect.formula = entry.Text("formula");
       } else {
         effect.values[key] = entry.Number(key, {});
       }
@@ -230,7 +232,7 @@ void WriteEffects(Writer* w, const std::vector<EffectParams>& effects) {
   if (effects.empty()) return;
   w->Open(0, "effects");
   for (const EffectParams& effect : effects) {
-    if (effect.values.empty() && effect.targets.empty()) {
+    if (effect.values.empty() && effect.targets.empty() && effect.formula.empty()) {
       w->Raw(2, effect.name, "{}");
       continue;
     }
@@ -243,6 +245,7 @@ void WriteEffects(Writer* w, const std::vector<EffectParams>& effects) {
       }
       w->Raw(4, "targets", "[" + list + "]");
     }
+    w->Text(4, "formula", effect.formula);
     for (const auto& [key, value] : effect.values) w->Num(4, key, value);
   }
 }
@@ -295,6 +298,7 @@ Result<PhsParams> ReadPhsParams(YamlMap& map) {
     YamlMap e = map.Map("element");
     params.element.mass_kg = e.Number("mass_kg", kNotNegative, 0);
     params.element.stiffness_N_per_m = e.Number("stiffness_N_per_m", kNotNegative, 0);
+    params.element.pressure_area_m2 = e.Number("pressure_area_m2", {}, 0);
     params.element.offset_N = e.Number("offset_N", {}, 0);
   }
   if (map.Has("effects")) ReadEffects(map.Map("effects"), &params);
@@ -328,6 +332,7 @@ std::string ToYaml(const PhsParams& params) {
   w.Open(0, "element");
   w.Num(2, "mass_kg", params.element.mass_kg);
   w.Num(2, "stiffness_N_per_m", params.element.stiffness_N_per_m);
+  w.Num(2, "pressure_area_m2", params.element.pressure_area_m2);
   w.Num(2, "offset_N", params.element.offset_N);
   WriteEffects(&w, params.effects);
   return w.out();

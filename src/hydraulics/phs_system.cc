@@ -28,6 +28,10 @@ const Friction& PhsSystem::friction(int cylinder) const {
   return impl_->cylinders[cylinder].friction;
 }
 
+const MountTerms& PhsSystem::mount(int cylinder) const { return impl_->cylinders[cylinder].mount; }
+double PhsSystem::Ambient(double time) const { return impl_->Ambient(time); }
+const ElementTerms& PhsSystem::element() const { return impl_->element; }
+
 Result<PhsSystem> PhsSystem::Load(const std::string& path, const EffectTable* effects) {
   Result<PhsParams> params = LoadPhsParams(path);
   if (!params.ok()) return params.error();
@@ -70,6 +74,8 @@ FrictionPlace CompiledPhs::Place(const Instant& at, int cylinder, const double* 
     place.bore_rise = Pressure(at, c.bore) - c.bore_p0;
     place.rod_rise = Pressure(at, c.rod) - c.rod_p0;
   }
+  place.time = at.time;
+  place.warmer = at.ambient - params.temperature_K;
   if (c.dwell >= 0) place.rested = 1 - state[c.dwell];
   return place;
 }
@@ -125,6 +131,7 @@ void PhsSystem::Calc(double time, const double* x, const double* v, const double
                      PhsOutputs* out) const noexcept {
   const CompiledPhs& sys = *impl_;
   Instant at;
+  at.time = time;
   at.ambient = sys.Ambient(time);
   PlacePistons(sys, x, state, &at);
   sys.CalcPushed(state, &at);
@@ -157,6 +164,7 @@ void PhsSystem::CalcStateRate(double time, double h, const double* x, const doub
   double speed[kMaxCylinders];
   std::copy(v, v + sys.cylinders.size(), speed);
   Instant at;
+  at.time = time;
   at.ambient = sys.Ambient(time);
   PlacePistons(sys, x, state, &at);
   const bool hydraulic = sys.num_states() > sys.first_slow;

@@ -78,6 +78,11 @@ class PhsSystem {
   const InstrumentTerms& instruments(int cylinder) const;
   /// Friction of a cylinder alone, for benches without oil.
   const Friction& friction(int cylinder) const;
+  const MountTerms& mount(int cylinder) const;
+  /// Temperature of surroundings and oil [K].
+  double Ambient(double time) const;
+  /// What effects add to a part on a bench; zero without any.
+  const ElementTerms& element() const;
 
  private:
   struct Impl;

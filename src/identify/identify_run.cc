@@ -1,6 +1,7 @@
 #include "identify/identify_run.h"
 
 #include "identify/driven_run.h"
+#include "identify/element_run.h"
 #include "identify/manifest.h"
 
 namespace phs::identify::search {
@@ -20,6 +21,10 @@ Result<IdentifyOutcome> RunIdentify(const std::string& manifest_path, const Sear
                                     const Progress& progress, const ResultDir& dir) {
   Result<Manifest> manifest = LoadManifest(manifest_path);
   if (!manifest.ok()) return manifest.error();
+  if (manifest.value().rig == "element") {
+    return element::RunElementIdentify(manifest.value(), {.threads = options.threads}, progress,
+                                       dir);
+  }
   if (IsDriven(manifest.value().rig)) {
     return IdentifyDriven(manifest.value(), options, progress, dir);
   }
@@ -29,6 +34,7 @@ Result<IdentifyOutcome> RunIdentify(const std::string& manifest_path, const Sear
 Result<IdentifyOutcome> RunRig(const std::string& manifest_path, const ResultDir& dir) {
   Result<Manifest> manifest = LoadManifest(manifest_path);
   if (!manifest.ok()) return manifest.error();
+  if (manifest.value().rig == "element") return element::RunElementRig(manifest.value(), dir);
   if (IsDriven(manifest.value().rig)) return CompareDriven(manifest.value(), dir);
   return NoSuchRun(manifest.value());
 }

@@ -1,5 +1,6 @@
 #include "identify/manifest.h"
 
+#include <cstdlib>
 #include <filesystem>
 
 #include "base/yaml.h"
@@ -26,9 +27,30 @@ std::string Resolve(const std::string& manifest, const std::string& data) {
   return fs::exists(beside) || !fs::exists(given) ? beside.string() : data;
 }
 
+/// Puts the value of ${NAME} in place; a variable that is not set fails at "data".
+std::string ExpandEnvironment(YamlMap& map, std::string text) {
+  for (size_t begin = text.find("${"); begin != std::string::npos; begin = text.find("${")) {
+    const size_t end = text.find('}', begin);
+    if (end == std::string::npos) {
+      map.Fail("data", "a ${ is not closed", "${NAME}");
+      return text;
+    }
+    const std::string name = text.substr(begin + 2, end - begin - 2);
+    const char* value = std::getenv(name.c_str());
+    if (value == nullptr || std::string(value).find("${") != std::string::npos) {
+      map.Fail("data", "the environment variable " + name + " is not set", "",
+               "set it to the folder that holds the data (models/rigs/README.md says where they "
+               "come from)");
+      return text;
+    }
+    text.replace(begin, end + 1 - begin, value);
+  }
+  return text;
+}
+
 RunSpec ReadRun(YamlMap& map, const std::string& path) {
   RunSpec run;
-  run.data = Resolve(path, map.Text("data"));
+  run.data = Resolve(path, ExpandEnvironment(map, map.Text("data")));
   run.estimation = ReadWindow(map, "estimation");
   run.validation = ReadWindow(map, "validation");
   const Window &e = run.estimation, &v = run.validation;
@@ -59,6 +81,7 @@ Result<Manifest> LoadManifest(const std::string& path) {
   for (const std::string& key : columns.Keys()) m.columns[key] = columns.Text(key);
   for (const std::string& key : factors.Keys()) m.factors[key] = factors.Number(key, {});
   m.free = map.Texts("free");
+  m.compare_below_Hz = map.Number("compare_below_Hz", {.min = 0}, 0.0);
   m.low_pass_Hz = map.Number("low_pass_Hz", {.min = 0}, 0.0);
   bool any_estimation = false;
   for (const RunSpec& run : m.runs) any_estimation |= !run.estimation.empty();

@@ -1,5 +1,7 @@
 // What an identification is asked to do: rig, declared model, measured runs and their windows.
 //
+// `data` may name environment variables: ${PHS_EMPS_DIR}/emps_train.csv.
+//
 //   rig: quarter            # cylinder | quarter | full | element | steps | bogie
 //   model: quarter_setup2   # name in models/phs, or a path
 //   data: run01.csv
@@ -12,6 +14,8 @@
 //                                         from the ending: _mm, _ms, _bar, _MPa, _kPa, _kN, …
 //   factors: {force_N: 35.15}             on top of that, for a channel given in another quantity
 //   free: [L1.gas_volume_m3, …]           free parameters of the baseline, instead of the usual
+//   compare_below_Hz: 40                  element bench: model and measurement are compared below
+//                                         this frequency, both filtered alike (band_limit.h)
 //   low_pass_Hz: 20                       all channels, forwards and backwards (no lag)
 #pragma once
 
@@ -44,7 +48,8 @@ struct Manifest {
   std::map<std::string, std::string> columns;  ///< our channel -> column of the file
   std::map<std::string, double> factors;       ///< our channel -> factor
   std::vector<std::string> free;
-  double low_pass_Hz = 0;  ///< 0: none
+  double low_pass_Hz = 0;       ///< 0: none
+  double compare_below_Hz = 0;  ///< 0: all frequencies
 };
 
 Result<Manifest> LoadManifest(const std::string& path);

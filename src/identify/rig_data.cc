@@ -269,6 +269,7 @@ Result<RigRun> ReadRigRun(const RunSpec& spec, const Manifest& manifest,
   }
   run.speed = ReadChannel(table, manifest, clock, "v_m_s", &run);
   run.pressure = ReadChannel(table, manifest, clock, "p_Pa", &run);
+  run.temperature = ReadChannel(table, manifest, clock, "temperature_K", &run);
   run.estimation = spec.estimation;
   run.validation = spec.validation;
   if (Status s = ClipWindow("estimation", &run, &run.estimation); !s.ok()) return s.error();
@@ -281,6 +282,7 @@ Result<RigRun> ReadRigRun(const RunSpec& spec, const Manifest& manifest,
     for (Channel& c : run.outputs) smooth(&c);
     smooth(&run.speed);
     smooth(&run.pressure);
+    smooth(&run.temperature);
   }
   return run;
 }

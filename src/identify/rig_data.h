@@ -38,11 +38,11 @@ struct RigRun {
   std::string source;
   double t0_s = 0, step_s = 0;
   int num_samples = 0;
-  std::vector<double> file_time;  ///< clock of the file's rows [s]
-  std::vector<Channel> inputs;    ///< driven motion, as RigModel::input_names()
-  std::vector<Channel> outputs;   ///< as RigModel::output_names(); may be absent
-  Channel speed, pressure;        ///< element rig: optional side channels
-  Window estimation, validation;  ///< clipped to the data
+  std::vector<double> file_time;         ///< clock of the file's rows [s]
+  std::vector<Channel> inputs;           ///< driven motion, as RigModel::input_names()
+  std::vector<Channel> outputs;          ///< as RigModel::output_names(); may be absent
+  Channel speed, pressure, temperature;  ///< element rig: optional side channels
+  Window estimation, validation;         ///< clipped to the data
   std::vector<DataFinding> findings;
   double Time(int i) const { return t0_s + i * step_s; }
   /// Samples of a window: [first, last).

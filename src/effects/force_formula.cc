@@ -1,0 +1,284 @@
+#include "effects/force_formula.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstdlib>
+
+#include "base/words.h"
+
+namespace phs::effects {
+namespace {
+
+using Step = ForceFormula::Step;
+using Code = ForceFormula::Code;
+
+/// Exponents of m, kg, s, K.
+using Dimension = std::array<double, 4>;
+constexpr Dimension kPlain = {0, 0, 0, 0};
+constexpr Dimension kNewton = {1, 1, -2, 0};
+
+struct Symbol {
+  const char* name;
+  Dimension dimension;
+};
+constexpr Symbol kUnits[] = {{"m", {1, 0, 0, 0}},   {"s", {0, 0, 1, 0}}, {"K", {0, 0, 0, 1}},
+                             {"kg", {0, 1, 0, 0}},  {"N", kNewton},      {"Pa", {-1, 1, -2, 0}},
+                             {"Hz", {0, 0, -1, 0}}, {"rad", kPlain}};
+// In the order of ForcePlace as Force() takes them.
+constexpr Symbol kVariables[] = {{"x", {1, 0, 0, 0}},   {"v", {1, 0, -1, 0}},  {"s", kPlain},
+                                 {"p", {-1, 1, -2, 0}}, {"q", {-1, 1, -2, 0}}, {"t", {0, 0, 1, 0}},
+                                 {"dT", {0, 0, 0, 1}}};
+struct Function {
+  const char* name;
+  Code code;
+};
+constexpr Function kFunctions[] = {{"sin", Code::kSin}, {"cos", Code::kCos},
+                                   {"exp", Code::kExp}, {"tanh", Code::kTanh},
+                                   {"abs", Code::kAbs}, {"sqrt", Code::kSqrt}};
+
+Dimension Scaled(const Dimension& a, double factor) {
+  Dimension out = a;
+  for (double& e : out) e *= factor;
+  return out;
+}
+Dimension Joined(const Dimension& a, const Dimension& b, double sign) {
+  Dimension out = a;
+  for (size_t i = 0; i < out.size(); ++i) out[i] += sign * b[i];
+  return out;
+}
+
+class Parser {
+ public:
+  Parser(const std::string& text, const std::map<std::string, double>& coefficients)
+      : text_(text), coefficients_(coefficients) {}
+
+  Result<std::vector<Step>> Parse() {
+    const Dimension whole = Sum();
+    Skip();
+    if (at_ < text_.size()) Fail("unexpected \"" + text_.substr(at_, 8) + "\"");
+    if (error_.empty() && whole != kNewton) Fail("the whole is no force [N]");
+    if (!error_.empty()) {
+      return Error{"formula \"" + text_ + "\"", error_,
+                   "x, v, s, p, q, t, dT, c1 … c6, numbers with [unit], + - * / ^, sin, cos, exp, "
+                   "tanh, abs, sqrt, pi; a force [N]",
+                   ""};
+    }
+    return std::move(steps_);
+  }
+
+ private:
+  void Fail(const std::string& what) {
+    if (error_.empty()) error_ = what + " at character " + std::to_string(at_ + 1);
+  }
+  void Skip() {
+    while (at_ < text_.size() && std::isspace(static_cast<unsigned char>(text_[at_]))) ++at_;
+  }
+  bool Take(char c) {
+    Skip();
+    if (at_ >= text_.size() || text_[at_] != c) return false;
+    ++at_;
+    return true;
+  }
+  void Push(const Step& step) {
+    const bool leaf = step.code == Code::kNumber || step.code == Code::kVariable;
+    const bool binary = step.code >= Code::kAdd && step.code <= Code::kPower;
+    stack_ += leaf ? 1 : binary ? -1 : 0;
+    if (stack_ > ForceFormula::kMaxDepth || steps_.size() > 400) Fail("too long");
+    steps_.push_back(step);
+  }
+
+  Dimension Sum() {
+    if (++nested_ > 40) Fail("too many brackets");
+    if (!error_.empty()) return kPlain;
+    Dimension left = Product();
+    while (error_.empty()) {
+      const bool plus = Take('+');
+      if (!plus && !Take('-')) break;
+      if (Product() != left) Fail("a sum of unequal dimensions");
+      Push({plus ? Code::kAdd : Code::kSubtract});
+    }
+    --nested_;
+    return left;
+  }
+  Dimension Product() {
+    Dimension left = Signed();
+    while (error_.empty()) {
+      const bool times = Take('*');
+      if (!times && !Take('/')) break;
+      left = Joined(left, Signed(), times ? 1 : -1);
+      Push({times ? Code::kMultiply : Code::kDivide});
+    }
+    return left;
+  }
+  Dimension Signed() {
+    int minus = 0;
+    while (Take('-')) ++minus;
+    const Dimension d = Power();
+    if (minus % 2 == 1) Push({Code::kNegate});
+    return d;
+  }
+  Dimension Power() {
+    const Dimension base = Atom();
+    if (!Take('^')) return base;
+    const bool minus = Take('-');
+    double exponent = 0;
+    if (!Number(&exponent)) Fail("the exponent is no plain number");
+    if (minus) exponent = -exponent;
+    Push({Code::kNumber, exponent});
+    Push({Code::kPower});
+    return Scaled(base, exponent);
+  }
+  bool Number(double* value) {
+    Skip();
+    const char* begin = text_.c_str() + at_;
+    if (at_ >= text_.size() || (!std::isdigit(static_cast<unsigned char>(*begin)) && *begin != '.'))
+      return false;
+    char* end = nullptr;
+    *value = std::strtod(begin, &end);
+    at_ += static_cast<size_t>(end - begin);
+    return end != begin && std::isfinite(*value);
+  }
+  std::string Word() {
+    Skip();
+    const size_t begin = at_;
+    while (at_ < text_.size() && std::isalnum(static_cast<unsigned char>(text_[at_]))) ++at_;
+    return text_.substr(begin, at_ - begin);
+  }
+  /// [m], [m/s], [N/m], [m^2], [N s/m] …
+  Dimension Unit() {
+    Dimension out = kPlain;
+    double sign = 1;
+    while (error_.empty() && !Take(']')) {
+      if (Take('/')) {
+        sign = -1;
+      } else if (!Take('*')) {
+        const std::string name = Word();
+        const auto* found = std::find_if(std::begin(kUnits), std::end(kUnits),
+                                         [&](const Symbol& u) { return name == u.name; });
+        if (found == std::end(kUnits)) {
+          Fail(name.empty() ? "a unit is not closed" : "unknown unit " + name);
+          return out;
+        }
+        double power = 1;
+        if (Take('^') && !Number(&power)) Fail("the exponent of a unit is no number");
+        out = Joined(out, found->dimension, sign * power);
+      }
+    }
+    return out;
+  }
+  Dimension Atom() {
+    double value = 0;
+    if (Number(&value)) {
+      Push({Code::kNumber, value});
+      return Take('[') ? Unit() : kPlain;
+    }
+    if (Take('(')) {
+      const Dimension d = Sum();
+      if (!Take(')')) Fail("a bracket is not closed");
+      return d;
+    }
+    return Named(Word());
+  }
+  Dimension Named(const std::string& name) {
+    if (name == "pi") {
+      Push({Code::kNumber, M_PI});
+      return kPlain;
+    }
+    for (size_t i = 0; i < std::size(kVariables); ++i) {
+      if (name != kVariables[i].name) continue;
+      Push({Code::kVariable, 0, static_cast<int>(i)});
+      return kVariables[i].dimension;
+    }
+    for (const Function& f : kFunctions) {
+      if (name != f.name) continue;
+      if (!Take('(')) Fail("a bracket is missing");
+      const Dimension d = Sum();
+      if (!Take(')')) Fail("a bracket is not closed");
+      Push({f.code});
+      if (f.code == Code::kAbs) return d;
+      if (f.code == Code::kSqrt) return Scaled(d, 0.5);
+      if (d != kPlain) Fail("the argument of " + name + " has a dimension");
+      return kPlain;
+    }
+    const auto found = coefficients_.find(name);
+    if (found == coefficients_.end()) {
+      Fail(name.empty() ? "a value is missing" : "unknown name " + name);
+      return kPlain;
+    }
+    Push({Code::kNumber, found->second});
+    return kNewton;
+  }
+
+  const std::string& text_;
+  const std::map<std::string, double>& coefficients_;
+  std::vector<Step> steps_;
+  std::string error_;
+  size_t at_ = 0;
+  int stack_ = 0, nested_ = 0;
+};
+
+double Apply(Code code, double a, double b) {
+  switch (code) {
+    case Code::kAdd:
+      return a + b;
+    case Code::kSubtract:
+      return a - b;
+    case Code::kMultiply:
+      return a * b;
+    case Code::kDivide:
+      return a / b;
+    default:
+      return std::pow(a, b);
+  }
+}
+
+double Apply(Code code, double a) {
+  switch (code) {
+    case Code::kNegate:
+      return -a;
+    case Code::kSin:
+      return std::sin(a);
+    case Code::kCos:
+      return std::cos(a);
+    case Code::kExp:
+      return std::exp(a);
+    case Code::kTanh:
+      return std::tanh(a);
+    case Code::kAbs:
+      return std::abs(a);
+    default:
+      return std::sqrt(std::max(a, 0.0));
+  }
+}
+
+}  // namespace
+
+Result<ForceFormula> ForceFormula::Parse(const std::string& text,
+                                         const std::map<std::string, double>& coefficients) {
+  Result<std::vector<Step>> steps = Parser(text, coefficients).Parse();
+  if (!steps.ok()) return steps.error();
+  return ForceFormula(std::move(steps.value()));
+}
+
+double ForceFormula::Force(const hydraulics::ForcePlace& place) const noexcept {
+  const double variables[] = {place.piston,   place.speed, place.direction,  place.bore_rise,
+                              place.rod_rise, place.time,  place.temperature};
+  double stack[kMaxDepth + 1];
+  int top = -1;
+  for (const Step& step : steps_) {
+    if (step.code == Code::kNumber) {
+      stack[++top] = step.number;
+    } else if (step.code == Code::kVariable) {
+      stack[++top] = variables[step.variable];
+    } else if (step.code <= Code::kPower) {
+      --top;
+      stack[top] = Apply(step.code, stack[top], stack[top + 1]);
+    } else {
+      stack[top] = Apply(step.code, stack[top]);
+    }
+  }
+  return std::isfinite(stack[0]) ? stack[0] : 0.0;
+}
+
+}  // namespace phs::effects

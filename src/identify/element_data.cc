@@ -1,0 +1,165 @@
+#include "identify/element_data.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "identify/channel_noise.h"
+#include "identify/motion_smoother.h"
+#include "identify/rig_data.h"
+
+namespace phs::identify::element {
+namespace {
+
+constexpr int kMinRows = 100;
+
+/// Turns of the motion by more than `step` inside a window, and its span.
+struct Excitation {
+  int reversals = 0;
+  double span_m = 0;
+};
+
+Excitation CountReversals(const RigRun& run, const Window& window, double step) {
+  Excitation out;
+  const std::vector<double>& x = run.inputs[0].y;
+  int direction = 0;
+  double low = INFINITY, high = -INFINITY, turn = NAN;
+  for (int i = run.First(window); i < run.Last(window); ++i) {
+    const double at = x[static_cast<size_t>(i)];
+    low = std::min(low, at), high = std::max(high, at);
+    if (std::isnan(turn) || (at - turn) * direction > 0) turn = at;
+    if (std::abs(at - turn) <= step) continue;
+    out.reversals += direction != 0;
+    direction = at > turn ? 1 : -1;
+    turn = at;
+  }
+  out.span_m = std::max(0.0, high - low);
+  return out;
+}
+
+Status CheckExcitation(const std::vector<RigRun>& runs) {
+  int reversals = 0;
+  double span = 0;
+  for (const RigRun& run : runs) {
+    if (run.estimation.empty()) continue;
+    const double noise = WhiteNoise(run.inputs[0].y, run.inputs[0].bad);
+    const Excitation e = CountReversals(run, run.estimation, std::max(20 * noise, 1e-7));
+    reversals += e.reversals;
+    span = std::max(span, e.span_m > 2 * std::max(20 * noise, 1e-7) ? e.span_m : 0);
+  }
+  const std::string where = runs.front().source;
+  if (span == 0) {
+    return Error{where, "x_m does not move in the estimation window", "motion well above its noise",
+                 "nothing can be identified from a constant input; choose another window"};
+  }
+  if (reversals < 2) {
+    return Error{where, fmt::format("x_m reverses {} times in the estimation window", reversals),
+                 "2 reversals or more",
+                 "friction cannot be told from an offset without; choose a longer window"};
+  }
+  return {};
+}
+
+void TakeRows(const RigRun& run, double band_Hz, ElementRecord* record) {
+  record->band = BandLimit(run.step_s, band_Hz);
+  record->row_force_N = record->band.Apply(record->force_N);
+  const int n = run.num_samples, spread = record->band.spread();
+  std::vector<int> bad_before(static_cast<size_t>(n) + 1, 0);
+  for (int i = 0; i < n; ++i) {
+    const size_t k = static_cast<size_t>(i);
+    bad_before[k + 1] = bad_before[k] + (run.inputs[0].bad[k] || run.outputs[0].bad[k]);
+  }
+  for (int i = 0; i < n; i += record->band.stride()) {
+    const int first = std::max(0, i - spread), last = std::min(n, i + spread + 1);
+    const bool good =
+        bad_before[static_cast<size_t>(last)] == bad_before[static_cast<size_t>(first)];
+    const double t = run.Time(i);
+    record->row_sample.push_back(i);
+    record->fitted.push_back(good && record->estimation.Contains(t));
+    record->scored.push_back(good && record->validation.Contains(t));
+  }
+}
+
+Result<ElementRecord> MakeRecord(RigRun& run, double band_Hz) {
+  ElementRecord record;
+  record.source = run.source;
+  record.estimation = run.estimation;
+  record.validation = run.validation;
+  Channel& x = run.inputs[0];
+  const double noise = std::max(WhiteNoise(x.y, x.bad), Quantum(x.y) / std::sqrt(12.0));
+  const SmoothMotion smooth = SmoothPosition(x.y, x.bad, run.step_s, std::max(noise, 1e-12));
+  record.motion.t0_s = run.t0_s;
+  record.motion.step_s = run.step_s;
+  record.motion.position_m = {smooth.position};
+  record.motion.speed_m_s = {run.speed.present() ? run.speed.y : smooth.speed};
+  record.speed_deviation = smooth.speed_deviation;
+  if (run.pressure.present()) record.motion.pressure_Pa = run.pressure.y;
+  if (run.temperature.present()) record.motion.temperature_K = run.temperature.y;
+  record.force_N = run.outputs[0].y;
+  TakeRows(run, band_Hz, &record);
+  return record;
+}
+
+}  // namespace
+
+int ElementData::CountRows(bool fitted) const {
+  int count = 0;
+  for (const ElementRecord& r : records) {
+    const std::vector<char>& rows = fitted ? r.fitted : r.scored;
+    count += static_cast<int>(std::count(rows.begin(), rows.end(), 1));
+  }
+  return count;
+}
+
+Result<ElementData> ReadElementData(const Manifest& manifest) {
+  ElementData data;
+  data.compare_below_Hz = manifest.compare_below_Hz;
+  data.has_pressure = data.has_temperature = true;
+  std::vector<RigRun> runs;
+  for (const RunSpec& spec : manifest.runs) {
+    Result<RigRun> read = ReadRigRun(spec, manifest, {"x_m"}, {"force_N"});
+    if (!read.ok()) return read.error();
+    runs.push_back(std::move(read.value()));
+    const RigRun& run = runs.back();
+    data.has_pressure &= run.pressure.present();
+    data.has_temperature &= run.temperature.present();
+    for (const DataFinding& f : run.findings) {
+      data.remarks.push_back((manifest.runs.size() > 1 ? run.source + ": " : "") + f.channel +
+                             ": " + f.text);
+    }
+  }
+  if (Status s = CheckExcitation(runs); !s.ok()) return s.error();
+  double square = 0, position = 0;
+  for (RigRun& run : runs) {
+    Result<ElementRecord> record = MakeRecord(run, manifest.compare_below_Hz);
+    if (!record.ok()) return record.error();
+    // White noise of the full rate, as much of it as the band lets through.
+    const double share = record.value().band.passes_all()
+                             ? 1
+                             : std::min(1.0, 2 * manifest.compare_below_Hz * run.step_s);
+    const double noise = std::max(WhiteNoise(run.outputs[0].y, run.outputs[0].bad),
+                                  Quantum(run.outputs[0].y) / std::sqrt(12.0)) *
+                         std::sqrt(share);
+    square += noise * noise / static_cast<double>(runs.size());
+    position = std::max(position, WhiteNoise(run.inputs[0].y, run.inputs[0].bad));
+    data.records.push_back(std::move(record.value()));
+  }
+  data.noise_N = std::sqrt(square);
+  data.position_noise_m = position;
+  if (!(data.noise_N > 0)) {
+    return Error{manifest.runs.front().data, "force_N never changes: the channel is dead",
+                 "a force that follows the motion", "check the column"};
+  }
+  for (const bool fitted : {true, false}) {
+    if (data.CountRows(fitted) >= kMinRows) continue;
+    return Error{manifest.path,
+                 fmt::format("{} samples in the {} windows", data.CountRows(fitted),
+                             fitted ? "estimation" : "validation"),
+                 fmt::format("{} or more", kMinRows),
+                 "too little to tell an effect from noise; record longer or widen the windows"};
+  }
+  return data;
+}
+
+}  // namespace phs::identify::element

@@ -1,0 +1,44 @@
+// Measured runs of a part on a bench (rig: element), made ready for fitting.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "effects/rig_model.h"
+#include "hydraulics/phs_params.h"
+#include "identify/band_limit.h"
+#include "identify/manifest.h"
+
+namespace phs::identify::element {
+
+/// One run. "Rows" are the samples that are compared: thinned to the compared band.
+struct ElementRecord {
+  std::string source;
+  effects::RigMotion motion;            ///< smoothed, full rate
+  std::vector<double> speed_deviation;  ///< standard deviation of motion.speed_m_s[0]
+  std::vector<double> force_N;          ///< full rate, gaps bridged
+  BandLimit band{1, 0};
+  std::vector<double> row_force_N;   ///< in the band
+  std::vector<int> row_sample;       ///< full-rate sample of each row
+  std::vector<char> fitted, scored;  ///< row in the estimation, in the validation window
+  Window estimation, validation;
+
+  double Time(int sample) const { return motion.t0_s + sample * motion.step_s; }
+};
+
+struct ElementData {
+  std::vector<ElementRecord> records;
+  double noise_N = 0;  ///< of the compared force
+  double position_noise_m = 0;
+  bool has_pressure = false, has_temperature = false;
+  double compare_below_Hz = 0;
+  std::vector<std::string> remarks;
+
+  int CountRows(bool fitted) const;
+};
+
+/// Reads and checks every run of the manifest. Errors say what cannot be identified and why.
+Result<ElementData> ReadElementData(const Manifest& manifest);
+
+}  // namespace phs::identify::element

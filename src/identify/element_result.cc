@@ -1,0 +1,210 @@
+#include "identify/element_result.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/table.h"
+#include "identify/residual_map.h"
+
+namespace phs::identify::element {
+
+using json = nlohmann::ordered_json;
+
+namespace {
+
+/// Residual on the rows of the windows, with the places they belong to.
+struct WindowRows {
+  std::vector<double> residual;
+  std::vector<std::pair<size_t, size_t>> at;  ///< record, full-rate sample
+  Eigen::VectorXd vector() const {
+    return Eigen::Map<const Eigen::VectorXd>(residual.data(),
+                                             static_cast<Eigen::Index>(residual.size()));
+  }
+};
+
+WindowRows Collect(const ElementData& data, const Rows& predicted, bool fitted) {
+  WindowRows out;
+  for (size_t r = 0; r < data.records.size(); ++r) {
+    const ElementRecord& record = data.records[r];
+    const std::vector<char>& in = fitted ? record.fitted : record.scored;
+    for (size_t k = 0; k < in.size(); ++k) {
+      if (!in[k]) continue;
+      out.residual.push_back(record.row_force_N[k] - predicted[r][k]);
+      out.at.emplace_back(r, static_cast<size_t>(record.row_sample[k]));
+    }
+  }
+  return out;
+}
+
+/// Travel since the last reversal, with the sign of the motion [m], at the full rate.
+std::vector<double> TravelSinceReversal(const ElementRecord& record) {
+  const std::vector<double>& x = record.motion.position_m[0];
+  std::vector<double> out(x.size(), 0.0);
+  for (size_t i = 1; i < x.size(); ++i) {
+    const double step = x[i] - x[i - 1];
+    const bool moving = std::abs(record.motion.speed_m_s[0][i]) > 3 * record.speed_deviation[i];
+    out[i] = !moving ? out[i - 1] : out[i - 1] * step < 0 ? step : out[i - 1] + step;
+  }
+  return out;
+}
+
+}  // namespace
+
+json ScoreRows(const ElementData& data, const Rows& predicted, bool fitted) {
+  std::vector<double> time, measured, model;
+  for (size_t r = 0; r < data.records.size(); ++r) {
+    const ElementRecord& record = data.records[r];
+    const std::vector<char>& in = fitted ? record.fitted : record.scored;
+    for (size_t k = 0; k < in.size(); ++k) {
+      if (!in[k]) continue;
+      time.push_back(static_cast<double>(time.size()));
+      measured.push_back(record.row_force_N[k]);
+      model.push_back(predicted[r][k]);
+    }
+  }
+  const search::ChannelScore s =
+      search::Score(time, measured, model, {0, static_cast<double>(time.size())});
+  double error = 0, whole = 0;
+  for (size_t i = 0; i < measured.size(); ++i) {
+    error += (measured[i] - model[i]) * (measured[i] - model[i]);
+    whole += measured[i] * measured[i];
+  }
+  return {{"rmse", s.rmse},
+          {"nrmse", s.nrmse},
+          {"bias", s.bias},
+          {"max", s.max},
+          {"relative_percent", whole > 0 ? 100 * std::sqrt(error / whole) : 0},
+          {"m_re_percent", s.m_re_percent},
+          {"share_at_or_below_mean", s.share_at_or_below_mean},
+          {"share_below_12_percent", s.share_below_12_percent}};
+}
+
+json MapRows(const ElementData& data, const Rows& predicted, bool fitted) {
+  const WindowRows rows = Collect(data, predicted, fitted);
+  std::vector<std::pair<std::string, std::vector<double>>> variables;
+  const auto add = [&](const std::string& name, auto value) {
+    auto& column = variables.emplace_back(name, std::vector<double>{}).second;
+    for (const auto& [r, i] : rows.at) column.push_back(value(r, i));
+  };
+  std::vector<std::vector<double>> since;
+  for (const ElementRecord& record : data.records) since.push_back(TravelSinceReversal(record));
+  const auto motion = [&](size_t r) -> const effects::RigMotion& { return data.records[r].motion; };
+  add("x_m", [&](size_t r, size_t i) { return motion(r).position_m[0][i]; });
+  add("speed_m_s", [&](size_t r, size_t i) { return motion(r).speed_m_s[0][i]; });
+  add("reversal", [&](size_t r, size_t i) { return since[r][i]; });
+  add("t_s", [&](size_t r, size_t i) { return data.records[r].Time(static_cast<int>(i)); });
+  if (data.has_pressure) add("p_Pa", [&](size_t r, size_t i) { return motion(r).pressure_Pa[i]; });
+  if (data.has_temperature) {
+    add("temperature_K", [&](size_t r, size_t i) { return motion(r).temperature_K[i]; });
+  }
+  const double independent =
+      search::EffectiveSamples(rows.vector(), 0, static_cast<int>(rows.residual.size()));
+  json depends = json::array(), share = json::object(), p = json::object();
+  for (const VariableShare& v : ShareByVariable(rows.residual, independent, variables)) {
+    share[v.variable] = v.share;
+    p[v.variable] = v.p_value;
+    if (v.share > 0.03 && v.p_value < 1e-3 && depends.size() < 4) depends.push_back(v.variable);
+  }
+  double square = 0;
+  for (const double r : rows.residual) square += r * r / static_cast<double>(rows.residual.size());
+  return {{"channel", "force_N"},
+          {"depends_on", depends},
+          {"explained_share", share},
+          {"p_values", p},
+          {"residual_over_noise", std::sqrt(square) / data.noise_N},
+          {"whiteness_p", search::WhitenessP(rows.residual)}};
+}
+
+json ParametersJson(const FreeModel& model, const ElementFit& fit, size_t begin, size_t end,
+                    bool whole_name) {
+  json out = json::object();
+  for (size_t i = begin; i < end; ++i) {
+    const FreeParameter& p = model.free[i];
+    const double x = p.ToCoordinate(fit.values[i]), half = std::min(fit.half_95[i], 1e4);
+    const std::string name = whole_name ? p.name : p.name.substr(p.name.rfind('.') + 1);
+    out[name] = {{"value", fit.values[i]},
+                 {"low", p.FromCoordinate(x - half)},
+                 {"high", p.FromCoordinate(x + half)}};
+  }
+  return out;
+}
+
+json FormulaJson(const ElementIdentification& found) {
+  for (const AcceptedElementEffect& effect : found.effects) {
+    if (effect.candidate.effect != "unlisted") continue;
+    std::string text = effect.candidate.params.formula;
+    for (size_t i = 0; i < found.corrected.free.size(); ++i) {
+      const std::string& name = found.corrected.free[i].name;
+      if (!name.starts_with("effects.unlisted.c")) continue;
+      const std::string symbol = name.substr(17, name.rfind("_N") - 17);
+      const size_t at = text.find(symbol + "*");
+      if (at == std::string::npos) continue;
+      text.replace(at, symbol.size(), fmt::format("{:.4g}[N]", found.after.values[i]));
+    }
+    return text;
+  }
+  return nullptr;
+}
+
+json EffectsJson(const ElementIdentification& found) {
+  json out = json::array();
+  for (const AcceptedElementEffect& effect : found.effects) {
+    const std::string prefix = "effects." + effect.candidate.effect + ".";
+    size_t begin = 0;
+    while (!found.corrected.free[begin].name.starts_with(prefix)) ++begin;
+    json entry = {{"name", effect.candidate.effect},
+                  {"parameters", ParametersJson(found.corrected, found.after, begin,
+                                                begin + effect.candidate.free.size(), false)},
+                  {"evidence",
+                   {{"delta_bic", effect.evidence.delta_bic},
+                    {"estimation_gain", effect.evidence.estimation_gain},
+                    {"cross_validation_gain", effect.evidence.cross_validation_gain}}},
+                  {"confusable_with", effect.confusable_with}};
+    if (effect.candidate.effect == "unlisted") entry["formula"] = FormulaJson(found);
+    out.push_back(std::move(entry));
+  }
+  return out;
+}
+
+json CandidatesJson(const ElementIdentification& found) {
+  json out = json::array();
+  for (const ElementRecordOfTrial& r : found.candidates) {
+    out.push_back({{"name", r.effect},
+                   {"variant", r.variant},
+                   {"round", r.round},
+                   {"delta_bic", r.evidence.delta_bic},
+                   {"estimation_gain", r.evidence.estimation_gain},
+                   {"cross_validation_gain", r.evidence.cross_validation_gain},
+                   {"verdict", r.verdict}});
+  }
+  return out;
+}
+
+Status WriteRows(const std::string& path, const ElementData& data, const Rows* force) {
+  std::vector<std::string> names = {"t_s", "x_m", "force_N"};
+  if (data.has_pressure) names.push_back("p_Pa");
+  if (data.has_temperature) names.push_back("temperature_K");
+  if (data.records.size() > 1) names.push_back("run");
+  std::vector<std::vector<double>> columns(names.size());
+  double shift = 0;
+  for (size_t r = 0; r < data.records.size(); ++r) {
+    const ElementRecord& record = data.records[r];
+    const effects::RigMotion& m = record.motion;
+    if (r > 0) shift = columns[0].back() + 1 - m.t0_s;  // runs one second apart
+    for (size_t k = 0; k < record.row_sample.size(); ++k) {
+      const auto i = static_cast<size_t>(record.row_sample[k]);
+      size_t c = 0;
+      columns[c++].push_back(record.Time(record.row_sample[k]) + shift);
+      columns[c++].push_back(m.position_m[0][i]);
+      columns[c++].push_back(force != nullptr ? (*force)[r][k] : record.row_force_N[k]);
+      if (data.has_pressure) columns[c++].push_back(m.pressure_Pa[i]);
+      if (data.has_temperature) columns[c++].push_back(m.temperature_K[i]);
+      if (c < columns.size()) columns[c].push_back(static_cast<double>(r + 1));
+    }
+  }
+  return WriteCsv(path, names, columns);
+}
+
+}  // namespace phs::identify::element

@@ -1,0 +1,222 @@
+#include "identify/element_run.h"
+
+#include <fmt/format.h>
+
+#include "base/words.h"
+#include "effects/catalogue.h"
+#include "identify/element_result.h"
+
+namespace phs::identify::element {
+namespace {
+
+using hydraulics::PhsParams;
+using json = nlohmann::ordered_json;
+using search::IdentifyOutcome;
+
+json Head(const Manifest& manifest, const ElementData& data) {
+  json sources = json::array();
+  for (const ElementRecord& r : data.records) sources.push_back(r.source);
+  json head = {{"rig", manifest.rig},
+               {"declared", manifest.model},
+               {"data", data.records.size() == 1 ? sources[0] : sources},
+               {"noise", {{"x_m", data.position_noise_m}, {"force_N", data.noise_N}}},
+               {"remarks", data.remarks}};
+  if (data.compare_below_Hz > 0) head["compare_below_Hz"] = data.compare_below_Hz;
+  if (data.records.size() == 1) {
+    const ElementRecord& r = data.records[0];
+    head["estimation"] = {r.estimation.begin, r.estimation.end};
+    head["validation"] = {r.validation.begin, r.validation.end};
+  }
+  return head;
+}
+
+/// What the validation windows would ask for beyond the corrected model. Not part of the model.
+json AskValidation(const ElementData& data, const FreeModel& corrected, const ElementFit& fit,
+                   const PhsParams& params, const ElementSearchOptions& options) {
+  ElementData turned = data;
+  for (ElementRecord& r : turned.records) std::swap(r.fitted, r.scored);
+  Result<ElementProblem> problem = ElementProblem::Create(turned, params);
+  if (!problem.ok()) return nullptr;
+  std::vector<std::string> names;
+  for (const FreeParameter& p : corrected.free) names.push_back(p.name);
+  ElementSearchOptions few = options;
+  few.max_effects = 2;
+  Result<ElementIdentification> found =
+      IdentifyElement(&problem.value(), params, names, few, nullptr);
+  if (!found.ok()) return nullptr;
+  const ElementIdentification& f = found.value();
+  json refitted = json::object();
+  const json anew = ParametersJson(f.declared, f.before, 0, f.declared.free.size(), true);
+  for (size_t i = 0; i < names.size(); ++i) {
+    refitted[names[i]] = anew[names[i]];
+    refitted[names[i]]["estimation"] = fit.values[i];
+  }
+  const auto rows = problem.value().Predict(problem.value().Params(f.declared, f.before.values));
+  const auto more = problem.value().Predict(problem.value().Params(f.corrected, f.after.values));
+  json out = {{"refitted", refitted}, {"effects", EffectsJson(f)}, {"formula", FormulaJson(f)}};
+  if (rows.ok())
+    out["relative_percent_refitted"] = ScoreRows(turned, rows.value(), true)["relative_percent"];
+  if (more.ok())
+    out["relative_percent_with_effects"] =
+        ScoreRows(turned, more.value(), true)["relative_percent"];
+  return out;
+}
+
+std::vector<std::string> NextTests(const ElementIdentification& found, const json& asks) {
+  std::vector<std::string> out;
+  for (const AcceptedElementEffect& effect : found.effects) {
+    if (effect.confusable_with.empty()) continue;
+    out.push_back(effect.candidate.effect + " against " + JoinWords(effect.confusable_with) +
+                  ": slow reversals after rests of different length, at two speeds and pressures");
+  }
+  if (asks.is_object()) {
+    for (const json& e : asks["effects"]) {
+      out.push_back(e["name"].get<std::string>() +
+                    ": only the validation record asks for it; take a record of that kind into the "
+                    "estimation");
+    }
+  }
+  return out;
+}
+
+std::string Summary(const json& result) {
+  std::string out;
+  if (result["effects"].empty()) {
+    out += "effects: none; the declared model suffices as far as this record tells\n";
+  }
+  for (const json& e : result["effects"]) {
+    out += fmt::format("effect {}", e["name"].get<std::string>());
+    if (e.contains("formula")) out += "  F = " + e["formula"].get<std::string>();
+    for (const auto& [name, p] : e["parameters"].items()) {
+      if (e.contains("formula")) break;
+      out += fmt::format("  {} {:.4g} [{:.4g}, {:.4g}]", name, p["value"].get<double>(),
+                         p["low"].get<double>(), p["high"].get<double>());
+    }
+    out += fmt::format("  delta BIC {:.0f}", e["evidence"]["delta_bic"].get<double>());
+    if (!e["confusable_with"].empty()) {
+      out += "  not told apart from " +
+             JoinWords(e["confusable_with"].get<std::vector<std::string>>());
+    }
+    out += "\n";
+  }
+  for (const char* key : {"channels_estimation", "channels"}) {
+    const json& s = result[key]["force_N"];
+    out += fmt::format("force_N {:10} rmse {:.4g} -> {:.4g} N  relative {:.3f} -> {:.3f} %\n",
+                       std::string(key) == "channels" ? "validation" : "estimation",
+                       s["before"]["rmse"].get<double>(), s["after"]["rmse"].get<double>(),
+                       s["before"]["relative_percent"].get<double>(),
+                       s["after"]["relative_percent"].get<double>());
+  }
+  const json& left = result["unexplained"];
+  out +=
+      fmt::format("unexplained: {:.2f} times the noise", left["residual_over_noise"].get<double>());
+  if (!left["depends_on"].empty()) {
+    out += ", depends on " + JoinWords(left["depends_on"].get<std::vector<std::string>>());
+  }
+  out += "\n";
+  if (result["validation_asks_for"].is_object()) {
+    for (const json& e : result["validation_asks_for"]["effects"]) {
+      out += "the validation record also asks for " + e["name"].get<std::string>();
+      if (e.contains("formula")) out += ": " + e["formula"].get<std::string>();
+      out += "\n";
+    }
+  }
+  return out;
+}
+
+Status WriteFiles(const ElementData& data, const Rows* before, const Rows& after,
+                  const PhsParams* model, const json& result, const ResultDir& dir) {
+  if (Status s = WriteRows(dir.File("measured.csv"), data, nullptr); !s.ok()) return s;
+  if (Status s = WriteRows(dir.File("predicted.csv"), data, &after); !s.ok()) return s;
+  if (before != nullptr) {
+    if (Status s = WriteRows(dir.File("baseline.csv"), data, before); !s.ok()) return s;
+  }
+  if (model != nullptr) {
+    const Status s = WriteFileAtomically(dir.File("model.yaml"), hydraulics::ToYaml(*model));
+    if (!s.ok()) return s;
+  }
+  return WriteFileAtomically(dir.File("result.json"), result.dump(1) + "\n");
+}
+
+}  // namespace
+
+Result<IdentifyOutcome> RunElementIdentify(const Manifest& manifest,
+                                           const ElementSearchOptions& options,
+                                           const ElementProgress& progress, const ResultDir& dir) {
+  Result<PhsParams> declared = effects::FindPhsParams(manifest.model);
+  if (!declared.ok()) return declared.error();
+  Result<ElementData> data = ReadElementData(manifest);
+  if (!data.ok()) return data.error();
+  Result<ElementProblem> made = ElementProblem::Create(data.value(), declared.value());
+  if (!made.ok()) return made.error();
+  ElementProblem& problem = made.value();
+  Result<ElementIdentification> searched =
+      IdentifyElement(&problem, declared.value(), manifest.free, options, progress);
+  if (!searched.ok()) return searched.error();
+  const ElementIdentification& found = searched.value();
+  IdentifyOutcome outcome;
+  outcome.cancelled = found.cancelled;
+  if (found.cancelled) return outcome;
+  const Result<Rows> before = problem.Predict(problem.Params(found.declared, found.before.values));
+  PhsParams corrected = problem.Params(found.corrected, found.after.values);
+  const Result<Rows> after = problem.Predict(corrected);
+  if (!before.ok()) return before.error();
+  if (!after.ok()) return after.error();
+  json& result = outcome.result;
+  result = Head(manifest, data.value());
+  for (const bool fitted : {false, true}) {
+    result[fitted ? "channels_estimation" : "channels"]["force_N"] = {
+        {"before", ScoreRows(data.value(), before.value(), fitted)},
+        {"after", ScoreRows(data.value(), after.value(), fitted)}};
+  }
+  result["effects"] = EffectsJson(found);
+  result["fitted"] =
+      ParametersJson(found.corrected, found.after, 0, found.declared.free.size(), true);
+  result["fitted_before"] =
+      ParametersJson(found.declared, found.before, 0, found.declared.free.size(), true);
+  result["localised"] = MapRows(data.value(), before.value(), true);
+  result["unexplained"] = MapRows(data.value(), after.value(), false);
+  result["unexplained"]["nrmse"] = result["channels"]["force_N"]["after"]["nrmse"];
+  result["unexplained"]["formula"] = FormulaJson(found);
+  result["validation_asks_for"] =
+      AskValidation(data.value(), found.corrected, found.after, corrected, options);
+  result["next_test"] = NextTests(found, result["validation_asks_for"]);
+  result["candidates"] = CandidatesJson(found);
+  result["model"] = "model.yaml";
+  corrected.name += "_identified";
+  corrected.description =
+      "Identified from " + data.value().records[0].source + "; declared " + declared.value().name;
+  if (Status s = WriteFiles(data.value(), &before.value(), after.value(), &corrected, result, dir);
+      !s.ok()) {
+    return s.error();
+  }
+  outcome.summary = Summary(result);
+  return outcome;
+}
+
+Result<IdentifyOutcome> RunElementRig(const Manifest& manifest, const ResultDir& dir) {
+  Result<PhsParams> declared = effects::FindPhsParams(manifest.model);
+  if (!declared.ok()) return declared.error();
+  Result<ElementData> data = ReadElementData(manifest);
+  if (!data.ok()) return data.error();
+  Result<ElementProblem> problem = ElementProblem::Create(data.value(), declared.value());
+  if (!problem.ok()) return problem.error();
+  const Result<Rows> rows = problem.value().Predict(declared.value());
+  if (!rows.ok()) return rows.error();
+  IdentifyOutcome outcome;
+  outcome.result = Head(manifest, data.value());
+  const json score = ScoreRows(data.value(), rows.value(), false);
+  outcome.result["channels"]["force_N"] = score;
+  outcome.result["channels_estimation"]["force_N"] = ScoreRows(data.value(), rows.value(), true);
+  outcome.summary =
+      fmt::format("force_N  validation rmse {:.4g} N  nrmse {:.4f}  relative {:.3f} %\n",
+                  score["rmse"].get<double>(), score["nrmse"].get<double>(),
+                  score["relative_percent"].get<double>());
+  if (Status s = WriteFiles(data.value(), nullptr, rows.value(), nullptr, outcome.result, dir);
+      !s.ok()) {
+    return s.error();
+  }
+  return outcome;
+}
+
+}  // namespace phs::identify::element

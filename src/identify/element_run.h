@@ -1,0 +1,21 @@
+// `phs identify` and `phs rig` for a part on a bench (rig: element): data in, result files out.
+//
+// Beside what interfaces describe, result.json holds "validation_asks_for": the corrected model's
+// numbers fitted anew on the validation windows, and the effects that these windows would ask for
+// beyond it. That is a diagnosis: it does not enter the corrected model or its score.
+#pragma once
+
+#include "identify/element_search.h"
+#include "identify/identify_run.h"
+
+namespace phs::identify::element {
+
+/// Writes result.json, measured.csv, predicted.csv, baseline.csv and model.yaml into `dir`.
+Result<search::IdentifyOutcome> RunElementIdentify(const Manifest& manifest,
+                                                   const ElementSearchOptions& options,
+                                                   const ElementProgress& progress,
+                                                   const ResultDir& dir);
+/// The declared model as it is: result.json, measured.csv and predicted.csv.
+Result<search::IdentifyOutcome> RunElementRig(const Manifest& manifest, const ResultDir& dir);
+
+}  // namespace phs::identify::element

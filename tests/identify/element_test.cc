@@ -1,0 +1,202 @@
+// Identification of a part on a bench, on data made here with equations of their own.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <random>
+
+#include "base/data_path.h"
+#include "identify/element_run.h"
+
+namespace phs::identify::element {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Sample {
+  double t, x, v, a, p;
+};
+/// Force beside 30 N Coulomb, 60 N s/m viscous, 4 kg and 2 N offset.
+using Hidden = std::function<double(const Sample&)>;
+
+/// A bench record: mixed sines, pressure that wanders, noise of 0.3 N, correlated over 3 samples.
+class BenchRecord {
+ public:
+  BenchRecord(const std::string& name, unsigned seed, const Hidden& hidden)
+      : folder_(fs::temp_directory_path() / ("phs_element_" + name)) {
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+    std::mt19937 random(seed);
+    std::normal_distribution<double> normal;
+    std::ofstream csv(folder_ / "run.csv");
+    csv << "t_s,x_m,force_N,p_Pa\n";
+    csv.precision(12);
+    double noise = 0;
+    for (int i = 0; i < 4000; ++i) {
+      const Sample s = At(0.01 * i);
+      noise = 0.7 * noise + 0.3 * std::sqrt(1 - 0.49) * normal(random);
+      const double friction = std::tanh(s.v / 2e-4) * 30 + 60 * s.v;
+      csv << s.t << ',' << s.x + 2e-7 * normal(random) << ','
+          << 4 * s.a + friction + 2 + hidden(s) + noise << ',' << s.p << '\n';
+    }
+    std::ofstream(folder_ / "manifest.yaml")
+        << "rig: element\nmodel: " << (folder_ / "part.yaml").string()
+        << "\ndata: run.csv\nestimation: [0, 27]\nvalidation: [27, 40]\n";
+    std::ofstream(folder_ / "part.yaml")
+        << "name: part\ncylinders: [{name: \"1\"}]\nfriction: {model: static, curve: coulomb, "
+           "coulomb_extension_N: 22, coulomb_retraction_N: 22, breakaway_extension_N: 22, "
+           "breakaway_retraction_N: 22, viscous_extension_Ns_per_m: 80, "
+           "viscous_retraction_Ns_per_m: 80, ramp_speed_m_s: 5.0e-4}\n"
+           "element: {mass_kg: 5}\n";
+  }
+  ~BenchRecord() { fs::remove_all(folder_); }
+
+  nlohmann::ordered_json Identified() const {
+    const auto manifest = LoadManifest((folder_ / "manifest.yaml").string());
+    EXPECT_TRUE(manifest.ok());
+    auto dir = ResultDir::Create((folder_ / "out").string(), true);
+    EXPECT_TRUE(dir.ok());
+    const auto outcome = RunElementIdentify(manifest.value(), {}, nullptr, dir.value());
+    EXPECT_TRUE(outcome.ok()) << (outcome.ok() ? "" : outcome.error().Line());
+    if (!outcome.ok()) return {};
+    // The corrected model is a model file like any other.
+    const auto params = hydraulics::LoadPhsParams(dir.value().File("model.yaml"));
+    EXPECT_TRUE(params.ok()) << (params.ok() ? "" : params.error().Line());
+    EXPECT_TRUE(effects::RigModel::Create(effects::RigKind::kElement, params.value()).ok());
+    EXPECT_EQ(params.value().effects.size(), outcome.value().result["effects"].size());
+    return outcome.value().result;
+  }
+  const fs::path& folder() const { return folder_; }
+
+ private:
+  static Sample At(double t) {
+    Sample s{t, 0, 0, 0, 0};
+    const double amplitude[] = {0.03, 0.012, 0.004}, w[] = {0.9, 2.3, 5.9};
+    for (int k = 0; k < 3; ++k) {
+      s.x += amplitude[k] * std::sin(w[k] * t + k);
+      s.v += amplitude[k] * w[k] * std::cos(w[k] * t + k);
+      s.a -= amplitude[k] * w[k] * w[k] * std::sin(w[k] * t + k);
+    }
+    s.p = 3e5 + 2e5 * std::sin(0.37 * t) + 5e4 * std::sin(1.7 * t);
+    return s;
+  }
+  fs::path folder_;
+};
+
+std::vector<std::string> Names(const nlohmann::ordered_json& result) {
+  std::vector<std::string> names;
+  for (const auto& e : result["effects"]) names.push_back(e["name"]);
+  return names;
+}
+
+TEST(ElementIdentify, NothingHiddenNothingFound) {
+  for (const unsigned seed : {11u, 12u, 13u}) {
+    const auto r = BenchRecord("clean", seed, [](const Sample&) { return 0.0; }).Identified();
+    EXPECT_TRUE(Names(r).empty()) << r["effects"].dump(1);
+  }
+}
+
+TEST(ElementIdentify, PressureInTheFrictionIsFoundWithItsSlope) {
+  const auto r = BenchRecord("pressure", 21, [](const Sample& s) {
+                   return std::tanh(s.v / 2e-4) * 2.5e-5 * s.p;
+                 }).Identified();
+  ASSERT_EQ(Names(r), std::vector<std::string>{"pressure_friction"}) << r["effects"].dump(1);
+  const auto& slope = r["effects"][0]["parameters"]["bore_N_per_Pa"];
+  EXPECT_NEAR(slope["value"].get<double>(), 2.5e-5, 1.5e-6);
+  EXPECT_LT(slope["low"].get<double>(), 2.55e-5);
+  EXPECT_GT(slope["high"].get<double>(), 2.45e-5);
+  EXPECT_LT(r["channels"]["force_N"]["after"]["rmse"].get<double>(), 0.5);
+}
+
+TEST(ElementIdentify, AnUnlistedRippleIsDescribedByAFormulaThatRunsInTheModel) {
+  const BenchRecord record(
+      "ripple", 31, [](const Sample& s) { return 1.5 * std::sin(2 * M_PI * s.x / 0.004 + 0.6); });
+  const auto r = record.Identified();
+  ASSERT_EQ(Names(r), std::vector<std::string>{"unlisted"}) << r["effects"].dump(1);
+  const std::string formula = r["unexplained"]["formula"];
+  EXPECT_NE(formula.find("sin(2*pi*x/0.00"), std::string::npos) << formula;
+  const double c1 = r["effects"][0]["parameters"]["c1_N"]["value"];
+  const double c2 = r["effects"][0]["parameters"]["c2_N"]["value"];
+  EXPECT_NEAR(std::hypot(c1, c2), 1.5, 0.08);
+}
+
+TEST(ElementIdentify, FrictionThatGrowsWithTheSquareOfSpeedIsNotBentIntoAListedEffect) {
+  const auto r = BenchRecord("square", 41, [](const Sample& s) {
+                   return 900 * s.v * std::abs(s.v);
+                 }).Identified();
+  ASSERT_EQ(Names(r), std::vector<std::string>{"unlisted"}) << r["effects"].dump(1);
+  const std::string formula = r["effects"][0]["formula"];
+  EXPECT_NE(formula.find("abs(v)"), std::string::npos) << formula;
+  EXPECT_LT(r["channels"]["force_N"]["after"]["rmse"].get<double>(), 0.45);
+}
+
+TEST(ElementIdentify, PoorDataEndWithAWord) {
+  const BenchRecord record("poor", 51, [](const Sample&) { return 0.0; });
+  auto manifest = LoadManifest((record.folder() / "manifest.yaml").string()).value();
+  std::ofstream flat(record.folder() / "flat.csv");
+  flat << "t_s,x_m,force_N\n";
+  for (int i = 0; i < 3000; ++i) flat << 0.01 * i << ",0.002," << 5 + (i % 7) * 0.1 << "\n";
+  flat.close();
+  manifest.runs[0].data = (record.folder() / "flat.csv").string();
+  manifest.runs[0].estimation = {0, 20}, manifest.runs[0].validation = {20, 30};
+  const auto data = ReadElementData(manifest);
+  ASSERT_FALSE(data.ok());
+  EXPECT_NE(data.error().Line().find("does not move"), std::string::npos) << data.error().Line();
+}
+
+/// The measured O-ring (models/rigs/seal_friction, CC0): the declared friction knows speed only.
+TEST(ElementIdentify, SealNeedsPressureInForceAndFriction) {
+  const auto path = FindData("manifest", "models/rigs", "seal_friction", {".yaml"});
+  ASSERT_TRUE(path.ok());
+  const auto manifest = LoadManifest(path.value());
+  ASSERT_TRUE(manifest.ok()) << manifest.error().Line();
+  const fs::path out = fs::temp_directory_path() / "phs_seal_out";
+  auto dir = ResultDir::Create(out.string(), true);
+  ASSERT_TRUE(dir.ok());
+  const auto outcome = RunElementIdentify(manifest.value(), {}, nullptr, dir.value());
+  ASSERT_TRUE(outcome.ok()) << outcome.error().Line();
+  const auto& r = outcome.value().result;
+  const std::vector<std::string> names = Names(r);
+  ASSERT_GE(names.size(), 2u) << r["effects"].dump(1);
+  EXPECT_EQ(names[0], "pressure_area");
+  double slope = 0, area = 0;
+  for (const auto& e : r["effects"]) {
+    if (e["name"] == "pressure_friction") slope = e["parameters"]["bore_N_per_Pa"]["value"];
+    if (e["name"] == "pressure_area") area = e["parameters"]["area_m2"]["value"];
+  }
+  EXPECT_NEAR(area, M_PI / 4 * 0.025 * 0.025, 0.1e-4) << "a 25 mm piston";
+  // Half the jump between the directions less the area's share: 3.9 N at 1 bar, 7.8 N at 7 bar.
+  EXPECT_NEAR(slope, 6.5e-6, 1.5e-6);
+}
+
+/// EMPS (Janot, Gautier, Brunot 2019; not shipped): published inverse-model errors 3.112 % on the
+/// training record with asymmetric friction, 5.982 % on the test record.
+TEST(ElementIdentify, EmpsIsAsymmetricAndAtOrBelowThePublishedErrors) {
+  if (std::getenv("PHS_EMPS_DIR") == nullptr) GTEST_SKIP() << "PHS_EMPS_DIR is not set";
+  const auto path = FindData("manifest", "models/rigs", "emps", {".yaml"});
+  ASSERT_TRUE(path.ok());
+  const auto manifest = LoadManifest(path.value());
+  ASSERT_TRUE(manifest.ok()) << manifest.error().Line();
+  auto dir = ResultDir::Create((fs::temp_directory_path() / "phs_emps_out").string(), true);
+  ASSERT_TRUE(dir.ok());
+  const auto outcome = RunElementIdentify(manifest.value(), {}, nullptr, dir.value());
+  ASSERT_TRUE(outcome.ok()) << outcome.error().Line();
+  const auto& r = outcome.value().result;
+  bool asymmetric = false;
+  for (const auto& e : r["effects"]) {
+    if (e["name"] != "asymmetric_friction") continue;
+    asymmetric = true;
+    EXPECT_NEAR(e["parameters"]["viscous_Ns_per_m"]["value"].get<double>(), 166.7 - 240.4, 12);
+  }
+  EXPECT_TRUE(asymmetric) << r["effects"].dump(1);
+  EXPECT_LE(r["channels_estimation"]["force_N"]["after"]["relative_percent"].get<double>(), 3.112);
+  EXPECT_LE(r["channels"]["force_N"]["after"]["relative_percent"].get<double>(), 5.98);
+  EXPECT_NEAR(r["channels_estimation"]["force_N"]["before"]["relative_percent"].get<double>(),
+              4.083, 0.35);
+}
+
+}  // namespace
+}  // namespace phs::identify::element
