@@ -149,6 +149,7 @@ TEST(ElementIdentify, PoorDataEndWithAWord) {
 
 /// The measured O-ring (models/rigs/seal_friction, CC0): the declared friction knows speed only.
 TEST(ElementIdentify, SealNeedsPressureInForceAndFriction) {
+  if (std::getenv("PHS_LONG_TESTS") == nullptr) GTEST_SKIP() << "PHS_LONG_TESTS is not set";
   const auto path = FindData("manifest", "models/rigs", "seal_friction", {".yaml"});
   ASSERT_TRUE(path.ok());
   const auto manifest = LoadManifest(path.value());
