@@ -205,8 +205,9 @@ Result<FreeModel> DeclaredElement(const PhsParams& declared, const std::vector<s
     }
     Result<double> value = hydraulics::GetParameter(declared, name);
     if (!value.ok()) return Error{"free: " + name, value.error().what, "", value.error().mend};
-    model.free.push_back(value.value() > 0 ? Logarithmic(name, value.value(), 30)
-                                           : Linear(name, value.value(), F));
+    const bool either_sign = name.starts_with("effects.unlisted.");
+    model.free.push_back(value.value() > 0 && !either_sign ? Logarithmic(name, value.value(), 30)
+                                                           : Linear(name, value.value(), F));
   }
   return model;
 }
