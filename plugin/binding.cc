@@ -24,6 +24,26 @@ Result<std::string> FindProfile(const std::string& kind, const std::string& name
   return FindData(kind, "models/profiles", name, {".prw", ".prr", ".yaml", ".csv"});
 }
 
+/// Contact given by numbers (phs_contact = "linear"): one custom numeric per parameter.
+rail::LinearContactParams LinearContact(const mjModel* m) {
+  rail::LinearContactParams p;
+  const std::pair<const char*, double*> values[] = {
+      {"phs_linear_conicity", &p.conicity},
+      {"phs_linear_half_base_m", &p.half_base_m},
+      {"phs_linear_f11_N", &p.f11_N},
+      {"phs_linear_f22_N", &p.f22_N},
+      {"phs_linear_f23_Nm", &p.f23_Nm},
+      {"phs_linear_f33_Nm2", &p.f33_Nm2},
+      {"phs_linear_limit_N", &p.limit_N},
+      {"phs_linear_stiffness_N_per_m", &p.stiffness_N_per_m},
+      {"phs_linear_damping_Ns_per_m", &p.damping_Ns_per_m},
+      {"phs_linear_load_N", &p.load_N},
+      {"phs_linear_clearance_m", &p.clearance_m},
+      {"phs_linear_flange_N_per_m", &p.flange_N_per_m}};
+  for (const auto& [name, value] : values) *value = CustomNumber(m, name).value_or(*value);
+  return p;
+}
+
 /// Dofs of `body` and its ancestors: those that a force on the body acts on.
 std::vector<int> DofChain(const mjModel* m, int body) {
   std::vector<int> dofs;
@@ -64,6 +84,11 @@ Status Binding::LoadRail(mjModel* m, const AttachOptions& options) {
   if (options.friction != AttachOptions::kUnset) friction_ = options.friction;
 
   rail::WheelRailParams params;
+  const std::string contact = CustomText(m, "phs_contact").value_or("profiles");
+  if (contact != "profiles" && contact != "linear") {
+    return Error{"MJCF text 'phs_contact'", "is '" + contact + "'", "profiles, linear", ""};
+  }
+  if (contact == "linear") params.linear = LinearContact(m);
   auto wheel = FindProfile("wheel profile", Chosen(options.wheel_profile, m, "phs_wheel", "S1002"));
   if (!wheel.ok()) return wheel.error();
   params.wheel_profile = wheel.value();
@@ -225,10 +250,7 @@ void Binding::LendDamping(mjModel* m, const mjData* d) {
     for (const rail::WheelRailForces& wheel : state.wheel) {
       for (int k = 0; k < wheel.count; ++k) {
         const rail::ContactPatch& patch = wheel.patch[k];
-        constexpr double kSmallCreep = 1e-7;
-        const rail::CreepForce force = wheel_rail_->creep_law().Calc(
-            {patch.a, patch.b, patch.normal, kSmallCreep, 0, 0, state.speed, patch.friction});
-        const double f11 = std::abs(force.x) / kSmallCreep;
+        const double f11 = wheel_rail_->LongitudinalCoefficient(patch, state.speed);
         const double speed = std::max(state.speed, wheel_rail_->params().speed_floor);
         damping += patch.weight * f11 * patch.rolling_radius * patch.rolling_radius / speed;
       }

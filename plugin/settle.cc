@@ -18,6 +18,12 @@ constexpr int kMaxIterations = 60;
 constexpr double kFirstSinking =
     1e-4;  ///< start below mere touching, so that wheels carry load [m]
 
+/// True for the slide along x of a root: a vehicle guided along straight track.
+bool IsForwardSlide(const mjModel* m, int joint) {
+  return m->jnt_type[joint] == mjJNT_SLIDE && m->body_parentid[m->jnt_bodyid[joint]] == 0 &&
+         m->jnt_axis[3 * joint] == 1;
+}
+
 /// Moves the free roots so that the vehicle stands on the track at its start, rolling at speed.
 void PlaceVehicle(const mjModel* m, const Binding& binding, mjData* d) {
   mj_resetData(m, d);
@@ -31,6 +37,10 @@ void PlaceVehicle(const mjModel* m, const Binding& binding, mjData* d) {
   }
   const double speed = std::max(binding.target_speed(), 0.0);
   for (int j = 0; j < m->njnt; ++j) {
+    if (IsForwardSlide(m, j)) {
+      d->qpos[m->jnt_qposadr[j]] += binding.start_s() - rearmost;
+      d->qvel[m->jnt_dofadr[j]] = speed;
+    }
     if (m->jnt_type[j] != mjJNT_FREE) continue;
     mjtNum* q = d->qpos + m->jnt_qposadr[j];
     const rail::TrackFrame f = binding.track().FrameAt(binding.start_s() + q[0] - rearmost);
@@ -58,7 +68,7 @@ std::vector<int> SettlingDofs(const mjModel* m, const Binding& binding) {
   std::vector<char> settles(m->nv, 1);
   for (const WheelsetBinding& w : binding.wheelsets()) settles[w.spin_dof] = 0;
   for (int j = 0; j < m->njnt; ++j) {
-    if (m->jnt_type[j] == mjJNT_FREE) settles[m->jnt_dofadr[j]] = 0;
+    if (m->jnt_type[j] == mjJNT_FREE || IsForwardSlide(m, j)) settles[m->jnt_dofadr[j]] = 0;
   }
   std::vector<int> dofs;
   for (int i = 0; i < m->nv; ++i) {

@@ -22,6 +22,7 @@ int Main(int argc, char** argv) {
   phs::cli::AddIdentify(&app, &action);
   phs::cli::AddImport(&app, &action);
   phs::cli::AddLoads(&app, &action);
+  phs::cli::AddStability(&app, &action);
   phs::cli::AddReport(&app, &action);
   phs::cli::AddValidate(&app, &action);
   try {

@@ -48,6 +48,7 @@ void AddContact(CLI::App* app, Action* action);
 void AddModes(CLI::App* app, Action* action);
 void AddImport(CLI::App* app, Action* action);
 void AddLoads(CLI::App* app, Action* action);
+void AddStability(CLI::App* app, Action* action);
 void AddReport(CLI::App* app, Action* action);
 void AddRig(CLI::App* app, Action* action);
 void AddIdentify(CLI::App* app, Action* action);

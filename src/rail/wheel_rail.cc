@@ -7,6 +7,7 @@
 #include "rail/contact_search.h"
 #include "rail/elastic_rail.h"
 #include "rail/hertz.h"
+#include "rail/linear_contact.h"
 
 namespace phs::rail {
 namespace {
@@ -156,10 +157,28 @@ const CreepLaw& WheelRail::creep_law() const { return *impl_->creep; }
 double WheelRail::touching_height() const { return impl_->touching; }
 double WheelRail::flange_angle() const { return impl_->flange; }
 
+double WheelRail::LongitudinalCoefficient(const ContactPatch& patch, double speed) const noexcept {
+  if (impl_->params.linear) return impl_->params.linear->f11_N;
+  constexpr double kSmallCreep = 1e-7;
+  const CreepForce force = impl_->creep->Calc(
+      {patch.a, patch.b, patch.normal, kSmallCreep, 0, 0, speed, patch.friction});
+  return std::abs(force.x) / kSmallCreep;
+}
+
 Result<WheelRail> WheelRail::Create(const WheelRailParams& params) {
   if (Status s = Validate(params); !s.ok()) return s.error();
   auto impl = std::make_unique<Impl>();
   impl->params = params;
+  if (params.linear) {
+    if (Status s = phs::rail::Validate(*params.linear); !s.ok()) return s.error();
+    CreepLawParams linear = params.creep;
+    linear.method = "linear";
+    auto creep = CreateCreepLaw(linear);
+    if (!creep.ok()) return creep.error();
+    impl->creep = std::move(creep).value();
+    impl->touching = -params.wheel_radius;
+    return WheelRail(std::move(impl));
+  }
   auto wheel = LoadProfile(params.wheel_profile, ProfileKind::kWheel);
   if (!wheel.ok()) return wheel.error();
   auto rail = LoadProfile(params.rail_profile, ProfileKind::kRail);
@@ -312,6 +331,10 @@ void WheelRail::Impl::Press(const WheelsetMotion& motion, const Overlap& overlap
 
 void WheelRail::Calc(const WheelsetMotion& motion, Side side, const RailOffset& rail,
                      const RailSupport& support, WheelRailForces* out) const noexcept {
+  if (const auto& linear = impl_->params.linear) {
+    CalcLinearContact(*linear, impl_->params.wheel_radius, impl_->params.speed_floor, motion, out);
+    return;
+  }
   const Vec3 shift = MirrorPolar({0, rail.lateral, rail.vertical}, side);
   Vec3 bend{};
   Overlaps found;

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "base/result.h"
@@ -20,12 +21,29 @@ namespace phs::rail {
 /// Three humps of overlap, and the ways of reading neighbours as one (contact_search.h).
 inline constexpr int kMaxPatches = 6;
 
+/// Contact given by numbers instead of profiles (linear_contact.h), each per wheel.
+struct LinearContactParams {
+  double conicity = 0.05;          ///< lambda, 0 … 1
+  double half_base_m = 0.75;       ///< contact from the track centre, 0.1 … 2 m
+  double f11_N = 1e7;              ///< longitudinal creep coefficient, >= 0
+  double f22_N = 1e7;              ///< lateral, >= 0
+  double f23_Nm = 0;               ///< lateral-spin, >= 0
+  double f33_Nm2 = 0;              ///< spin, >= 0
+  double limit_N = 0;              ///< friction times load where creep saturates; 0 = never
+  double stiffness_N_per_m = 1e9;  ///< vertical, also in tension
+  double damping_Ns_per_m = 1e5;   ///< vertical
+  double load_N = 0;               ///< static load, reported with the contact force only
+  double clearance_m = 0;          ///< shift at which the flange touches
+  double flange_N_per_m = 0;       ///< lateral stiffness beyond; 0 = no flange
+};
+
 struct WheelRailParams {
-  std::string wheel_profile;    ///< path: .prw, or a plain y,z table
-  std::string rail_profile;     ///< path: .prr, or a plain y,z table
-  double gauge = 1.067;         ///< [m]
-  double gauge_height = 0.014;  ///< depth of the gauge points below the rail top [m]
-  double rail_cant = 0;         ///< inclination of the rail section, > 0 towards the track [rad]
+  std::optional<LinearContactParams> linear;  ///< takes the place of the profiles
+  std::string wheel_profile;                  ///< path: .prw, or a plain y,z table
+  std::string rail_profile;                   ///< path: .prr, or a plain y,z table
+  double gauge = 1.067;                       ///< [m]
+  double gauge_height = 0.014;                ///< depth of the gauge points below the rail top [m]
+  double rail_cant = 0;  ///< inclination of the rail section, > 0 towards the track [rad]
   double flange_back_distance = 0.992;   ///< between the flange backs [m]
   double flange_back_position = -0.070;  ///< y of the flange back in the wheel profile [m]
   double wheel_radius = 0.625;           ///< at the profile's origin (tape circle) [m]
@@ -99,6 +117,8 @@ class WheelRail {
             const RailSupport& support, WheelRailForces* out) const noexcept;
   const WheelRailParams& params() const;
   const CreepLaw& creep_law() const;
+  /// Linear longitudinal creep coefficient f11 of a patch at rolling speed `speed` [N].
+  double LongitudinalCoefficient(const ContactPatch& patch, double speed) const noexcept;
   /// z_C of the wheelset centre at which a centred, unrolled wheelset just touches the rail.
   double touching_height() const;
   /// Largest flange angle of the wheel profile [rad] (Nadal, derailment).

@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <limits>
-#include <map>
 #include <nlohmann/json.hpp>
 
 #include "base/result_dir.h"
@@ -80,37 +79,6 @@ void AddModeTable(const std::vector<json>& bogies, ReportPage* page) {
   page->Add(table);
 }
 
-/// Least damping ratio -Re/|λ| of the oscillating eigenvalues at each speed.
-Curve LeastDamping(const json& eigenvalues) {
-  std::map<double, double> least;
-  for (const json& value : eigenvalues) {
-    const double speed = NumberOf(value, "speed_m_s");
-    const double real = NumberOf(value, "real_1_s");
-    const double imag = NumberOf(value, "imag_rad_s");
-    if (!std::isfinite(speed) || !(std::abs(imag) > 1e-6)) continue;
-    const double ratio = -real / std::hypot(real, imag);
-    const auto [at, added] = least.emplace(speed, ratio);
-    if (!added) at->second = std::min(at->second, ratio);
-  }
-  Curve curve{.label = "least damping ratio"};
-  for (const auto& [speed, ratio] : least) {
-    curve.x.push_back(3.6 * speed);
-    curve.y.push_back(100 * ratio);
-  }
-  return curve;
-}
-
-Curve Points(const json& eigenvalues, bool frequency) {
-  Curve curve{.label = frequency ? "frequency" : "growth rate", .points = true};
-  for (const json& value : eigenvalues) {
-    const double imag = NumberOf(value, "imag_rad_s");
-    if (frequency && !(imag > 1e-6)) continue;
-    curve.x.push_back(3.6 * NumberOf(value, "speed_m_s"));
-    curve.y.push_back(frequency ? imag / (2 * M_PI) : NumberOf(value, "real_1_s"));
-  }
-  return curve;
-}
-
 }  // namespace
 
 Status WriteModesReport(const std::vector<std::string>& modes_files, const std::string& path) {
@@ -137,39 +105,6 @@ Status WriteModesReport(const std::vector<std::string>& modes_files, const std::
   page.EndGrid();
   page.Section("Numbers");
   AddModeTable(bogies, &page);
-  return page.Write(path);
-}
-
-Status WriteStabilityReport(const std::string& stability_file, const std::string& path) {
-  Result<json> read = ReadJson(stability_file);
-  if (!read.ok()) return read.status();
-  const json& result = read.value();
-  const json eigenvalues = result.value("eigenvalues", json::array());
-  ReportPage page("Stability over speed", result.value("bogie", ""));
-  page.Section("At a glance");
-  const double critical = 3.6 * NumberOf(result, "critical_speed_m_s");
-  if (std::isfinite(critical)) {
-    page.KeyFigures(
-        {{.value = FormatNumber(critical), .unit = "km/h", .label = "linear critical speed"}});
-  } else {
-    page.Note("No critical speed in the range of speeds.");
-  }
-  page.Section("Over speed");
-  page.BeginGrid(2);
-  const std::string speed = "speed [km/h]";
-  page.Add(XyPlot{.title = "Growth rate of every mode (above zero: unstable)",
-                  .x_label = speed,
-                  .y_label = "real part [1/s]",
-                  .curves = {Points(eigenvalues, false)}});
-  page.Add(XyPlot{.title = "Frequency of the oscillating modes",
-                  .x_label = speed,
-                  .y_label = "frequency [Hz]",
-                  .curves = {Points(eigenvalues, true)}});
-  page.Add(XyPlot{.title = "Least damping ratio",
-                  .x_label = speed,
-                  .y_label = "damping ratio [%]",
-                  .curves = {LeastDamping(eigenvalues)}});
-  page.EndGrid();
   return page.Write(path);
 }
 

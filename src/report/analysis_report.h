@@ -11,7 +11,8 @@ namespace phs::report {
 /// Side by side from one modes.json per bogie.
 Status WriteModesReport(const std::vector<std::string>& modes_files, const std::string& path);
 
-/// From stability.json: growth rate, frequency and least damping over speed, critical speed.
+/// From stability.json: critical speeds, root locus, growth, frequency and least damping over
+/// speed, mode at the limit, limit cycle.
 Status WriteStabilityReport(const std::string& stability_file, const std::string& path);
 
 }  // namespace phs::report

@@ -12,6 +12,7 @@ const std::vector<CheckGroup>& AllCheckGroups() {
       {"creep", "creep forces on given patches", &AddCreepChecks},
       {"contact", "wheel on rail, Hertz, FASTSIM, Carter", &AddContactChecks},
       {"steering", "steering bogies against their claims", &AddSteeringChecks},
+      {"stability", "linear stability on straight track", &AddStabilityChecks},
   };
   return groups;
 }

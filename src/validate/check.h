@@ -57,5 +57,6 @@ Result<std::string> ReferenceFile(const std::string& name);
 Status AddCreepChecks(Checks* checks);
 Status AddContactChecks(Checks* checks);
 Status AddSteeringChecks(Checks* checks);
+Status AddStabilityChecks(Checks* checks);
 
 }  // namespace phs::validate
