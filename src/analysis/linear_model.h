@@ -12,8 +12,6 @@
 // differences.
 #pragma once
 
-#include <mujoco/mujoco.h>
-
 #include <Eigen/Dense>
 #include <string>
 #include <vector>

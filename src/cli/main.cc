@@ -23,6 +23,7 @@ int Main(int argc, char** argv) {
   phs::cli::AddImport(&app, &action);
   phs::cli::AddLoads(&app, &action);
   phs::cli::AddStability(&app, &action);
+  phs::cli::AddCurving(&app, &action);
   phs::cli::AddReport(&app, &action);
   phs::cli::AddValidate(&app, &action);
   try {

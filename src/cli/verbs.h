@@ -49,6 +49,7 @@ void AddModes(CLI::App* app, Action* action);
 void AddImport(CLI::App* app, Action* action);
 void AddLoads(CLI::App* app, Action* action);
 void AddStability(CLI::App* app, Action* action);
+void AddCurving(CLI::App* app, Action* action);
 void AddReport(CLI::App* app, Action* action);
 void AddRig(CLI::App* app, Action* action);
 void AddIdentify(CLI::App* app, Action* action);

@@ -15,4 +15,7 @@ Status WriteModesReport(const std::vector<std::string>& modes_files, const std::
 /// speed, mode at the limit, limit cycle.
 Status WriteStabilityReport(const std::string& stability_file, const std::string& path);
 
+/// From curving.json: angle of attack, guiding forces and wear over radius, one curve per bogie.
+Status WriteRadiusReport(const std::string& curving_file, const std::string& path);
+
 }  // namespace phs::report

@@ -1,0 +1,86 @@
+// The steady state found directly against the same curve run through in time.
+#include "analysis/steady_curve.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "analysis/curve_family.h"
+#include "vehicle/simulation.h"
+#include "vehicle/summary.h"
+
+namespace phs::analysis {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+vehicle::Scenario Curve(const std::string& bogie, const std::string& track, double speed) {
+  vehicle::Scenario s;
+  s.name = "steady";
+  s.track = track;
+  s.bogie = bogie;
+  s.speed_m_s = speed;
+  s.friction = 0.35;
+  return s;
+}
+
+void ExpectNear(const Json& steady, const Json& timed, const char* list, const char* key,
+                double tolerance) {
+  ASSERT_EQ(steady[list].size(), timed[list].size());
+  for (size_t i = 0; i < steady[list].size(); ++i) {
+    EXPECT_NEAR(steady[list][i][key].get<double>(), timed[list][i][key].get<double>(), tolerance)
+        << steady[list][i]["name"] << " " << key;
+  }
+}
+
+TEST(SteadyCurveTest, AgreesWithTheTimeRunWithinOnePercentAndIsTenTimesFaster) {
+  // The seals of the PHS remember the way: in time the end of the transition shakes them, here they
+  // keep the force they slid with. That is the second percent.
+  for (const auto& [bogie, tolerance] : {std::pair{"rigid_link", 0.01}, {"phs", 0.02}}) {
+    auto simulation = vehicle::Simulation::Create(Curve(bogie, "curve_r300", 55 / 3.6));
+    ASSERT_TRUE(simulation.ok()) << simulation.error().Line();
+    const auto solved = SolveSteadyCurve(&simulation.value());
+    ASSERT_TRUE(solved.ok()) << solved.error().Line();
+    auto run = simulation.value().Run();
+    ASSERT_TRUE(run.ok());
+    const Json timed = vehicle::Summarise(simulation.value(), run.value())["steady_curve"];
+    const Json& steady = solved.value().steady;
+    // Shares of the wheel load, of half the wheelbase over the radius, of 10 mm.
+    ExpectNear(steady, timed, "wheels", "Y_N", tolerance * 127500);
+    ExpectNear(steady, timed, "wheels", "Q_N", tolerance * 127500);
+    ExpectNear(steady, timed, "wheelsets", "angle_of_attack_rad", tolerance * 1.55 / 300);
+    ExpectNear(steady, timed, "wheelsets", "lateral_m", tolerance * 0.01);
+    const double in_time = run.value().end_time_s / run.value().real_time_factor;
+    EXPECT_GT(in_time / solved.value().processor_s, 10) << bogie;
+  }
+}
+
+TEST(SteadyCurveTest, StraightTrackAndVehiclesWithoutDriveAreRefused) {
+  auto straight = vehicle::Simulation::Create(Curve("phs", "straight", 20));
+  ASSERT_TRUE(straight.ok());
+  const auto no_arc = SolveSteadyCurve(&straight.value());
+  ASSERT_FALSE(no_arc.ok());
+  EXPECT_NE(no_arc.error().Line().find("has no circular arc"), std::string::npos);
+  vehicle::Scenario undriven = Curve("cooperrider", "straight", 20);
+  undriven.timestep_s = 1e-4;
+  auto coasting = vehicle::Simulation::Create(undriven);
+  ASSERT_TRUE(coasting.ok());
+  EXPECT_FALSE(SolveSteadyCurve(&coasting.value()).ok());
+}
+
+TEST(CurveFamilyTest, SpeedAndCantFollowTheRadius) {
+  // R = 550 m at 80 km/h on e = 1.139 m: equilibrium cant e V^2/(g R) = 104.2 mm.
+  const auto wide = CurveOfRadius({}, 550);
+  ASSERT_TRUE(wide.ok());
+  EXPECT_NEAR(wide.value().speed_m_s, 80 / 3.6, 1e-9);
+  EXPECT_NEAR(wide.value().cant_m, 0.1042 - 0.045, 1e-4);
+  const auto tight = CurveOfRadius({}, 150);
+  ASSERT_TRUE(tight.ok());
+  EXPECT_NEAR(tight.value().cant_m, 0.060, 1e-9);
+  EXPECT_NEAR(tight.value().speed_m_s, std::sqrt(9.81 * 150 * 0.105 / 1.139), 1e-9);
+  EXPECT_EQ(CurveOfRadius({}, 3000).value().cant_m, 0);
+  EXPECT_FALSE(CurveOfRadius({}, 20).ok());
+}
+
+}  // namespace
+}  // namespace phs::analysis
