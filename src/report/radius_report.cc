@@ -3,16 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-// The report of curving.json: steady curving over radius, one curve per bogie.
-#include <fmt/format.h>
-
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
 
 #include "base/result_dir.h"
 #include "report/curving_results.h"
-#include "report/analysis_report.h"
 #include "report/report_page.h"
 
 namespace phs::report {
@@ -121,57 +117,6 @@ void AddCriticalSpeeds(const json& all, ReportPage* page) {
       "running on straight track. No bar: stable over the whole range looked at. Seals of a PHS "
       "stick at small motions and count as springs there.");
   page->Add(chart);
-
-double NumberOf(const json& object, const char* key) {
-  if (!object.is_object() || !object.contains(key) || !object[key].is_number()) {
-    return std::numeric_limits<double>::quiet_NaN();
-  }
-  return object[key].get<double>();
-}
-
-struct Quantity {
-  const char* key;
-  const char* title;
-  const char* unit;
-  double scale;
-};
-constexpr Quantity kQuantities[] = {
-    {"angle_of_attack_lead_rad", "Angle of attack, leading axle", "mrad", 1e3},
-    {"largest_Y_N", "Largest guiding force Y of a wheel", "kN", 1e-3},
-    {"sum_Y_lead_N", "Sum of Y, leading axle", "kN", 1e-3},
-    {"T_gamma_N", "T-gamma, all wheels", "N", 1}};
-
-XyPlot OverRadius(const json& bogies, const Quantity& quantity) {
-  XyPlot plot{.title = quantity.title,
-              .x_label = "radius [m]",
-              .y_label = fmt::format("[{}]", quantity.unit)};
-  for (const auto& [name, rows] : bogies.items()) {
-    const int number = static_cast<int>(plot.curves.size());
-    Curve curve{.label = name, .colour = number % 8, .dash = number / 8 % 4};
-    for (const json& row : rows) {
-      curve.x.push_back(NumberOf(row, "radius_m"));
-      curve.y.push_back(quantity.scale * NumberOf(row, quantity.key));
-    }
-    plot.curves.push_back(std::move(curve));
-  }
-  return plot;
-}
-
-DataTable Numbers(const json& bogies, const Quantity& quantity) {
-  DataTable table{.caption = fmt::format("{} [{}]", quantity.title, quantity.unit),
-                  .head = {"Radius [m]"}};
-  std::vector<std::vector<TableCell>> rows;
-  for (const auto& [name, entries] : bogies.items()) {
-    table.head.push_back(name);
-    for (size_t i = 0; i < entries.size(); ++i) {
-      if (rows.size() <= i) {
-        rows.push_back({TableCell(fmt::format("{:g}", NumberOf(entries[i], "radius_m")))});
-      }
-      rows[i].emplace_back(FormatNumber(quantity.scale * NumberOf(entries[i], quantity.key)));
-    }
-  }
-  table.rows = std::move(rows);
-  return table;
 }
 
 }  // namespace
@@ -204,24 +149,6 @@ Status WriteRadiusReport(const std::string& bogies_file, const std::string& path
   page.BeginDetails("Scenario that the curves share");
   page.Preformatted(scenario.dump(2));
   page.EndDetails();
-Status WriteRadiusReport(const std::string& curving_file, const std::string& path) {
-  Result<std::string> text = ReadFile(curving_file);
-  if (!text.ok()) return text.status();
-  const json result = json::parse(text.value(), nullptr, false);
-  if (!result.is_object()) {
-    return Error{.where = curving_file, .what = "is not a JSON object", .allowed = "", .mend = ""};
-  }
-  const json bogies = result.value("bogies", json::object());
-  ReportPage page("Curving over radius", "Steady state in the arc, found directly");
-  page.Paragraph(
-      "Each point is the steady state in an arc, with the seals as the way through the transition "
-      "left them. Speed and cant follow the radius by one rule (docs/curving.md).");
-  page.Section("Over radius");
-  page.BeginGrid(2);
-  for (const Quantity& quantity : kQuantities) page.Add(OverRadius(bogies, quantity));
-  page.EndGrid();
-  page.Section("Numbers");
-  for (const Quantity& quantity : kQuantities) page.Add(Numbers(bogies, quantity));
   return page.Write(path);
 }
 
