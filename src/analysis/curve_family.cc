@@ -35,8 +35,7 @@ Result<FamilyCurve> CurveOfRadius(const CurveFamily& f, double radius_m) {
   const double per_speed = f.cant_base_m / (kGravity * radius_m);
   curve.speed_m_s =
       std::min(f.speed_limit_m_s, std::sqrt((f.largest_cant_m + f.deficiency_m) / per_speed));
-  curve.cant_m =
-      std::max(0.0, per_speed * curve.speed_m_s * curve.speed_m_s - f.deficiency_m);
+  curve.cant_m = std::max(0.0, per_speed * curve.speed_m_s * curve.speed_m_s - f.deficiency_m);
   curve.transition_m = std::max(kShortestTransition, curve.cant_m / kRampSlope);
   return curve;
 }

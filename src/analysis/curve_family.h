@@ -1,5 +1,5 @@
-// Plain curves of any radius, alike but for the radius: tangent, transition, arc, on the gauge of the
-// product's lines. Speed and cant follow one rule, so that results over radius show the radius:
+// Plain curves of any radius, alike but for the radius: tangent, transition, arc, on the gauge of
+// the product's lines. Speed and cant follow one rule, so that results over radius show the radius:
 //   V = min(V_limit, sqrt(g R (cant_max + deficiency)/e)),  cant = e V^2/(g R) - deficiency >= 0
 // with e the distance of the running lines. Transition: cant ramp 1 in 1000, but at least 30 m.
 #pragma once
@@ -12,10 +12,10 @@ namespace phs::analysis {
 
 struct CurveFamily {
   double gauge_m = 1.067;
-  double cant_base_m = 1.139;        ///< e
+  double cant_base_m = 1.139;         ///< e
   double speed_limit_m_s = 80 / 3.6;  ///< 1 … 100
-  double largest_cant_m = 0.060;     ///< 0 … 0.2
-  double deficiency_m = 0.045;       ///< cant deficiency, -0.1 … 0.2
+  double largest_cant_m = 0.060;      ///< 0 … 0.2
+  double deficiency_m = 0.045;        ///< cant deficiency, -0.1 … 0.2
   double arc_length_m = 300;
 };
 

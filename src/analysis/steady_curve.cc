@@ -29,7 +29,7 @@ constexpr double kShrink = 0.9;
 constexpr double kGrowth = 5;         ///< of the residual in one step, early on
 constexpr double kAcceptable = 1e-2;  ///< acceleration left [m/s^2, rad/s^2]
 constexpr double kAcceptableOnTheWay = 0.2;
-constexpr int kMaxHalvings = 5;       ///< of the way to the next place
+constexpr int kMaxHalvings = 5;  ///< of the way to the next place
 
 double ThreadSeconds() {
   timespec now{};
@@ -204,8 +204,8 @@ class SteadyProblem {
     double s = 0, speed = 0;
   };
   Saved Save() const {
-    return {{data_->qpos, data_->qpos + m_->nq}, states_, spin_speed_, lengths_, follower_.s(),
-            speed_};
+    return {
+        {data_->qpos, data_->qpos + m_->nq}, states_, spin_speed_, lengths_, follower_.s(), speed_};
   }
   void Restore(const Saved& saved) {
     mju_copy(data_->qpos, saved.position.data(), m_->nq);
@@ -363,7 +363,8 @@ class SteadyProblem {
         fresh = true;
       }
       VectorXd step = jacobian.partialPivLu().solve(-r);
-      const double largest = step.head(static_cast<int>(positions_.size())).lpNorm<Eigen::Infinity>();
+      const double largest =
+          step.head(static_cast<int>(positions_.size())).lpNorm<Eigen::Infinity>();
       const double limit = kLargestMove * std::pow(kShrink, std::max(0, i - kFreeIterations));
       if (largest > limit) step *= limit / largest;
       double scale = 1;
@@ -380,7 +381,7 @@ class SteadyProblem {
         continue;
       }
       Accept(scale * step);
-        // Broyden's update keeps the Jacobian while it still serves.
+      // Broyden's update keeps the Jacobian while it still serves.
       const VectorXd change = next - r - scale * (jacobian * step);
       const bool serves = next.norm() < 0.2 * r.norm();
       if (serves) {
@@ -402,11 +403,11 @@ class SteadyProblem {
   std::vector<int> positions_;  ///< dofs whose position is solved for
   std::vector<int> spins_;      ///< dofs whose speed is solved for
   std::vector<double> spin_speed_;
-  double speed_ = 0;               ///< forward [m/s]
-  double elapsed_ = 1;             ///< running time since the last place [s]
-  std::vector<mjtNum> base_;       ///< position that moves start from
-  std::vector<mjtNum> states_;     ///< activations at the last place
-  std::vector<double> lengths_;    ///< of the cylinders there [m]
+  double speed_ = 0;             ///< forward [m/s]
+  double elapsed_ = 1;           ///< running time since the last place [s]
+  std::vector<mjtNum> base_;     ///< position that moves start from
+  std::vector<mjtNum> states_;   ///< activations at the last place
+  std::vector<double> lengths_;  ///< of the cylinders there [m]
   long evaluations_ = 0;
 };
 
@@ -421,8 +422,9 @@ std::vector<double> Places(const rail::Track& track, double start,
         arc ? section.begin_s + options.place_in_arc * (section.end_s - section.begin_s)
             : section.end_s;
     if (end <= begin) continue;
-    const int count = arc ? options.arc_places
-                          : section.kind == "transition" ? options.transition_places : 1;
+    const int count = arc                            ? options.arc_places
+                      : section.kind == "transition" ? options.transition_places
+                                                     : 1;
     for (int i = 1; i <= count; ++i) places.push_back(begin + (end - begin) * i / count);
     if (arc) return places;
   }

@@ -1,11 +1,11 @@
 // The steady state in a curve found directly, without running through time.
 //
 // In a circular arc of constant cant a vehicle that has settled turns with its track as one rigid
-// body: every coordinate of the suspension stands still, wheelsets spin steadily. So the unknowns are
-// positions (not the spin angles, not the place along the track), spin speeds and the forward speed
-// that the drives hold; the equations, qacc = that of a point fixed to the track frame (root), 0
-// (everything else). Newton with a finite-difference Jacobian, step halving, Broyden's updates
-// between.
+// body: every coordinate of the suspension stands still, wheelsets spin steadily. So the unknowns
+// are positions (not the spin angles, not the place along the track), spin speeds and the forward
+// speed that the drives hold; the equations, qacc = that of a point fixed to the track frame
+// (root), 0 (everything else). Newton with a finite-difference Jacobian, step halving, Broyden's
+// updates between.
 //
 // Sliding seals and other hydraulic states remember the way into the curve. So the solution is
 // followed along the track: at each of a few places the quasi-static state is solved with the
@@ -40,8 +40,8 @@ struct SteadyCurve {
   double processor_s = 0;  ///< of one core
 };
 
-/// In the first arc of the simulation's track; the vehicle must be driven. Errors: no arc; no steady
-/// state found (with the acceleration left).
+/// In the first arc of the simulation's track; the vehicle must be driven. Errors: no arc; no
+/// steady state found (with the acceleration left).
 Result<SteadyCurve> SolveSteadyCurve(vehicle::Simulation* simulation,
                                      const SteadyCurveOptions& options = {});
 

@@ -138,7 +138,8 @@ void PrintRow(const Json& row) {
              Cell(row, "sum_Y_lead_N", 1e-3, 2), Cell(row, "T_gamma_N", 1, 1));
   if (row.contains("time_run")) {
     const Json& check = row["time_run"];
-    fmt::print("{:>11}{:>9}", Cell(check, "largest_difference", 100, 2), Cell(check, "faster", 1, 0));
+    fmt::print("{:>11}{:>9}", Cell(check, "largest_difference", 100, 2),
+               Cell(check, "faster", 1, 0));
     if (check["status"] != "ok") fmt::print("  time run: {}", check["status"].get<std::string>());
   }
   if (row["status"] != "ok") fmt::print("  {}", row["status"].get<std::string>());
@@ -146,11 +147,12 @@ void PrintRow(const Json& row) {
 }
 
 void PrintHead(const std::string& bogie, bool check) {
-  fmt::print("{}\n{:>8}{:>8}{:>7}{:>12}{:>11}{:>11}{:>11}{}\n{:>8}{:>8}{:>7}{:>12}{:>11}{:>11}{:>11}{}\n",
-             bogie, "R", "speed", "cant", "attack", "largest Y", "sum Y", "T-gamma",
-             check ? fmt::format("{:>11}{:>9}", "off time", "faster") : "", "m", "km/h", "mm",
-             "lead, mrad", "kN", "lead, kN", "all, N",
-             check ? fmt::format("{:>11}{:>9}", "run, %", "times") : "");
+  fmt::print(
+      "{}\n{:>8}{:>8}{:>7}{:>12}{:>11}{:>11}{:>11}{}\n{:>8}{:>8}{:>7}{:>12}{:>11}{:>11}{:>11}{}\n",
+      bogie, "R", "speed", "cant", "attack", "largest Y", "sum Y", "T-gamma",
+      check ? fmt::format("{:>11}{:>9}", "off time", "faster") : "", "m", "km/h", "mm",
+      "lead, mrad", "kN", "lead, kN", "all, N",
+      check ? fmt::format("{:>11}{:>9}", "run, %", "times") : "");
 }
 
 int RunCurving(CurvingVerb verb) {
@@ -184,7 +186,7 @@ int RunCurving(CurvingVerb verb) {
     if (Status s = WriteFileAtomically(file, json.dump(2) + "\n"); !s.ok()) {
       return BadInput(s.error());
     }
-    if (Status s = report::WriteCurveFamilyReport(file, dir->File("report.html")); !s.ok()) {
+    if (Status s = report::WriteSteadyCurvingReport(file, dir->File("report.html")); !s.ok()) {
       return BadInput(s.error());
     }
     if (Status s = dir->Commit(); !s.ok()) return BadInput(s.error());
@@ -202,7 +204,9 @@ void AddCurving(CLI::App* app, Action* action) {
   o->scenario.name = "curving";
   o->radii = {150, 200, 250, 300, 350, 400, 500, 600, 800, 1000, 1500};
   AddCommonOptions(verb, &o->common);
-  verb->add_option("--bogies", o->bogies, "Bogies, separated by commas")->delimiter(',')->required();
+  verb->add_option("--bogies", o->bogies, "Bogies, separated by commas")
+      ->delimiter(',')
+      ->required();
   verb->add_option("--radii", o->radii, "Radii in m, separated by commas")->delimiter(',');
   verb->add_option("--speed-limit", o->speed_limit_km_h, "km/h")->capture_default_str();
   verb->add_option("--cant", o->family.largest_cant_m, "Largest cant, m")->capture_default_str();

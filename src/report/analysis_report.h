@@ -16,6 +16,6 @@ Status WriteModesReport(const std::vector<std::string>& modes_files, const std::
 Status WriteStabilityReport(const std::string& stability_file, const std::string& path);
 
 /// From curving.json: angle of attack, guiding forces and wear over radius, one curve per bogie.
-Status WriteCurveFamilyReport(const std::string& curving_file, const std::string& path);
+Status WriteSteadyCurvingReport(const std::string& curving_file, const std::string& path);
 
 }  // namespace phs::report

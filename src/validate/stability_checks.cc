@@ -27,10 +27,10 @@ Status AddModeChecks(Checks* checks) {
   constexpr double diagonal = 1.1e-3 / 1.4e9 + 16.16e-6 / 1.8e6;
   constexpr double cross = 1.1e-3 / 1.4e9 + 16.16e-6 / (1.8e6 * bore / rod);
   constexpr double seals = 4 * 3.6e7;
-  const double reference[] = {
-      2 * 1.62e6 + seals * b2, 2 * 1.62e6 + seals * b2 + 8 * b2 * bore * bore / diagonal,
-      2 * 2.0e6 + seals + 8 * rod * rod / cross,
-      2 * 2.0e6 + seals + 8 * (rod * rod / cross + bore * bore / diagonal)};
+  const double reference[] = {2 * 1.62e6 + seals * b2,
+                              2 * 1.62e6 + seals * b2 + 8 * b2 * bore * bore / diagonal,
+                              2 * 2.0e6 + seals + 8 * rod * rod / cross,
+                              2 * 2.0e6 + seals + 8 * (rod * rod / cross + bore * bore / diagonal)};
   for (size_t i = 0; i < modes.value().small.size(); ++i) {
     const analysis::AxleMode& mode = modes.value().small[i];
     checks->push_back({.group = {},

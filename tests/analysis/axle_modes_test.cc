@@ -4,7 +4,8 @@
 //   bending 0, shear 8 b^2 A_bore^2/C_diagonal, traction 8 A_rod^2/C_cross,
 //   antiphase 8 (A_rod^2/C_cross + A_bore^2/C_diagonal).
 // Derivation: the volume each line loses per unit of a pattern is N^T u; force K u = N C^-1 N^T u.
-//   shear      u (yaw both): x = b u (-1, 1, 1, -1) for cylinders 1 … 4, so each diagonal line loses
+//   shear      u (yaw both): x = b u (-1, 1, 1, -1) for cylinders 1 … 4, so each diagonal line
+//   loses
 //              2 A_bore b u, each cross line nothing: K = 2 lines (2 A_bore b)^2/C
 //   traction   x = u (1, 1, -1, -1): each cross line loses 2 A_rod u, diagonals nothing
 //   antiphase  x = u (1, 1, 1, 1): every line loses twice
@@ -50,9 +51,9 @@ TEST(AxleModesTest, PrimarySpringsOfTheRigidBogieAreMeasuredExactly) {
 }
 
 TEST(AxleModesTest, NetworkOfThePhsHasItsClosedFormsOnTopOfThePrimarySprings) {
-  // Small motion (0.02 mm): the gas springs are linear and the seals stick, each a spring of its own
-  // beside the oil. Bending shows the seals alone, and every cylinder makes the same stroke in every
-  // mode.
+  // Small motion (0.02 mm): the gas springs are linear and the seals stick, each a spring of its
+  // own beside the oil. Bending shows the seals alone, and every cylinder makes the same stroke in
+  // every mode.
   const AxleModes modes = MeasureOn("phs");
   const double diagonal = Compliance(1.8e6);
   const double cross = Compliance(1.8e6 * kBore / kRod);

@@ -68,7 +68,7 @@ DataTable Numbers(const json& bogies, const Quantity& quantity) {
 
 }  // namespace
 
-Status WriteCurveFamilyReport(const std::string& curving_file, const std::string& path) {
+Status WriteSteadyCurvingReport(const std::string& curving_file, const std::string& path) {
   Result<std::string> text = ReadFile(curving_file);
   if (!text.ok()) return text.status();
   const json result = json::parse(text.value(), nullptr, false);
