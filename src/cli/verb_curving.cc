@@ -212,7 +212,7 @@ void AddCurving(CLI::App* app, Action* action) {
   verb->add_option("--cant", o->family.largest_cant_m, "Largest cant, m")->capture_default_str();
   verb->add_option("--deficiency", o->family.deficiency_m, "Cant deficiency, m")
       ->capture_default_str();
-  o->scenario.friction = 0.35;
+  o->scenario.friction.tread = 0.35;
   verb->add_option("--friction", o->scenario.friction, "Wheel-rail friction coefficient")
       ->check(CLI::Range(0.01, 1.0))
       ->capture_default_str();

@@ -21,15 +21,15 @@ enum class Claim {
 };
 
 struct Check {
-  std::string group;  ///< field, e.g. "creep forces"; set by the group it belongs to
+  std::string group = {};  ///< field, e.g. "creep forces"; set by the group it belongs to
   std::string what;   ///< the quantity, in the field's words
   std::string unit;   ///< of ours, reference and tolerance; "-" for none
   double ours = 0;
   double reference = 0;
   double tolerance = 0;  ///< absolute, >= 0
   Claim claim = Claim::kNear;
-  std::string source;   ///< where the reference stands
-  std::string skipped;  ///< why it could not be made on this machine; empty = made
+  std::string source = {};   ///< where the reference stands
+  std::string skipped = {};  ///< why it could not be made on this machine; empty = made
 
   double Difference() const { return ours - reference; }
   /// False for a number that is not finite. A skipped check is no failure.

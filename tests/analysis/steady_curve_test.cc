@@ -20,7 +20,7 @@ vehicle::Scenario Curve(const std::string& bogie, const std::string& track, doub
   s.track = track;
   s.bogie = bogie;
   s.speed_m_s = speed;
-  s.friction = 0.35;
+  s.friction.tread = 0.35;
   return s;
 }
 

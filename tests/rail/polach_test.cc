@@ -45,7 +45,8 @@ TEST(Polach, FallingFrictionGivesAnOptimalCreepage) {
   ASSERT_TRUE(wet.ok());
   CreepLawParams p;
   p.method = "polach";
-  ApplyCondition(wet.value(), &p);
+  p.polach_adhesion = wet.value().polach_adhesion;
+  p.polach_slip = wet.value().polach_slip;
   const auto law = Law(p);
   CreepInput in{7e-3, 5e-3, 1e5, 0, 0, 0, 20, 0.3};
   double best = 0, best_xi = 0, last = 0;
