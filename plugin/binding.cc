@@ -174,10 +174,11 @@ Status Binding::BindPhs(mjModel* m, const AttachOptions& options) {
     auto path = FindData("PHS model", "models/phs", model, {".yaml"});
     if (!path.ok()) return path.error();
     p.model_path = path.value();
-    auto system = effects::LoadPhsSystem(p.model_path, options.phs_changes, p.name);
+    const std::vector<int> ids = tuple.Ids(mjOBJ_ACTUATOR);
+    auto system = effects::LoadPhsSystem(p.model_path, options.phs_changes, p.name,
+                                         static_cast<int>(ids.size()));
     if (!system.ok()) return system.error();
     p.system = std::make_shared<const hydraulics::PhsSystem>(std::move(system).value());
-    const std::vector<int> ids = tuple.Ids(mjOBJ_ACTUATOR);
     const int num_cylinders = p.system->num_cylinders();
     if (num_cylinders > kMaxCylinders || p.system->num_lines() > kMaxLines ||
         p.system->num_states() > kMaxStates) {

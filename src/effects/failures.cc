@@ -102,10 +102,10 @@ Status ApplyFailures(const std::vector<Failure>& failures, const std::string& sy
 }
 
 Result<hydraulics::PhsSystem> LoadPhsSystem(const std::string& path, const PhsChanges& changes,
-                                            const std::string& system) {
+                                            const std::string& system, int actuators) {
   auto params = hydraulics::LoadPhsParams(path);
   if (!params.ok()) return params.error();
-  if (IsQuarter(params.value())) params = SpreadOverBogie(params.value());
+  if (actuators >= 4 && IsQuarter(params.value())) params = SpreadOverBogie(params.value());
   for (const auto& [name, value] : changes.parameters) {
     if (Status s = hydraulics::SetParameter(&params.value(), name, value); !s.ok()) {
       return s.error();

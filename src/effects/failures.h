@@ -55,7 +55,8 @@ struct PhsChanges {
 };
 
 /// A model file with its effects, with changed parameters and the failures that concern `system`.
+/// A quarter model that is to serve four `actuators` or more is spread over them (bogie_spread.h).
 Result<hydraulics::PhsSystem> LoadPhsSystem(const std::string& path, const PhsChanges& changes,
-                                            const std::string& system);
+                                            const std::string& system, int actuators);
 
 }  // namespace phs::effects

@@ -128,14 +128,16 @@ std::string AttributeOf(const XMLElement& element, const char* name) {
 }
 
 /// States of the PHS that the tuple `name` stands for: the scenario's model or the file's.
-Result<int> CountStates(const Scenario& scenario, const std::string& name, XMLElement* root) {
+Result<int> CountStates(const Scenario& scenario, const std::string& name, int actuators,
+                        XMLElement* root) {
   std::string model = scenario.phs;
   ForEach(root, "custom", "text", [&](XMLElement* text) {
     if (model.empty() && AttributeOf(*text, "name") == name) model = AttributeOf(*text, "data");
   });
   auto path = FindData("PHS model", "models/phs", model.empty() ? "bo_bo" : model, {".yaml"});
   if (!path.ok()) return path.error();
-  auto system = effects::LoadPhsSystem(path.value(), scenario.phs_changes, name.substr(4));
+  auto system = effects::LoadPhsSystem(path.value(), scenario.phs_changes, name.substr(4),
+                                       actuators);
   if (!system.ok()) return system.error();
   return system.value().num_states();
 }
@@ -165,8 +167,6 @@ Result<bool> AddStateCarriers(const Scenario& scenario, const std::string& bogie
   XMLElement* carriers = nullptr;
   for (XMLElement* tuple : tuples) {
     const std::string name = AttributeOf(*tuple, "name");
-    auto states = CountStates(scenario, name, root);
-    if (!states.ok()) return states.error();
     int listed = 0;
     std::string first;
     for (const XMLElement* e = tuple->FirstChildElement("element"); e != nullptr;
@@ -182,6 +182,8 @@ Result<bool> AddStateCarriers(const Scenario& scenario, const std::string& bogie
       return Error{bogie_path + ": tuple '" + name + "'", "names no cylinder on a tendon",
                    "one general actuator on a tendon per cylinder", ""};
     }
+    auto states = CountStates(scenario, name, listed, root);
+    if (!states.ok()) return states.error();
     for (int i = listed; i < states.value(); ++i) {
       if (carriers == nullptr) carriers = root->InsertNewChildElement("actuator");
       AddCarrier(name.substr(4) + "_state_" + std::to_string(i + 1), tendon, carriers, tuple);

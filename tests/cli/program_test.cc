@@ -245,30 +245,4 @@ TEST_F(ProgramTest, LoadsSayWhichPartGivesFirst) {
   EXPECT_THAT(rigid.text, HasSubstr("has no PHS"));
 }
 
-TEST_F(ProgramTest, ContactFunctionsOfAPair) {
-  const std::string call = "contact --functions --wheel S1002 --rail UIC60 --out " + Path("f.csv") +
-                           " --report " + Path("f.html");
-  const Output done = Phs(call);
-  EXPECT_EQ(done.code, 0) << done.text;
-  EXPECT_THAT(done.text, HasSubstr("equivalent conicity"));
-  EXPECT_TRUE(fs::exists(Path("f.csv")));
-  EXPECT_TRUE(fs::exists(Path("f.html")));
-  EXPECT_EQ(Phs("contact --functions --wheel S1002 --out " + Path("g.csv")).code, 3);
-}
-
-TEST_F(ProgramTest, FrictionIsANumberOrABlock) {
-  const std::string head = "track: straight\nbogie: rigid_link\ncreep: polach\n";
-  for (const char* good : {"friction: 0.3\n", "friction: {condition: wet}\n",
-                           "friction: {condition: dry_traction, flange: 0.1}\n",
-                           "friction: {tread: 0.4, falling_ratio: 0.5, falling_rate_s_m: 0.6}\n"}) {
-    const Output out =
-        Phs("simulate " + Scenario(head + good) + " --quiet --force --out " + Path("out"));
-    EXPECT_EQ(out.code, 0) << good << out.text;
-  }
-  fs::remove_all(Path("out"));
-  ExpectRefused(Scenario(head + "friction: {condition: damp}\n"), 3, "flange_lubricated");
-  ExpectRefused(Scenario(head + "friction: {tread: 3}\n"), 3, "tread");
-  ExpectRefused(Scenario(head + "friction: {wheel: 0.3}\n"), 3, "wheel");
-}
-
 }  // namespace

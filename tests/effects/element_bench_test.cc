@@ -71,7 +71,7 @@ TEST(ElementBench, FlexibleLoadFollowsItsTransferFunctionBelowAtAndAboveResonanc
         (w0 * w0 + 2.0 * i * zeta * w0 * w) / (w0 * w0 - w * w + 2.0 * i * zeta * w0 * w);
     const std::complex<double> expected = -w * w * 1e-3 * (m - mf + mf * passed);
     std::complex<double> seen = 0;  // over whole periods at the end, long after the start
-    const int whole = static_cast<int>(std::lround(10 / hertz / step));
+    const int whole = static_cast<int>(std::lround(std::floor(1.5 * hertz) / hertz / step));
     for (int k = n - whole; k < n; ++k)
       seen += force[k] * std::exp(-i * (w * k * step)) * 2.0 / double(whole);
     EXPECT_NEAR(std::abs(seen * i - expected), 0, 2e-3 * std::abs(expected)) << hertz;
