@@ -62,7 +62,7 @@ TEST(FailuresTest, ASlowLeakLosesThePrechargeWithItsTimeConstant) {
   ASSERT_TRUE(path.ok());
   auto system = effects::LoadPhsSystem(
       path.value(), {{}, {{.kind = "line_leak", .line = "L2", .conductance_m3_per_Pas = G}}},
-      "bogie");
+      "bogie", 4);
   ASSERT_TRUE(system.ok());
   const double h = 1e-3;
   std::vector<double> x(4), v(4), pressure(4);
