@@ -1,0 +1,112 @@
+// Contact under a wheel load against elastic half-spaces: where the load lies on a centred
+// wheelset, and so what conicity a wheelset feels that is pressed, not only laid, on its rails.
+#include "tests/rail/half_space.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "rail/hertz.h"
+#include "rail/profile.h"
+#include "tests/rail/contact_pair.h"
+
+namespace phs::rail {
+namespace {
+
+constexpr double kShear = 82e9;
+constexpr double kPoisson = 0.28;
+constexpr double kCompliance = (1 - kPoisson) / (std::numbers::pi * kShear);
+constexpr double kLoad = 127.5e3;  ///< of a 26 t axle [N]
+
+TEST(HalfSpaceTest, TwoParabolasGiveHertzsPeakPressure) {
+  const double along = 0.8;
+  const double across = 1.5;
+  HalfSpace space(14, 36, 0.6e-3, 0.4e-3, 0, kCompliance);
+  space.Solve([&](double x, double y) { return along * x * x + across * y * y; }, kLoad);
+  const HertzContact hertz = Hertz(kShear, kPoisson).UnderLoad(kLoad, along, across);
+  EXPECT_NEAR(space.Peak() / hertz.peak_pressure, 1, 0.01);
+  EXPECT_NEAR(space.Mean([](double y) { return y; }), 0, 1e-9);
+}
+
+/// 1067 mm gauge, 1250 mm wheels: the bogies of this product.
+WheelRailParams CapeGauge() {
+  WheelRailParams p = StandardPair();
+  p.gauge = 1.067;
+  p.flange_back_distance = 0.992;
+  p.wheel_radius = 0.625;
+  return p;
+}
+
+/// Of a right wheel at lateral shift y without roll.
+struct Load {
+  double wheel_y = 0;  ///< centre of the load on the wheel profile [m]
+  double radius = 0;   ///< of the wheel there [m]
+};
+
+Load ByHalfSpace(const WheelRailParams& p, double y) {
+  auto wheel = LoadProfile(p.wheel_profile, ProfileKind::kWheel).value();
+  auto rail = LoadProfile(p.rail_profile, ProfileKind::kRail).value();
+  rail.PutTopAtZero();
+  const double rail_y = p.gauge / 2 - rail.InnerSideAtDepth(p.gauge_height);
+  const double shift = p.flange_back_distance / 2 - p.flange_back_position + y - rail_y;
+  const auto gap = [&](double x, double at) {
+    const double z = wheel.At(at - shift).z;
+    return rail.At(at).z - z + x * x / (2 * (p.wheel_radius + z));
+  };
+  HalfSpace space(12, 70, 1e-3, 0.6e-3, -10e-3, kCompliance);
+  space.Solve(gap, kLoad);
+  const double centre = space.Mean([](double at) { return at; }) - shift;
+  return {centre, p.wheel_radius + wheel.At(centre).z};
+}
+
+Load ByStrips(const WheelRail& pair, double y) {
+  WheelsetMotion motion;
+  motion.lateral = y;
+  motion.speed = 20;
+  motion.velocity = {20, 0, 0};
+  double low = pair.touching_height() - 2e-3;
+  double high = low + 6e-3;
+  WheelRailForces f;
+  for (int i = 0; i < 50; ++i) {
+    motion.vertical = 0.5 * (low + high);
+    pair.Calc(motion, Side::kRight, {}, {}, &f);
+    (-f.force[2] < kLoad ? low : high) = motion.vertical;
+  }
+  Load load;
+  double sum = 0;
+  for (int i = 0; i < f.count; ++i) {
+    const ContactPatch& patch = f.patch[static_cast<size_t>(i)];
+    load.wheel_y += patch.normal * patch.wheel_y;
+    load.radius += patch.normal * patch.rolling_radius;
+    sum += patch.normal;
+  }
+  return {load.wheel_y / sum, load.radius / sum};
+}
+
+TEST(HalfSpaceTest, LoadWandersAcrossTheCentredWheelAsOnElasticBodies) {
+  // Rigid bodies jump from tread to flange root 0.25 mm beside the centre; under load both places
+  // bear and the load's centre wanders over 25 mm of the wheel.
+  const WheelRail pair = Create(CapeGauge());
+  for (const double y : {-3e-3, -1e-3, -0.25e-3, 0.0, 0.25e-3, 1e-3, 3e-3}) {
+    const Load reference = ByHalfSpace(CapeGauge(), y);
+    const Load own = ByStrips(pair, y);
+    EXPECT_NEAR(own.wheel_y, reference.wheel_y, 1.2e-3) << "y = " << y;
+    EXPECT_NEAR(own.radius, reference.radius, 0.06e-3) << "y = " << y;
+  }
+}
+
+TEST(HalfSpaceTest, ConicityUnderLoadNearTheCentreIsThatOfElasticBodies) {
+  // Change of radius per shift: 0.166 and 0.160 on half-spaces over +-0.5 and +-3 mm; of rigid
+  // bodies 0.56 over +-0.5 mm.
+  const WheelRail pair = Create(CapeGauge());
+  for (const auto& [y, tolerance] : {std::pair{0.5e-3, 0.18}, {3e-3, 0.06}}) {
+    const double reference =
+        (ByHalfSpace(CapeGauge(), y).radius - ByHalfSpace(CapeGauge(), -y).radius) / (2 * y);
+    const double own = (ByStrips(pair, y).radius - ByStrips(pair, -y).radius) / (2 * y);
+    EXPECT_NEAR(own / reference, 1, tolerance) << "y = " << y;
+  }
+}
+
+}  // namespace
+}  // namespace phs::rail
