@@ -25,6 +25,20 @@ std::string Line(const Json& row) {
       Cell(row, "max_sum_Y_N", 1e-3, 1), Cell(row, "max_Y_over_Q", 1, 3));
 }
 
+/// Critical speeds on straight track, one line per bogie.
+std::string SpeedLines(const Json& speeds) {
+  std::string text = fmt::format("critical speed on straight track, km/h\n  {:<19}{:>9}{:>15}\n",
+                                 "", "linear", "hunting lives");
+  for (const auto& [bogie, own] : speeds.items()) {
+    const std::string linear =
+        own["linear_m_s"].is_number() ? Cell(own, "linear_m_s", 3.6, 0) : "stable";
+    const std::string lives =
+        own["nonlinear_m_s"].is_number() ? "from " + Cell(own, "nonlinear_m_s", 3.6, 0) : "-";
+    text += fmt::format("  {:<19}{:>9}{:>15}\n", bogie, linear, lives);
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string RadiusTable(const Json& described) {
@@ -48,6 +62,7 @@ std::string RadiusTable(const Json& described) {
                           row["reason"].get<std::string>());
     }
   }
+  if (described.contains("critical_speeds")) text += SpeedLines(described["critical_speeds"]);
   return text;
 }
 

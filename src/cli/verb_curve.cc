@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 
+#include "analysis/critical_speeds.h"
 #include "analysis/limits.h"
 #include "base/result_dir.h"
 #include "cli/curve_table.h"
@@ -35,6 +36,7 @@ struct CurveOptions {
   bool csv = false;
   double timestep_s = 0;
   std::vector<int> radii_m;  ///< several curves instead of the scenario's own
+  bool stability = false;    ///< with radii: critical speeds on straight track too
   std::string limits;        ///< file of limits to hold the result against
   std::string junit;         ///< where to write them as JUnit XML
 };
@@ -201,6 +203,23 @@ std::vector<std::string> ExpandBogies(const std::vector<std::string>& asked) {
   return bogies;
 }
 
+/// Critical speeds of every bogie: {bogie: {linear_m_s, nonlinear_m_s, …}}.
+Result<Json> CriticalSpeedsOf(const CurveOptions& options, const Scenario& base) {
+  ProgressLine progress("critical speeds", options.common.quiet);
+  Json all = Json::object();
+  const double count = static_cast<double>(options.bogies.size());
+  for (const std::string& bogie : options.bogies) {
+    Scenario own = base;
+    own.bogie = bogie;
+    const double before = static_cast<double>(all.size()) / count;
+    auto speeds = analysis::FindCriticalSpeeds(
+        own, [&](double share) { return progress(before + share / count); });
+    if (!speeds.ok()) return speeds.error();
+    all[NameOf(bogie)] = analysis::CriticalSpeedsJson(speeds.value());
+  }
+  return all;
+}
+
 /// Several bogies in several curves: a table and bogies.json.
 int RunOverRadii(const CurveOptions& options) {
   if (!options.limits.empty() || !options.junit.empty()) {
@@ -226,7 +245,12 @@ int RunOverRadii(const CurveOptions& options) {
   auto rows =
       vehicle::RunRadii(curves, options.bogies, [&](double share) { return progress(share); });
   if (!rows.ok()) return BadInput(rows.error());
-  const Json described = vehicle::DescribeRadii(rows.value(), base);
+  Json described = vehicle::DescribeRadii(rows.value(), base);
+  if (options.stability) {
+    auto speeds = CriticalSpeedsOf(options, base);
+    if (!speeds.ok()) return BadInput(speeds.error());
+    described["critical_speeds"] = std::move(speeds).value();
+  }
   if (options.common.format == "json") {
     fmt::print("{}\n", described.dump(2));
   } else {
@@ -286,9 +310,15 @@ void AddCompare(CLI::App* app, Action* action) {
           "each; prints a table, writes bogies.json and report.html")
       ->delimiter(',')
       ->check(CLI::PositiveNumber);
+  verb->add_flag("--stability", options->stability,
+                 "With --radii: linear and non-linear critical speed of every bogie too");
   verb->callback([=] {
     *action = [=] {
       options->bogies = ExpandBogies(options->bogies);
+      if (options->stability && options->radii_m.empty()) {
+        return BadInput({"--stability", "is for several curves", "together with --radii",
+                         "for one bogie use phs stability --ramp"});
+      }
       return options->radii_m.empty() ? RunCurve(*options, true) : RunOverRadii(*options);
     };
   });

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <optional>
 
+#include "analysis/critical_speeds.h"
 #include "analysis/stability_json.h"
 #include "base/result_dir.h"
 #include "cli/verbs.h"
@@ -82,18 +83,11 @@ void PrintText(const StabilityVerb& verb, const analysis::StabilityResult& resul
   }
 }
 
-/// Where the ramps begin and end unless given: around the linear critical speed.
-void ChooseRamp(const analysis::StabilityResult& result, StabilityVerb* verb) {
-  const double centre =
-      std::isfinite(result.critical_speed) ? result.critical_speed : verb->scan.max_speed_m_s / 1.2;
-  if (!(verb->cycle.high_speed_m_s > 0)) verb->cycle.high_speed_m_s = 1.2 * centre;
-  if (!(verb->cycle.low_speed_m_s > 0)) verb->cycle.low_speed_m_s = 0.3 * centre;
-}
-
-/// The vehicle for time runs: at 1 ms, or less if its stiffness asks for less.
+/// The vehicle for time runs, at a step given or chosen.
 Result<vehicle::Simulation> ForTimeRuns(const StabilityVerb& verb, double largest_step) {
+  if (!(verb.timestep_s > 0)) return analysis::CreateForRamps(verb.scenario, largest_step);
   vehicle::Scenario scenario = verb.scenario;
-  scenario.timestep_s = verb.timestep_s > 0 ? verb.timestep_s : std::min(1e-3, 0.7 * largest_step);
+  scenario.timestep_s = verb.timestep_s;
   return vehicle::Simulation::Create(scenario);
 }
 
@@ -119,7 +113,7 @@ int RunStability(StabilityVerb verb) {
   if (!result.ok()) return BadInput(result.error());
   json = analysis::StabilityJson(simulation.value(), result.value());
   if (verb.ramp) {
-    ChooseRamp(result.value(), &verb);
+    verb.cycle = analysis::ChooseRamp(verb.scan, result.value(), verb.cycle);
     auto runs = ForTimeRuns(verb, simulation.value().largest_stable_step());
     if (!runs.ok()) return BadInput(runs.error());
     ProgressLine progress("limit cycle of " + verb.scenario.bogie, verb.common.quiet);
@@ -170,7 +164,7 @@ void AddStability(CLI::App* app, Action* action) {
   verb->add_option("--ramp-from", o->cycle.high_speed_m_s,
                    "Start of the down ramp, m/s; default 1.2 times the critical speed");
   verb->add_option("--ramp-to", o->cycle.low_speed_m_s,
-                   "Its end at the latest, m/s; default 0.3 times the critical speed");
+                   "Its end at the latest, m/s; default a sixth of the critical speed");
   verb->add_option("--timestep", o->timestep_s, "Step of the ramps in seconds; default chosen")
       ->check(CLI::PositiveNumber);
   verb->add_option("--ramp-rate", o->cycle.rate_m_s2, "m/s^2")->capture_default_str();

@@ -103,19 +103,23 @@ void AddPlots(const json& rows, ReportPage* page) {
 }
 
 void AddCriticalSpeeds(const json& all, ReportPage* page) {
-  if (!all.contains("critical_speed_m_s")) return;
-  BarChart chart{.title = "Linear critical speed on straight track", .unit = "km/h"};
-  BarChart::Bars bars{.label = "critical speed"};
-  for (const auto& [bogie, speed] : all["critical_speed_m_s"].items()) {
+  if (!all.contains("critical_speeds")) return;
+  BarChart chart{.title = "Critical speed on straight track", .unit = "km/h"};
+  BarChart::Bars linear{.label = "linear"};
+  BarChart::Bars nonlinear{.label = "hunting lives from", .colour = 1};
+  for (const auto& [bogie, speeds] : all["critical_speeds"].items()) {
     chart.categories.push_back(BogieLabel(bogie));
-    bars.values.push_back(speed.is_number() ? 3.6 * speed.get<double>() : kNone);
+    linear.values.push_back(3.6 * NumberOf(speeds, "linear_m_s"));
+    nonlinear.values.push_back(3.6 * NumberOf(speeds, "nonlinear_m_s"));
   }
-  chart.bars.push_back(std::move(bars));
+  chart.bars = {linear, nonlinear};
   page->Section("Running straight");
   page->Paragraph(
-      "Speed above which small motions grow, by the eigenvalues of the bogie linearised about "
-      "running on straight track. No bar: stable over the whole range looked at. Seals of a PHS "
-      "stick at small motions and count as springs there.");
+      "Linear: speed above which infinitely small motions grow, by the eigenvalues of the bogie "
+      "linearised about running on straight track; seals of a PHS stick there and hold like "
+      "links. Hunting lives from: the lowest speed at which hunting, once a disturbance has "
+      "started it, does not die, by runs in time with the true seals and profiles. Between both "
+      "speeds it depends on the disturbance. No bar: none found in the range looked at.");
   page->Add(chart);
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -219,6 +220,24 @@ TEST_F(ProgramTest, BogiesOverRadiiGiveATableAndAReport) {
   const Output none = Phs("compare curve_r800 --bogies phs --radii 801 --quiet");
   EXPECT_EQ(none.code, 3);
   EXPECT_THAT(none.text, HasSubstr("curve_r801"));
+}
+
+TEST_F(ProgramTest, CriticalSpeedsStandBesideTheCurves) {
+  const Output out =
+      Phs("compare curve_r800 --bogies emd_radial --radii 800 --stability --quiet --format json");
+  EXPECT_EQ(out.code, 0) << out.text;
+  const auto number = [&](const std::string& key) {
+    const size_t at = out.text.find("\"" + key + "\": ");
+    return at == std::string::npos ? 0 : std::atof(out.text.c_str() + at + key.size() + 4);
+  };
+  // Springs alone hold opposite yaw: hunting begins early, and lives on below where it begins.
+  EXPECT_GT(number("linear_m_s"), 15);
+  EXPECT_LT(number("linear_m_s"), 35);
+  EXPECT_GT(number("nonlinear_m_s"), 10);
+  EXPECT_LT(number("nonlinear_m_s"), number("linear_m_s"));
+  const Output alone = Phs("compare curve_r800 --bogies emd_radial --stability --quiet");
+  EXPECT_EQ(alone.code, 3);
+  EXPECT_THAT(alone.text, HasSubstr("--radii"));
 }
 
 TEST_F(ProgramTest, AnImportedBogieCanBeSimulated) {

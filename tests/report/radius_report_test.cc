@@ -21,7 +21,8 @@ const char kBogies[] = R"({"scenario": {"wheel": "S1002", "rail": "UIC60", "fric
    "max_Y_over_Q": 1.4, "wear_yardstick_over_own_run": 1},
   {"radius_m": 300, "speed_m_s": 15, "bogie": "phs", "yardstick": "rigid_link", "status": "derailed",
    "reason": "a wheel runs on the tip of its flange"}],
- "critical_speed_m_s": {"rigid_link": 55.5, "phs": null}})";
+ "critical_speeds": {"rigid_link": {"linear_m_s": 69.5, "nonlinear_m_s": 54},
+  "phs": {"linear_m_s": null, "nonlinear_m_s": 16}}})";
 
 TEST(RadiusReport, ShowsRunsCurvesAndWhatDerailed) {
   const std::string in = ScratchFile("bogies.json");
@@ -33,7 +34,8 @@ TEST(RadiusReport, ShowsRunsCurvesAndWhatDerailed) {
   EXPECT_TRUE(Holds(html, "R = 300 m, 54 km/h"));
   EXPECT_TRUE(Holds(html, "<td>-8.90</td>") || Holds(html, "<td>−8.90</td>"));
   EXPECT_TRUE(Holds(html, "derailed: a wheel runs on the tip of its flange"));
-  EXPECT_TRUE(Holds(html, "Linear critical speed on straight track"));
+  EXPECT_TRUE(Holds(html, "Critical speed on straight track"));
+  EXPECT_TRUE(Holds(html, "hunting lives from"));
   std::ofstream(in) << "{}";
   EXPECT_FALSE(WriteRadiusReport(in, out).ok());
 }
