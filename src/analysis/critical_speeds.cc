@@ -19,6 +19,12 @@ nlohmann::ordered_json NumberOrNull(double value) {
   return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
 }
 
+std::string HuntingOf(const LimitCycle& cycle) {
+  if (std::isfinite(cycle.critical_speed)) return "dies";
+  if (cycle.derailed) return "derailed";
+  return cycle.down.size() > 1 ? "lives" : "none";
+}
+
 vehicle::Scenario RunningFree(vehicle::Scenario scenario) {
   scenario.track = "straight";
   scenario.speed_m_s = kScanned_m_s;
@@ -67,12 +73,14 @@ Result<CriticalSpeeds> FindCriticalSpeeds(const vehicle::Scenario& scenario,
       FindLimitCycle(&runs.value(), linear.value().mode, ramp, part(kScanShare, 1 - kScanShare));
   if (!cycle.ok()) return cycle.error();
   return CriticalSpeeds{linear.value().critical_speed, cycle.value().critical_speed,
-                        cycle.value().amplitude, ramp.high_speed_m_s, ramp.low_speed_m_s};
+                        HuntingOf(cycle.value()),      cycle.value().amplitude,
+                        ramp.high_speed_m_s,           ramp.low_speed_m_s};
 }
 
 nlohmann::ordered_json CriticalSpeedsJson(const CriticalSpeeds& s) {
   return {{"linear_m_s", NumberOrNull(s.linear)},
           {"nonlinear_m_s", NumberOrNull(s.nonlinear)},
+          {"hunting", s.hunting},
           {"amplitude_m", NumberOrNull(s.amplitude)},
           {"ramp_from_m_s", s.ramp_begin},
           {"ramp_to_m_s", s.ramp_end}};

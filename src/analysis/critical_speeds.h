@@ -3,6 +3,7 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <string>
 
 #include "analysis/limit_cycle.h"
 #include "analysis/stability.h"
@@ -11,8 +12,11 @@
 namespace phs::analysis {
 
 struct CriticalSpeeds {
-  double linear = 0;      ///< NaN: stable over the whole scan [m/s]
-  double nonlinear = 0;   ///< NaN: no limit cycle found in the ramp's range [m/s]
+  double linear = 0;     ///< NaN: stable over the whole scan [m/s]
+  double nonlinear = 0;  ///< NaN: see `hunting` [m/s]
+  /// "dies" below `nonlinear`; "lives" down to the end of the ramp; "none" at its begin;
+  /// "derailed" there.
+  std::string hunting;
   double amplitude = 0;   ///< of the cycle there, lateral at the leading wheelset [m]
   double ramp_begin = 0;  ///< range of the ramp [m/s]
   double ramp_end = 0;
@@ -32,8 +36,8 @@ Result<vehicle::Simulation> CreateForRamps(vehicle::Scenario scenario, double la
 Result<CriticalSpeeds> FindCriticalSpeeds(const vehicle::Scenario& scenario,
                                           const vehicle::Progress& progress = {});
 
-/// `linear_m_s`, `nonlinear_m_s` (null where there is none), `amplitude_m`, `ramp_from_m_s`,
-/// `ramp_to_m_s`.
+/// `linear_m_s`, `nonlinear_m_s` (null where there is none), `hunting`, `amplitude_m`,
+/// `ramp_from_m_s`, `ramp_to_m_s`.
 nlohmann::ordered_json CriticalSpeedsJson(const CriticalSpeeds& speeds);
 
 }  // namespace phs::analysis

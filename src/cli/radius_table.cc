@@ -32,8 +32,10 @@ std::string SpeedLines(const Json& speeds) {
   for (const auto& [bogie, own] : speeds.items()) {
     const std::string linear =
         own["linear_m_s"].is_number() ? Cell(own, "linear_m_s", 3.6, 0) : "stable";
-    const std::string lives =
-        own["nonlinear_m_s"].is_number() ? "from " + Cell(own, "nonlinear_m_s", 3.6, 0) : "-";
+    const std::string hunting = own["hunting"].get<std::string>();
+    const std::string lives = hunting == "dies"    ? "from " + Cell(own, "nonlinear_m_s", 3.6, 0)
+                              : hunting == "lives" ? "below " + Cell(own, "ramp_to_m_s", 3.6, 0)
+                                                   : hunting;
     text += fmt::format("  {:<19}{:>9}{:>15}\n", bogie, linear, lives);
   }
   return text;
