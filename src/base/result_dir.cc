@@ -95,6 +95,7 @@ Result<ResultDir> ResultDir::Create(const std::string& final_path, bool force) {
   }
   std::error_code fault;
   if (fs::exists(fs::symlink_status(path, fault)) && !force) return ExistsAlready(path.string());
+  fault.clear();  // nothing there is what a new directory asks for
   if (path.has_parent_path()) fs::create_directories(path.parent_path(), fault);
   if (!fault) RemoveAbandoned(path);
   const std::string partial = path.string() + kPartial + WriterName();

@@ -61,6 +61,19 @@ TEST(ResultDir, ExistingIsReplacedOnlyByForce) {
   EXPECT_THAT(NamesIn(scratch.path()), ElementsAre("out"));
 }
 
+TEST(ResultDir, ForceNeedsNothingToReplaceAlsoBesideTheUser) {
+  const ScratchDir scratch;
+  const fs::path before = fs::current_path();
+  fs::current_path(scratch.File(""));
+  auto dir = ResultDir::Create("out", true);
+  EXPECT_TRUE(dir.ok());
+  if (dir.ok()) {
+    EXPECT_TRUE(dir.value().Commit().ok());
+  }
+  fs::current_path(before);
+  EXPECT_TRUE(fs::is_directory(scratch.File("out")));
+}
+
 TEST(ResultDir, FileInTheWayIsReplacedByForceToo) {
   const ScratchDir scratch;
   Write(scratch.File("out"), "a file");
