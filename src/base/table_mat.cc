@@ -1,6 +1,9 @@
 #include <fmt/format.h>
 #include <matio.h>
 
+#include <array>
+#include <filesystem>
+#include <fstream>
 #include <map>
 #include <memory>
 
@@ -103,18 +106,55 @@ Status CheckLengths(const Table& table) {
   return {};
 }
 
+/// Versions 5 and 7.3 begin with 128 bytes of text, version and byte order ("IM" or "MI"). What has
+/// no such header matio would take for version 4, whose sizes cannot be checked before it allocates.
+bool HasHeader(const std::string& path) {
+  std::array<char, 128> header{};
+  std::ifstream file(path, std::ios::binary);
+  if (!file.read(header.data(), header.size())) return false;
+  const bool little = header[126] == 'I' && header[127] == 'M';
+  const bool big = header[126] == 'M' && header[127] == 'I';
+  const char version = little ? header[125] : header[124];
+  return (little || big) && (version == 1 || version == 2);
+}
+
+/// Whether a file of that many bytes can hold the variable: deflate shrinks at most 1032 times.
+bool CanHold(const matvar_t& variable, std::uintmax_t file_size) {
+  const double most = 1032.0 * static_cast<double>(file_size);
+  double bytes = 1;
+  for (int i = 0; i < variable.rank; ++i) bytes *= static_cast<double>(variable.dims[i]);
+  return bytes <= most;
+}
+
+Result<std::vector<Found>> ReadVectors(const std::string& path) {
+  const Error unreadable{path, "cannot be read", "a MATLAB file (v5 or v7.3)", ""};
+  if (!HasHeader(path)) return unreadable;
+  Mat_LogInitFunc("phs", [](int, char*) {});  // we report in our own words
+  const MatPtr file(Mat_Open(path.c_str(), MAT_ACC_RDONLY), &Mat_Close);
+  if (file == nullptr) return unreadable;
+  std::error_code ignored;
+  const std::uintmax_t size = std::filesystem::file_size(path, ignored);
+  std::vector<Found> found;
+  while (true) {
+    const VarPtr variable(Mat_VarReadNextInfo(file.get()), &Mat_VarFree);
+    if (variable == nullptr) break;
+    if (!CanHold(*variable, size)) {
+      return Error{path,
+                   fmt::format("'{}' declares more values than the file can hold",
+                               variable->name == nullptr ? "" : variable->name),
+                   "", "the file is damaged: save it again"};
+    }
+    if (Mat_VarReadDataAll(file.get(), variable.get()) == 0) Add(*variable, "", &found);
+  }
+  return found;
+}
+
 }  // namespace
 
 Result<Table> ReadMat(const std::string& path) {
-  Mat_LogInitFunc("phs", [](int, char*) {});  // we report in our own words
-  const MatPtr file(Mat_Open(path.c_str(), MAT_ACC_RDONLY), &Mat_Close);
-  if (file == nullptr) return Error{path, "cannot be read", "a MATLAB file (v5 or v7.3)", ""};
-  std::vector<Found> found;
-  while (true) {
-    const VarPtr variable(Mat_VarReadNext(file.get()), &Mat_VarFree);
-    if (variable == nullptr) break;
-    Add(*variable, "", &found);
-  }
+  Result<std::vector<Found>> read = ReadVectors(path);
+  if (!read.ok()) return read.error();
+  std::vector<Found> found = std::move(read).value();
   Table table = ToTable(path, std::move(found));
   if (Status s = CheckLengths(table); !s.ok()) return s.error();
   for (size_t i = 0; i < table.columns[0].size(); ++i) {

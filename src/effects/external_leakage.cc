@@ -15,13 +15,14 @@ using hydraulics::PipeFlow;
 using hydraulics::Port;
 
 Status Install(const EffectParams& effect, Extension* extension) {
-  const double G = effect.values.at("conductance_m3_per_Pas");
-  if (G <= 0) return {};
+  if (effect.values.at("conductance_m3_per_Pas") <= 0) return {};
+  const double R =
+      AtModelTemperature(1 / effect.values.at("conductance_m3_per_Pas"), extension->params());
   for (int line : TargetLines(effect, extension->params())) {
     extension->AddFlow(
         Port::kLine, Port::kAtmosphere, -1, line, "external_leakage",
-        std::make_unique<PipeFlow>(PipeFlow::Resistance{1 / G, 0}, PipeFlow::Resistance{1 / G, 0},
-                                   0, effect.values.at("start_s")));
+        std::make_unique<PipeFlow>(PipeFlow::Resistance{R, 0}, PipeFlow::Resistance{R, 0}, 0,
+                                   effect.values.at("start_s")));
   }
   return {};
 }
@@ -36,7 +37,7 @@ const EffectInfo& ExternalLeakageInfo() {
       "q = G (p - p_atmosphere) out of the line from start_s on",
       {
           {"conductance_m3_per_Pas", "m3/(Pa s)", 1e-14, 0, 1e-3, 1e-16, 1e-11,
-           "laminar conductance"},
+           "laminar conductance at 20 °C"},
           {"start_s", "s", 0, -1e12, 1e12, 0, 1e6, "the leak opens at this time"},
       },
       Install};

@@ -15,7 +15,8 @@ using hydraulics::PipeFlow;
 using hydraulics::Port;
 
 Status Install(const EffectParams& effect, Extension* extension) {
-  const PipeFlow::Resistance r{effect.values.at("laminar_Pas_per_m3"), 0};
+  const PipeFlow::Resistance r{
+      AtModelTemperature(effect.values.at("laminar_Pas_per_m3"), extension->params()), 0};
   for (int i : TargetCylinders(effect, extension->params())) {
     for (Port chamber : {Port::kBore, Port::kRod}) {
       extension->SplitChamber(
@@ -36,7 +37,7 @@ const EffectInfo& LineInertanceInfo() {
       "I dq/dt = p_chamber - p_line - R q",
       {
           {"inertance_kg_per_m4", "kg/m4", 1.6e7, 1, 1e12, 1e6, 1e9, "I = rho l/A"},
-          {"laminar_Pas_per_m3", "Pa s/m3", 4e8, 1e3, 1e16, 1e7, 1e11, "R"},
+          {"laminar_Pas_per_m3", "Pa s/m3", 4e8, 1e3, 1e16, 1e7, 1e11, "R at 20 °C"},
           {"oil_share", "-", 0.2, 0.02, 0.45, 0.1, 0.4, "share of the line's oil at the chamber"},
       },
       Install};

@@ -15,8 +15,9 @@ using hydraulics::PipeFlow;
 using hydraulics::Port;
 
 Status Install(const EffectParams& effect, Extension* extension) {
-  const PipeFlow::Resistance r{effect.values.at("laminar_Pas_per_m3"),
-                               effect.values.at("turbulent_Pas2_per_m6")};
+  const PipeFlow::Resistance r{
+      AtModelTemperature(effect.values.at("laminar_Pas_per_m3"), extension->params()),
+      effect.values.at("turbulent_Pas2_per_m6")};
   for (int i : TargetCylinders(effect, extension->params())) {
     for (Port chamber : {Port::kBore, Port::kRod}) {
       extension->SplitChamber(chamber, i, effect.values.at("oil_share"), "line_resistance",
@@ -35,7 +36,7 @@ const EffectInfo& LineResistanceInfo() {
       "cylinders",
       "p_chamber - p_line = R q + K q|q|",
       {
-          {"laminar_Pas_per_m3", "Pa s/m3", 1e9, 1e3, 1e16, 1e7, 1e12, "R"},
+          {"laminar_Pas_per_m3", "Pa s/m3", 1e9, 1e3, 1e16, 1e7, 1e12, "R at 20 °C"},
           {"turbulent_Pas2_per_m6", "Pa s2/m6", 0, 0, 1e20, 0, 1e16, "K"},
           {"oil_share", "-", 0.2, 0.02, 0.45, 0.1, 0.4, "share of the line's oil at the chamber"},
       },

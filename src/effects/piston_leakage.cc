@@ -15,12 +15,13 @@ using hydraulics::PipeFlow;
 using hydraulics::Port;
 
 Status Install(const EffectParams& effect, Extension* extension) {
-  const double G = effect.values.at("conductance_m3_per_Pas");
-  if (G <= 0) return {};
+  if (effect.values.at("conductance_m3_per_Pas") <= 0) return {};
+  const double R =
+      AtModelTemperature(1 / effect.values.at("conductance_m3_per_Pas"), extension->params());
   for (int i : TargetCylinders(effect, extension->params())) {
-    extension->AddFlow(Port::kBore, Port::kRod, i, -1, "piston_leakage",
-                       std::make_unique<PipeFlow>(PipeFlow::Resistance{1 / G, 0},
-                                                  PipeFlow::Resistance{1 / G, 0}, 0));
+    extension->AddFlow(
+        Port::kBore, Port::kRod, i, -1, "piston_leakage",
+        std::make_unique<PipeFlow>(PipeFlow::Resistance{R, 0}, PipeFlow::Resistance{R, 0}, 0));
   }
   return {};
 }
@@ -34,7 +35,7 @@ const EffectInfo& PistonLeakageInfo() {
                                   "q = G (p_bore - p_rod) past the piston seal",
                                   {
                                       {"conductance_m3_per_Pas", "m3/(Pa s)", 1e-13, 0, 1e-6, 1e-15,
-                                       1e-11, "laminar conductance of the gap"},
+                                       1e-11, "laminar conductance of the gap at 20 °C"},
                                   },
                                   Install};
   return info;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "hydraulics/extension.h"
+#include "hydraulics/oil.h"
 
 namespace phs::effects {
 
@@ -26,6 +27,11 @@ inline std::vector<int> TargetLines(const hydraulics::EffectParams& effect,
   }
   for (const std::string& name : effect.targets) out.push_back(params.FindLine(name));
   return out;
+}
+
+/// Laminar resistance at the model's static temperature, from its value at 20 °C.
+inline double AtModelTemperature(double laminar_20C, const hydraulics::PhsParams& params) {
+  return laminar_20C * hydraulics::CalcViscosityRatio(params.temperature_K);
 }
 
 /// A part on a bench: one cylinder without lines.

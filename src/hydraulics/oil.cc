@@ -31,6 +31,12 @@ double CalcDynamicViscosity(double temperature_K, const OilParams& oil) {
   return CalcKinematicViscosity(temperature_K, oil) * CalcDensity(temperature_K, oil);
 }
 
+double CalcViscosityRatio(double temperature_K, const OilParams& oil) {
+  constexpr double k20C_K = 293.15;
+  if (temperature_K == k20C_K) return 1;
+  return CalcDynamicViscosity(temperature_K, oil) / CalcDynamicViscosity(k20C_K, oil);
+}
+
 double CalcEffectiveBulkModulus(double pressure, double bulk_modulus, double air_fraction,
                                 double polytropic_exponent) {
   const double n = polytropic_exponent;

@@ -23,6 +23,9 @@ double CalcDensity(double temperature_K, const OilParams& oil = {});
 /// Dynamic viscosity [Pa s].
 double CalcDynamicViscosity(double temperature_K, const OilParams& oil = {});
 
+/// Dynamic viscosity over that at 20 °C: laminar resistances, stated at 20 °C, grow with it.
+double CalcViscosityRatio(double temperature_K, const OilParams& oil = {});
+
 /// Bulk modulus of oil with free air [Pa]: isentropic tangent 1/K = (1/beta + (a/n)(p_a/p)^(1/n)/p)
 /// / (1 + a (p_a/p)^(1/n)), a = free air volume at atmospheric pressure per oil volume. Source:
 /// volume balance of the two phases (e.g. Merritt, Hydraulic Control Systems, 1967, eq. 2-11).

@@ -89,6 +89,24 @@ TEST_P(MatFile, Messages) {
             path() + ": cannot be read; allowed: a MATLAB file (v5 or v7.3)");
 }
 
+TEST(MatFileSize, ADamagedSizeEndsBeforeMemoryIsAskedFor) {
+  const ScratchDir scratch;
+  const std::string path = scratch.File("rig.mat");
+  {
+    const std::unique_ptr<mat_t, int (*)(mat_t*)> file(
+        Mat_CreateVer(path.c_str(), nullptr, MAT_FT_MAT5), &Mat_Close);
+    Mat_VarWrite(file.get(), Vector("x_m", {1, 2, 3}).get(), MAT_COMPRESSION_NONE);
+  }
+  std::fstream bytes(path, std::ios::in | std::ios::out | std::ios::binary);
+  bytes.seekp(128 + 8 + 16 + 8);  // header, tag, array flags, tag of the dimensions
+  const int32_t rows = 2000000000;
+  bytes.write(reinterpret_cast<const char*>(&rows), sizeof rows);
+  bytes.close();
+  EXPECT_EQ(ReadMat(path).error().Line(),
+            path + ": 'x_m' declares more values than the file can hold; the file is damaged: save it "
+                   "again");
+}
+
 INSTANTIATE_TEST_SUITE_P(Versions, MatFile, ::testing::Values(MAT_FT_MAT5, MAT_FT_MAT73));
 
 }  // namespace

@@ -100,6 +100,34 @@ TEST(LineResistance, DropsPressureInProportionToFlow) {
   EXPECT_LT(with.p_bore, without.p_bore);
 }
 
+TEST(LineResistance, FollowsTheViscosityAtTheStaticTemperature) {
+  // ISO VG 68 by ASTM D341: 9350 mm²/s and 902 kg/m3 at -20 °C, 215 and 877 at 20 °C.
+  const double v = 1e-3, ratio = 9350.0 * 902 / (215.0 * 877);
+  auto drop = [v](double temperature_K) {
+    PhsParams params = Frictionless();
+    params.temperature_K = temperature_K;
+    const PhsSystem s = Compile(With(params, "line_resistance", {{"laminar_Pas_per_m3", 1e8}}));
+    const auto ramp = [v](double t) { return v * t; };
+    return Drive(s, 1.0, 1e-3, ramp).p_rod - Drive(Compile(params), 1.0, 1e-3, ramp).p_rod;
+  };
+  EXPECT_NEAR(drop(253.15) / drop(293.15), ratio, 0.01 * ratio);
+}
+
+TEST(PistonLeakage, FallsWithTheViscosityAtTheStaticTemperature) {
+  // The same time constant as at 20 °C after a time longer by the ratio of viscosities.
+  auto left = [](double temperature_K, double time) {
+    PhsParams params = Frictionless();
+    params.temperature_K = temperature_K;
+    const PhsSystem s =
+        Compile(With(params, "piston_leakage", {{"conductance_m3_per_Pas", 1e-12}}));
+    const Held later = Hold(s, 1e-6, time, time / 1000), rest = Hold(s, 1e-6, 0);
+    return (later.p_bore - later.p_rod) / (rest.p_bore - rest.p_rod);
+  };
+  const double ratio = 1030.0 * 889 / (215.0 * 877);  // 0 °C over 20 °C
+  EXPECT_NEAR(left(273.15, 5.0 * ratio), left(293.15, 5.0), 2e-3);
+  EXPECT_LT(left(293.15, 5.0), 0.9);
+}
+
 TEST(LineInertance, RingsAtItsFrequency) {
   // Chamber oil C1 against line C2 through I: w² = (1/C1 + 1/C2)/I.
   PhsParams params = Frictionless();

@@ -1,0 +1,9 @@
+// Limits for continuous integration.
+#include "analysis/limits.h"
+#include "one_input.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+  phs::fuzz::ExpectValueOrLine(phs::analysis::LoadLimits(
+      phs::fuzz::InputFile(phs::fuzz::Text(data, size), ".yaml")));
+  return 0;
+}

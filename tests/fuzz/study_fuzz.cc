@@ -1,0 +1,9 @@
+// Sweep studies.
+#include "sweep/study.h"
+#include "one_input.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+  phs::fuzz::ExpectValueOrLine(
+      phs::sweep::LoadStudy(phs::fuzz::InputFile(phs::fuzz::Text(data, size), ".yaml")));
+  return 0;
+}

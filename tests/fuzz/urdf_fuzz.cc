@@ -1,0 +1,9 @@
+// URDF bogies.
+#include "vehicle/urdf_file.h"
+#include "one_input.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+  phs::fuzz::ExpectValueOrLine(
+      phs::vehicle::ReadUrdf(phs::fuzz::InputFile(phs::fuzz::Text(data, size), ".urdf")));
+  return 0;
+}
