@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "analysis/axle_pattern.h"
 #include "plugin/observer.h"
 
 namespace phs::analysis {
@@ -11,46 +12,32 @@ namespace {
 constexpr double kLift = 1.0;  ///< no wheel touches its rail [m]
 constexpr int kCycles = 3;     ///< the last one is measured
 
-struct Pattern {
-  const char* name;
-  bool rotation;
-  const char* joint;  ///< "_x" or "_yaw"
-  double sign[2];     ///< lead, trail
-};
-constexpr Pattern kPatterns[] = {{"bending", true, "_yaw", {1, -1}},
-                                 {"shear", true, "_yaw", {1, 1}},
-                                 {"traction", false, "_x", {1, 1}},
-                                 {"antiphase", false, "_x", {1, -1}}};
-
-/// Qpos and dof addresses of the two joints of a pattern.
-struct Joints {
-  int qpos[2];
-  int dof[2];
-};
-
-Result<Joints> FindJoints(const mjModel* m, const std::string& prefix, const Pattern& pattern) {
-  Joints joints{};
-  const char* axles[2] = {"lead", "trail"};
-  for (int i = 0; i < 2; ++i) {
-    const std::string name = prefix + axles[i] + pattern.joint;
-    const int id = mj_name2id(m, mjOBJ_JOINT, name.c_str());
-    if (id < 0) {
-      return Error{"MJCF joint '" + name + "'", "is missing: the axle modes move it",
-                   "slides *_x and hinges *_yaw of both axles against the frame", ""};
-    }
-    joints.qpos[i] = m->jnt_qposadr[id];
-    joints.dof[i] = m->jnt_dofadr[id];
-  }
-  return joints;
-}
-
-/// First harmonic of the resisting force over the last of a few cycles.
-AxleMode Measure(const mjModel* m, mjData* d, const Pattern& pattern, const Joints& joints,
-                 double amplitude, const AxleModeOptions& options) {
+void LiftOff(const mjModel* m, mjData* d) {
   mj_resetData(m, d);
   for (int j = 0; j < m->njnt; ++j) {
     if (m->jnt_type[j] == mjJNT_FREE) d->qpos[m->jnt_qposadr[j] + 2] += kLift;
   }
+  mj_forward(m, d);
+}
+
+void NotePhs(const plugin::Binding& binding, const mjModel* m, const mjData* d, AxleMode* mode) {
+  if (binding.phs().empty()) return;
+  plugin::PhsState state = binding.CalcPhs(m, d, 0);
+  mode->cylinder_stroke_m = std::move(state.displacement);
+  mode->cylinder_force_N = std::move(state.force);
+  mode->line_pressure_Pa = std::move(state.pressure);
+}
+
+/// First harmonic of the resisting force over the last of a few cycles.
+AxleMode Measure(const plugin::Binding& binding, const mjModel* m, mjData* d,
+                 const AxlePattern& pattern, const PatternJoints& joints, double amplitude,
+                 const AxleModeOptions& options) {
+  LiftOff(m, d);
+  AxleMode mode;
+  mode.name = pattern.name;
+  mode.rotation = pattern.rotation;
+  mode.amplitude = amplitude;
+  mode.closed_form = CalcModeClosedForm(binding, m, d, pattern, joints, options.frequency_Hz);
   const double omega = 2 * std::numbers::pi * options.frequency_Hz;
   const double h = m->opt.timestep;
   const int per_cycle = static_cast<int>(std::lround(1 / (options.frequency_Hz * h)));
@@ -73,6 +60,11 @@ AxleMode Measure(const mjModel* m, mjData* d, const Pattern& pattern, const Join
       const int dof = joints.dof[k];
       force += pattern.sign[k] * (d->qfrc_passive[dof] + d->qfrc_actuator[dof]);
     }
+    if (i >= (kCycles - 1) * per_cycle) {
+      mode.loop_displacement.push_back(u);
+      mode.loop_force.push_back(-force);
+      if (i == (kCycles - 1) * per_cycle + per_cycle / 4) NotePhs(binding, m, d, &mode);
+    }
     // States go on over the step that the motion really makes, so that they do not lag behind it.
     const double next = amplitude * std::sin(omega * h * (i + 1));
     for (int k = 0; k < 2; ++k) d->qvel[joints.dof[k]] = pattern.sign[k] * (next - u) / h;
@@ -85,15 +77,66 @@ AxleMode Measure(const mjModel* m, mjData* d, const Pattern& pattern, const Join
     quadrature -= 2.0 / per_cycle * (force - mean_start) * std::cos(phase);
     loss -= force * rate * h;
   }
-  return {pattern.name,
-          pattern.rotation,
-          amplitude,
-          in_phase / amplitude,
-          quadrature / (amplitude * omega),
-          loss};
+  mode.stiffness = in_phase / amplitude;
+  mode.damping = quadrature / (amplitude * omega);
+  mode.loss_per_cycle = loss;
+  return mode;
+}
+
+/// Ends of a tendon through two sites.
+bool FindEnds(const mjModel* m, const mjData* d, int actuator, const double* origin,
+              BogiePlan::Cylinder* cylinder) {
+  if (m->actuator_trntype[actuator] != mjTRN_TENDON) return false;
+  const int tendon = m->actuator_trnid[2 * actuator];
+  const int first = m->tendon_adr[tendon];
+  if (m->tendon_num[tendon] != 2 || m->wrap_type[first] != mjWRAP_SITE ||
+      m->wrap_type[first + 1] != mjWRAP_SITE) {
+    return false;
+  }
+  for (int k = 0; k < 2; ++k) {
+    cylinder->from[k] = d->site_xpos[3 * m->wrap_objid[first] + k] - origin[k];
+    cylinder->to[k] = d->site_xpos[3 * m->wrap_objid[first + 1] + k] - origin[k];
+  }
+  return true;
+}
+
+BogiePlan MakePlan(const plugin::Binding& binding, const plugin::BogiePair& bogie, const mjModel* m,
+                   const mjData* d) {
+  BogiePlan plan;
+  const auto& wheelsets = binding.wheelsets();
+  const double* lead = d->xpos + 3 * wheelsets[static_cast<size_t>(bogie.lead)].body;
+  const double* trail = d->xpos + 3 * wheelsets[static_cast<size_t>(bogie.trail)].body;
+  const double origin[2] = {(lead[0] + trail[0]) / 2, (lead[1] + trail[1]) / 2};
+  plan.axles = {{"lead", lead[0] - origin[0]}, {"trail", trail[0] - origin[0]}};
+  if (binding.phs().empty()) return plan;
+  const plugin::PhsBinding& phs = binding.phs()[0];
+  for (size_t i = 0; i < phs.cylinder.size(); ++i) {
+    BogiePlan::Cylinder cylinder{phs.system->cylinder_names()[i]};
+    if (FindEnds(m, d, phs.cylinder[i], origin, &cylinder)) plan.cylinders.push_back(cylinder);
+  }
+  plan.lines = phs.system->line_names();
+  return plan;
 }
 
 }  // namespace
+
+Result<PatternJoints> FindPatternJoints(const mjModel* m, const std::string& prefix,
+                                        const AxlePattern& pattern) {
+  PatternJoints joints{};
+  const char* axles[2] = {"lead", "trail"};
+  for (int i = 0; i < 2; ++i) {
+    const std::string name = prefix + axles[i] + pattern.joint;
+    const int id = mj_name2id(m, mjOBJ_JOINT, name.c_str());
+    if (id < 0) {
+      return Error{"MJCF joint '" + name + "'", "is missing: the axle modes move it",
+                   "slides *_x and hinges *_yaw of both axles against the frame", ""};
+    }
+    joints.joint[i] = id;
+    joints.qpos[i] = m->jnt_qposadr[id];
+    joints.dof[i] = m->jnt_dofadr[id];
+  }
+  return joints;
+}
 
 Result<AxleModes> MeasureAxleModes(const vehicle::Simulation& simulation,
                                    const AxleModeOptions& options) {
@@ -105,13 +148,16 @@ Result<AxleModes> MeasureAxleModes(const vehicle::Simulation& simulation,
   }
   const vehicle::DataPtr data(mj_makeData(m));
   AxleModes modes;
-  for (const Pattern& pattern : kPatterns) {
-    auto joints = FindJoints(m, bogies[0].prefix, pattern);
+  const plugin::Binding& binding = simulation.binding();
+  LiftOff(m, data.get());
+  modes.plan = MakePlan(binding, bogies[0], m, data.get());
+  for (const AxlePattern& pattern : kAxlePatterns) {
+    auto joints = FindPatternJoints(m, bogies[0].prefix, pattern);
     if (!joints.ok()) return joints.error();
     const double lever = pattern.rotation ? options.lever_m : 1.0;
-    modes.small.push_back(Measure(m, data.get(), pattern, joints.value(),
+    modes.small.push_back(Measure(binding, m, data.get(), pattern, joints.value(),
                                   options.small_displacement_m / lever, options));
-    modes.large.push_back(Measure(m, data.get(), pattern, joints.value(),
+    modes.large.push_back(Measure(binding, m, data.get(), pattern, joints.value(),
                                   options.large_displacement_m / lever, options));
   }
   return modes;

@@ -20,18 +20,43 @@
 #include <string>
 #include <vector>
 
+#include "analysis/mode_closed_form.h"
 #include "base/result.h"
 #include "vehicle/simulation.h"
 
 namespace phs::analysis {
 
 struct AxleMode {
-  std::string name;           ///< bending | shear | traction | antiphase
-  bool rotation = false;      ///< true: rad and N m; false: m and N
-  double amplitude = 0;       ///< per axle [rad or m]
-  double stiffness = 0;       ///< [N m/rad or N/m]
-  double damping = 0;         ///< [N m s/rad or N s/m]
-  double loss_per_cycle = 0;  ///< [J]
+  std::string name;            ///< bending | shear | traction | antiphase
+  bool rotation = false;       ///< true: rad and N m; false: m and N
+  double amplitude = 0;        ///< per axle [rad or m]
+  double stiffness = 0;        ///< [N m/rad or N/m]
+  double damping = 0;          ///< [N m s/rad or N s/m]
+  double loss_per_cycle = 0;   ///< [J]
+  ModeClosedForm closed_form;  ///< of small motion at the same frequency
+  /// The last cycle: displacement of the pattern [rad or m] and force that resists it [N m or N].
+  std::vector<double> loop_displacement = {};
+  std::vector<double> loop_force = {};
+  /// At the greatest displacement, first PHS of the bogie; empty without one.
+  std::vector<double> cylinder_stroke_m = {};  ///< extension > 0
+  std::vector<double> cylinder_force_N = {};   ///< tension > 0
+  std::vector<double> line_pressure_Pa = {};
+};
+
+/// Where axles and cylinders are in plan at rest; x along the bogie, y to the left [m].
+struct BogiePlan {
+  struct Axle {
+    std::string name;
+    double x = 0;
+  };
+  struct Cylinder {
+    std::string name;
+    double from[2] = {0, 0};  ///< on the frame
+    double to[2] = {0, 0};    ///< on the axle box
+  };
+  std::vector<Axle> axles;
+  std::vector<Cylinder> cylinders;
+  std::vector<std::string> lines;
 };
 
 struct AxleModeOptions {
@@ -44,6 +69,7 @@ struct AxleModeOptions {
 struct AxleModes {
   std::vector<AxleMode> small;  ///< in the order of the names above
   std::vector<AxleMode> large;
+  BogiePlan plan;
 };
 
 /// Measures on the first bogie (lead and trail) of a simulation, lifted off its rails.

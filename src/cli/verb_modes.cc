@@ -1,44 +1,140 @@
-// phs modes: stiffness and damping of the axle modes.
+// phs modes: stiffness and damping of the axle modes, beside the closed form.
 #include <fmt/format.h>
 
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <vector>
 
 #include "analysis/axle_modes.h"
 #include "base/result_dir.h"
 #include "cli/verbs.h"
+#include "report/analysis_report.h"
 #include "vehicle/simulation.h"
 
 namespace phs::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
+using analysis::AxleMode;
+using analysis::AxleModes;
 
 struct ModesOptions {
   CommonOptions common;
   vehicle::Scenario scenario;
   analysis::AxleModeOptions measure;
+  std::vector<std::string> beside;  ///< further bogies
 };
 
-Json ModeJson(const analysis::AxleMode& mode) {
-  const bool turns = mode.rotation;
+struct Measured {
+  std::string bogie;
+  AxleModes modes;
+};
+
+const char* StiffnessKey(const AxleMode& mode) {
+  return mode.rotation ? "stiffness_Nm_per_rad" : "stiffness_N_per_m";
+}
+
+Json ModeJson(const AxleMode& mode, const analysis::BogiePlan& plan) {
   Json json;
-  json[turns ? "stiffness_Nm_per_rad" : "stiffness_N_per_m"] = mode.stiffness;
-  json[turns ? "damping_Nms_per_rad" : "damping_Ns_per_m"] = mode.damping;
-  json[turns ? "amplitude_rad" : "amplitude_m"] = mode.amplitude;
+  json[StiffnessKey(mode)] = mode.stiffness;
+  json[mode.rotation ? "damping_Nms_per_rad" : "damping_Ns_per_m"] = mode.damping;
+  json[mode.rotation ? "amplitude_rad" : "amplitude_m"] = mode.amplitude;
   json["loss_per_cycle_J"] = mode.loss_per_cycle;
+  Json at_most = Json::object();
+  for (size_t i = 0; i < mode.cylinder_force_N.size() && i < plan.cylinders.size(); ++i) {
+    at_most["cylinders"].push_back({{"name", plan.cylinders[i].name},
+                                    {"stroke_m", mode.cylinder_stroke_m[i]},
+                                    {"force_N", mode.cylinder_force_N[i]}});
+  }
+  for (size_t i = 0; i < mode.line_pressure_Pa.size(); ++i) {
+    at_most["lines"].push_back(
+        {{"name", plan.lines[i]}, {"pressure_Pa", mode.line_pressure_Pa[i]}});
+  }
+  json["at_greatest_displacement"] = std::move(at_most);
+  json["loop"] = {{mode.rotation ? "displacement_rad" : "displacement_m", mode.loop_displacement},
+                  {mode.rotation ? "moment_Nm" : "force_N", mode.loop_force}};
   return json;
 }
 
-Json ModesJson(const std::string& bogie, const analysis::AxleModes& modes) {
-  Json json;
-  for (size_t i = 0; i < modes.large.size(); ++i) {
-    json[modes.large[i].name] = ModeJson(modes.large[i]);
-    json[modes.large[i].name]["small_amplitude"] = ModeJson(modes.small[i]);
+Json ClosedFormJson(const AxleMode& mode) {
+  const analysis::ModeClosedForm& form = mode.closed_form;
+  return {{StiffnessKey(mode), form.total()},
+          {"springs", form.springs},
+          {"seals", form.seals},
+          {"lines", form.lines}};
+}
+
+Json PlanJson(const analysis::BogiePlan& plan) {
+  Json json = {{"axles", Json::array()}, {"cylinders", Json::array()}};
+  for (const auto& axle : plan.axles) {
+    json["axles"].push_back({{"name", axle.name}, {"x_m", axle.x}});
   }
-  json["bogie"] = bogie;
+  for (const auto& cylinder : plan.cylinders) {
+    json["cylinders"].push_back({{"name", cylinder.name},
+                                 {"from_m", {cylinder.from[0], cylinder.from[1]}},
+                                 {"to_m", {cylinder.to[0], cylinder.to[1]}}});
+  }
   return json;
+}
+
+Json ModesJson(const Measured& measured, const analysis::AxleModeOptions& options) {
+  Json json;
+  const AxleModes& modes = measured.modes;
+  for (size_t i = 0; i < modes.large.size(); ++i) {
+    Json& mode = json[modes.large[i].name] = ModeJson(modes.large[i], modes.plan);
+    mode["small_amplitude"] = ModeJson(modes.small[i], modes.plan);
+    mode["closed_form"] = ClosedFormJson(modes.small[i]);
+  }
+  json["bogie"] = measured.bogie;
+  json["frequency_Hz"] = options.frequency_Hz;
+  json["lever_m"] = options.lever_m;
+  json["plan"] = PlanJson(modes.plan);
+  return json;
+}
+
+void PrintModes(const Measured& measured, const analysis::AxleModeOptions& options) {
+  fmt::print("{}: axle modes at {:g} Hz, totals over both axles\n", measured.bogie,
+             options.frequency_Hz);
+  fmt::print("{:<9}{:<13}{:>13}{:>12}{:>13}{:>14}{:>12}\n", "mode", "unit", "stiff, large",
+             "damping", "stiff, small", "closed form", "damping");
+  for (size_t i = 0; i < measured.modes.large.size(); ++i) {
+    const AxleMode& large = measured.modes.large[i];
+    const AxleMode& small = measured.modes.small[i];
+    fmt::print("{:<11}{:<11}{:>13.1f}{:>12.2f}{:>13.1f}{:>14.1f}{:>12.2f}\n", large.name,
+               large.rotation ? "kNm(s)/rad" : "kN(s)/m", large.stiffness / 1e3,
+               large.damping / 1e3, small.stiffness / 1e3, small.closed_form.total() / 1e3,
+               small.damping / 1e3);
+  }
+}
+
+Status WriteResults(const std::vector<Measured>& all, const ModesOptions& options, ResultDir* dir) {
+  std::vector<std::string> files;
+  for (const Measured& measured : all) {
+    files.push_back(
+        dir->File(files.empty() ? "modes.json" : fmt::format("modes_{}.json", files.size())));
+    const std::string text = ModesJson(measured, options.measure).dump(2) + "\n";
+    if (Status s = WriteFileAtomically(files.back(), text); !s.ok()) return s;
+  }
+  if (Status s = report::WriteModesReport(files, dir->File("report.html")); !s.ok()) return s;
+  return dir->Commit();
+}
+
+Result<std::vector<Measured>> MeasureAll(const ModesOptions& options) {
+  std::vector<std::string> bogies = {options.scenario.bogie};
+  bogies.insert(bogies.end(), options.beside.begin(), options.beside.end());
+  std::vector<Measured> all;
+  for (const std::string& bogie : bogies) {
+    vehicle::Scenario scenario = options.scenario;
+    scenario.bogie = bogie;
+    if (!all.empty()) scenario.phs.clear();
+    auto simulation = vehicle::Simulation::Create(scenario);
+    if (!simulation.ok()) return simulation.error();
+    auto modes = analysis::MeasureAxleModes(simulation.value(), options.measure);
+    if (!modes.ok()) return modes.error();
+    all.push_back({bogie, std::move(modes).value()});
+  }
+  return all;
 }
 
 int RunModes(const ModesOptions& options) {
@@ -48,36 +144,19 @@ int RunModes(const ModesOptions& options) {
     if (!created.ok()) return BadInput(created.error());
     dir.emplace(std::move(created).value());
   }
-  auto simulation = vehicle::Simulation::Create(options.scenario);
-  if (!simulation.ok()) return BadInput(simulation.error());
-  auto modes = analysis::MeasureAxleModes(simulation.value(), options.measure);
-  if (!modes.ok()) return BadInput(modes.error());
-  const Json json = ModesJson(options.scenario.bogie, modes.value());
+  auto all = MeasureAll(options);
+  if (!all.ok()) return BadInput(all.error());
   if (options.common.format == "json") {
-    fmt::print("{}\n", json.dump(2));
+    fmt::print("{}\n", ModesJson(all.value()[0], options.measure).dump(2));
   } else {
-    fmt::print("{}: axle modes at {:g} Hz, totals over both axles\n", options.scenario.bogie,
-               options.measure.frequency_Hz);
-    fmt::print("{:<11}{:>22}{:>18}{:>22}{:>18}\n", "mode", "stiffness, large", "damping",
-               "stiffness, small", "damping");
-    for (size_t i = 0; i < modes.value().large.size(); ++i) {
-      const auto& large = modes.value().large[i];
-      const auto& small = modes.value().small[i];
-      const char* k = large.rotation ? "kNm/rad" : "kN/m";
-      const char* c = large.rotation ? "kNms/rad" : "kNs/m";
-      fmt::print("{:<11}{:>14.1f} {:<7}{:>9.2f} {:<8}{:>14.1f} {:<7}{:>9.2f} {:<8}\n", large.name,
-                 large.stiffness / 1e3, k, large.damping / 1e3, c, small.stiffness / 1e3, k,
-                 small.damping / 1e3, c);
-    }
-    fmt::print("amplitudes at the axle boxes: large {:g} mm, small {:g} mm\n",
+    for (const Measured& measured : all.value()) PrintModes(measured, options.measure);
+    fmt::print("amplitudes at the axle boxes: large {:g} mm, small {:g} mm (seals stick)\n",
                options.measure.large_displacement_m * 1e3,
                options.measure.small_displacement_m * 1e3);
+    if (dir) fmt::print("report: {}/report.html\n", options.common.out);
   }
   if (!dir) return kDone;
-  if (Status s = WriteFileAtomically(dir->File("modes.json"), json.dump(2) + "\n"); !s.ok()) {
-    return BadInput(s.error());
-  }
-  const Status s = dir->Commit();
+  const Status s = WriteResults(all.value(), options, &*dir);
   return s.ok() ? kDone : BadInput(s.error());
 }
 
@@ -90,8 +169,11 @@ void AddModes(CLI::App* app, Action* action) {
   options->scenario.speed_m_s = 20;
   AddCommonOptions(verb, &options->common);
   verb->add_option("--bogie", options->scenario.bogie, "Bogie: a name or an MJCF file")->required();
+  verb->add_option("--beside", options->beside, "Further bogies, shown beside it: a,b")
+      ->delimiter(',');
   verb->add_option("--phs", options->scenario.phs, "PHS model, instead of the bogie's");
-  verb->add_option("--frequency", options->measure.frequency_Hz, "Hz")->check(CLI::Range(0.01, 20.0));
+  verb->add_option("--frequency", options->measure.frequency_Hz, "Hz")
+      ->check(CLI::Range(0.01, 20.0));
   verb->callback([=] { *action = [=] { return RunModes(*options); }; });
 }
 

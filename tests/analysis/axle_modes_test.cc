@@ -83,5 +83,43 @@ TEST(AxleModesTest, SealsThatStickMakeBendingStiffAtSmallAmplitudeOnly) {
   EXPECT_LT(modes.large[0].loss_per_cycle, 1.2 * 4 * 2100 * travel + 1000);
 }
 
+TEST(AxleModesTest, EveryBogieFollowsTheClosedFormInSmallMotion) {
+  for (const char* bogie : {"phs", "rigid_link", "soft_link", "emd_radial", "ge_coupling_shaft",
+                            "adtranz_shifting", "phs_coco", "rigid_link_coco"}) {
+    AxleModeOptions faster;
+    faster.frequency_Hz = 2;
+    for (const AxleMode& mode : MeasureOn(bogie, faster).small) {
+      EXPECT_NEAR(mode.stiffness / mode.closed_form.total(), 1, 3e-3) << bogie << " " << mode.name;
+    }
+  }
+}
+
+TEST(AxleModesTest, ClosedFormOfTheBoBoHasTheTermsOfItsNetwork) {
+  const AxleModes modes = MeasureOn("phs");
+  const double diagonal = Compliance(1.8e6);
+  const double cross = Compliance(1.8e6 * kBore / kRod);
+  EXPECT_NEAR(modes.small[0].closed_form.lines, 0, 1);
+  EXPECT_NEAR(modes.small[1].closed_form.lines, 8 * kLever * kLever * kBore * kBore / diagonal,
+              1e-4 * modes.small[1].closed_form.lines);
+  EXPECT_NEAR(modes.small[2].closed_form.lines, 8 * kRod * kRod / cross,
+              1e-4 * modes.small[2].closed_form.lines);
+  EXPECT_NEAR(modes.small[0].closed_form.springs, 2 * 1.62e6, 1);
+  EXPECT_NEAR(modes.small[2].closed_form.seals, 4 * 3.6e7, 1e4);
+}
+
+TEST(AxleModesTest, PictureShowsWhichCylindersExtend) {
+  const AxleModes modes = MeasureOn("phs");
+  ASSERT_EQ(modes.plan.cylinders.size(), 4u);
+  EXPECT_NEAR(modes.plan.axles[0].x, 1.55, 1e-6);
+  EXPECT_NEAR(modes.plan.axles[1].x, -1.55, 1e-6);
+  // Traction, both axles forward: 1, 2 (lead) extend, 3, 4 (trail) shorten. Anti-phase: all extend.
+  const double u = 2e-3;
+  for (int i = 0; i < 4; ++i) {
+    EXPECT_NEAR(modes.large[2].cylinder_stroke_m[static_cast<size_t>(i)], i < 2 ? u : -u, 1e-5);
+    EXPECT_NEAR(modes.large[3].cylinder_stroke_m[static_cast<size_t>(i)], u, 1e-5);
+  }
+  EXPECT_EQ(modes.large[0].loop_displacement.size(), modes.large[0].loop_force.size());
+}
+
 }  // namespace
 }  // namespace phs::analysis
