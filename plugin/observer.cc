@@ -87,6 +87,10 @@ double FlangeLoad(const WheelRailForces& wheel, double flange_angle) {
   return load;
 }
 
+int HeaviestBody(const mjModel* m) {
+  return static_cast<int>(std::max_element(m->body_mass, m->body_mass + m->nbody) - m->body_mass);
+}
+
 }  // namespace
 
 std::vector<BogiePair> FindBogies(const Binding& binding) {
@@ -155,13 +159,14 @@ void Observer::NamePhs(const PhsBinding& phs, const std::string& prefix) {
 }
 
 Observer::Observer(const mjModel* m, const Binding& binding)
-    : binding_(binding), bogies_(FindBogies(binding)) {
-  (void)m;
+    : binding_(binding), car_body_(HeaviestBody(m)), bogies_(FindBogies(binding)) {
   Name("t_s", "s", "time");
   Name("s_m", "m", "arc length of the leading wheelset");
   Name("speed_m_s", "m/s", "speed along the track");
   Name("curvature_1_m", "1/m", "of the track under the leading wheelset, > 0 left");
   Name("cant_rad", "rad", "of the track under the leading wheelset, > 0 right rail raised");
+  Name("car_body_lateral_speed_m_s", "m/s", "of its centre of mass, own axes, > 0 left");
+  Name("car_body_vertical_speed_m_s", "m/s", "of its centre of mass, own axes, > 0 up");
   for (const WheelsetBinding& w : binding.wheelsets()) NameWheelset(w.name);
   for (const BogiePair& bogie : bogies_) {
     Name(bogie.prefix + "bending_rad", "rad", "yaw of lead minus yaw of trail against the frame");
@@ -191,6 +196,10 @@ void Observer::Observe(const mjModel* m, const mjData* d, double* row) const {
   *out++ = first == nullptr ? 0 : first->speed;
   *out++ = first == nullptr ? 0 : first->frame.curvature;
   *out++ = first == nullptr ? 0 : first->frame.cant;
+  mjtNum speed[6];
+  mj_objectVelocity(m, d, mjOBJ_BODY, car_body_, speed, 1);
+  *out++ = speed[4];
+  *out++ = speed[5];
   for (size_t i = 0; i < wheelsets.size(); ++i) {
     const WheelsetBinding& w = binding_.wheelsets()[i];
     const WheelsetState& state = wheelsets[i];

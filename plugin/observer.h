@@ -36,6 +36,7 @@ class Observer {
   void NamePhs(const PhsBinding& phs, const std::string& prefix);
 
   const Binding& binding_;
+  int car_body_;  ///< the heaviest body
   std::vector<BogiePair> bogies_;
   std::vector<Channel> channels_;
 };

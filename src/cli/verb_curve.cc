@@ -8,7 +8,9 @@
 
 #include "analysis/critical_speeds.h"
 #include "analysis/limits.h"
+#include "analysis/running_assessment.h"
 #include "base/result_dir.h"
+#include "cli/assessment_table.h"
 #include "cli/curve_table.h"
 #include "cli/radius_table.h"
 #include "cli/verbs.h"
@@ -87,7 +89,10 @@ Status RunAll(const CurveOptions& options, const Scenario& scenario, std::vector
       (*runs)[i + 1].outcome = std::move(outcome).value();
     }
   }
-  for (CurveRun& run : *runs) run.summary = vehicle::Summarise(*run.simulation, run.outcome);
+  for (CurveRun& run : *runs) {
+    run.summary = vehicle::Summarise(*run.simulation, run.outcome);
+    run.summary["assessment"] = analysis::AssessRun(*run.simulation, run.outcome);
+  }
   return {};
 }
 
@@ -172,7 +177,8 @@ int RunCurve(const CurveOptions& options, bool compare) {
     fmt::print("{}: track {}, {:.1f} km/h, friction {:.2f}, step {:g} ms\n\n", scenario.name,
                track.name(), scenario.speed_m_s * 3.6, runs[0].simulation->binding().friction(),
                scenario.timestep_s * 1e3);
-    fmt::print("{}\n{}", CurveTable(summaries), SteeringBudget(summaries));
+    fmt::print("{}\n{}\n{}", CurveTable(summaries), AssessmentTable(summaries),
+               SteeringBudget(summaries));
   }
   if (dir) {
     if (Status s = WriteResults(chosen, scenario, compare, runs, &*dir); !s.ok()) {

@@ -1,8 +1,11 @@
 #include "rail/creep_law.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "base/numbers.h"
+#include "base/words.h"
 #include "rail/creep_table_cache.h"
 #include "rail/fastsim.h"
 #include "rail/kalker.h"
@@ -128,6 +131,27 @@ double FrictionLaw::At(double slip_speed) const {
 const std::vector<std::string>& CreepLawNames() {
   static const std::vector<std::string> names = {"linear", "fastsim", "polach", "kalker_table"};
   return names;
+}
+
+Status ChooseCreepLaw(const std::string& text, CreepLawParams* params) {
+  const size_t colon = text.find(':');
+  const std::string method = text.substr(0, colon);
+  const std::vector<std::string>& names = CreepLawNames();
+  if (std::find(names.begin(), names.end(), method) == names.end()) {
+    return Error{"creep law", "'" + method + "' is not known", JoinWords(names),
+                 DidYouMean(method, names)};
+  }
+  if (colon != std::string::npos) {
+    const auto cells = ParseNumber(text.substr(colon + 1));
+    const bool whole = cells && *cells == std::floor(*cells) && *cells >= 4 && *cells <= 200;
+    if (!whole || (method != "fastsim" && method != "kalker_table")) {
+      return Error{"creep law", "'" + text + "' has no such grid",
+                   "fastsim:N or kalker_table:N with N = 4 … 200 strips and slices", ""};
+    }
+    params->fastsim_strips = params->fastsim_slices = static_cast<int>(*cells);
+  }
+  params->method = method;
+  return {};
 }
 
 Result<std::unique_ptr<CreepLaw>> CreateCreepLaw(const CreepLawParams& params) {

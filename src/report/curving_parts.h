@@ -17,6 +17,10 @@ void AddComparisonBars(const CurvingResults& results, ReportPage* page);
 void AddEnergyTable(const CurvingResults& results, ReportPage* page);
 void AddInputs(const CurvingResults& results, ReportPage* page);
 
+// curving_standards.cc
+bool HasStandards(const CurvingResults& results);
+void AddStandards(const CurvingResults& results, ReportPage* page);
+
 // curving_words.cc
 void AddSteeringWords(const CurvingResults& results, ReportPage* page);
 void AddNextSteps(const CurvingResults& results, ReportPage* page);

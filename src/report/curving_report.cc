@@ -61,6 +61,10 @@ Status WriteCurvingReport(const CurvingReportInput& input, const std::string& pa
   AddTrackPlots(results, &page);
   page.Section("Bogie and hydraulics");
   AddHydraulicPlots(results, &page);
+  if (HasStandards(results)) {
+    page.Section("Standards, wear");
+    AddStandards(results, &page);
+  }
   page.Section("Energy");
   AddEnergyTable(results, &page);
   page.Section("Inputs and assumptions");

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -44,6 +45,35 @@ std::string TextOf(const XMLElement* root, const std::string& name) {
     }
   }
   return "";
+}
+
+/// Calls `visit(class)` for every named default class in `parent`, nested ones too.
+template <typename Visit>
+void ForEachClass(const XMLElement* parent, Visit visit) {
+  for (const XMLElement* d = parent->FirstChildElement("default"); d != nullptr;
+       d = d->NextSiblingElement("default")) {
+    if (d->Attribute("class") != nullptr) visit(*d);
+    ForEachClass(d, visit);
+  }
+}
+
+/// A bogie that does not share the product's settings (an imported one) has no joint classes for
+/// the suspension of the car body: they come from there.
+Status AddClassesOfCarBody(XMLElement* root) {
+  auto path = FindData("settings", "bogie_xml/shared", "settings", {".xml"});
+  if (!path.ok()) return path.error();
+  auto settings = ReadMjcf(path.value());
+  if (!settings.ok()) return settings.error();
+  std::set<std::string> own;
+  ForEachClass(root, [&](const XMLElement& d) { own.insert(d.Attribute("class")); });
+  XMLElement* added = nullptr;
+  ForEachClass(settings.value()->RootElement(), [&](const XMLElement& d) {
+    const std::string name = d.Attribute("class");
+    if (!name.starts_with("secondary_") || own.contains(name)) return;
+    if (added == nullptr) added = root->InsertNewChildElement("default");
+    added->InsertEndChild(d.DeepClone(root->GetDocument()));
+  });
+  return {};
 }
 
 /// The two frames of the car body filled with the bogie's parts; the single bogie removed.
@@ -89,6 +119,7 @@ Status PutBogiesUnderBody(const std::string& bogie_path, XMLElement* root) {
     }
   }
   frame->Parent()->DeleteChild(frame);
+  if (Status s = AddClassesOfCarBody(root); !s.ok()) return s;
   for (const XMLElement* section = car_root->FirstChildElement(); section != nullptr;
        section = section->NextSiblingElement()) {
     root->InsertEndChild(section->DeepClone(root->GetDocument()));
@@ -136,8 +167,8 @@ Result<int> CountStates(const Scenario& scenario, const std::string& name, int a
   });
   auto path = FindData("PHS model", "models/phs", model.empty() ? "bo_bo" : model, {".yaml"});
   if (!path.ok()) return path.error();
-  auto system = effects::LoadPhsSystem(path.value(), scenario.phs_changes, name.substr(4),
-                                       actuators);
+  auto system =
+      effects::LoadPhsSystem(path.value(), scenario.phs_changes, name.substr(4), actuators);
   if (!system.ok()) return system.error();
   return system.value().num_states();
 }

@@ -73,7 +73,11 @@ Result<Scenario> LoadScenario(const std::string& name_or_path) {
   s.vehicle = map.Word("vehicle", {"bogie", "locomotive"}, s.vehicle);
   s.wheel = map.Text("wheel", s.wheel);
   s.rail = map.Text("rail", s.rail);
-  if (map.Has("creep")) s.creep = map.Word("creep", rail::CreepLawNames());
+  s.creep = map.Text("creep", s.creep);
+  rail::CreepLawParams law;
+  if (Status e = rail::ChooseCreepLaw(s.creep.empty() ? law.method : s.creep, &law); !e.ok()) {
+    map.Fail("creep", e.error().what, e.error().allowed, e.error().mend);
+  }
   s.phs = map.Text("phs", s.phs);
   if (map.Has("speed_m_s")) {
     s.speed_m_s = map.Number("speed_m_s", {.min = 1, .max = 120});

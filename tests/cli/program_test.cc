@@ -210,6 +210,38 @@ TEST_F(ProgramTest, FrictionIsANumberOrABlock) {
   ExpectRefused(Scenario(head + "friction: {wheel: 0.3}\n"), 3, "wheel");
 }
 
+TEST_F(ProgramTest, TractionAndJointsAreCheckedLikeEverythingElse) {
+  const std::string head = "track: straight\n";
+  const auto refused = [&](const std::string& lines, const std::string& words) {
+    ExpectRefused(Scenario(head + lines), 3, words);
+  };
+  refused("running: {drive_torque_Nm: 2e6}\n", "running.drive_torque_Nm");
+  refused("running: {drive_torque: 5e3}\n", "drive_torque_Nm");
+  refused("running: {block_force_N: -1}\n", "block_force_N");
+  refused("running: {block_friction: 0}\n", "block_friction");
+  refused("running: {ramp_s: 0}\n", "ramp_s");
+  refused("running: {begin_s: soon}\n", "begin_s");
+  refused("running: 5\n", "running");
+  refused("joints: {lead_yow: {stiffness: 1e6}}\n", "lead_yaw");
+  refused("joints: {lead_yaw: {stiffness: -1}}\n", "lead_yaw.stiffness");
+  refused("joints: {lead_yaw: {stifness: 1}}\n", "stiffness");
+  refused("joints: {lead_yaw: {damping: .nan}}\n", "damping");
+  refused("joints: lead_yaw\n", "joints");
+  refused("joints: {frame_free: {damping: 1}}\n", "frame_free");
+}
+
+TEST_F(ProgramTest, TheGridOfACreepLawIsChosenByNumber) {
+  EXPECT_EQ(Phs("simulate " + Scenario("track: straight\ncreep: fastsim:10\n") + " --quiet").code,
+            0);
+  for (const auto& [creep, words] : {std::pair{"fastsim:3", "4 … 200"},
+                                     {"fastsim:4.5", "4 … 200"},
+                                     {"polach:10", "4 … 200"},
+                                     {"fastsims", "fastsim"},
+                                     {"", "creep"}}) {
+    ExpectRefused(Scenario(std::string("track: straight\ncreep: ") + creep + "\n"), 3, words);
+  }
+}
+
 TEST_F(ProgramTest, BogiesOverRadiiGiveATableAndAReport) {
   const Output out =
       Phs("compare curve_r800 --bogies phs,rigid_link --radii 800 --quiet --out " + Path("radii"));

@@ -61,18 +61,37 @@ class UrdfImportTest : public testing::Test {
   std::string mapping_;
 };
 
-RunOutcome RunBogie(const std::string& bogie) {
+RunOutcome RunBogie(const std::string& bogie, const std::string& vehicle = "bogie",
+                    double duration_s = 8) {
   Scenario s;
   s.name = "import";
   s.bogie = bogie;
   s.track = "curve_r550";
   s.speed_m_s = 80 / 3.6;
-  s.duration_s = 8;
+  s.vehicle = vehicle;
+  s.duration_s = duration_s;
   auto sim = Simulation::Create(s);
   EXPECT_TRUE(sim.ok()) << sim.error().Line();
   auto run = sim.value().Run();
   EXPECT_EQ(run.value().status, "ok");
   return std::move(run).value();
+}
+
+void ExpectSame(const RunOutcome& imported, const RunOutcome& own, const std::string& prefix) {
+  for (const char* of_bogie : {"lead_lateral_m", "lead_angle_of_attack_rad", "lead_right_Y_N",
+                               "trail_left_Q_N", "trail_right_T_gamma_N"}) {
+    const std::string channel = prefix + of_bogie;
+    const auto& a = imported.columns[static_cast<size_t>(imported.Find(channel))];
+    const auto& b = own.columns[static_cast<size_t>(own.Find(channel))];
+    ASSERT_EQ(a.size(), b.size());
+    double largest = 0;
+    double difference = 0;
+    for (size_t i = 0; i < a.size(); ++i) {
+      largest = std::max(largest, std::abs(b[i]));
+      difference = std::max(difference, std::abs(a[i] - b[i]));
+    }
+    EXPECT_LT(difference, 1e-6 * largest) << channel;
+  }
 }
 
 TEST_F(UrdfImportTest, TheImportedBogieRunsAsTheOneInMjcf) {
@@ -82,20 +101,17 @@ TEST_F(UrdfImportTest, TheImportedBogieRunsAsTheOneInMjcf) {
     ASSERT_TRUE(text.ok()) << text.error().Line();
     const RunOutcome imported = RunBogie(Write(std::string(name) + "_imported.xml", text.value()));
     const RunOutcome own = RunBogie(name);
-    for (const char* channel : {"lead_lateral_m", "lead_angle_of_attack_rad", "lead_right_Y_N",
-                                "trail_left_Q_N", "trail_right_T_gamma_N"}) {
-      const auto& a = imported.columns[static_cast<size_t>(imported.Find(channel))];
-      const auto& b = own.columns[static_cast<size_t>(own.Find(channel))];
-      ASSERT_EQ(a.size(), b.size());
-      double largest = 0;
-      double difference = 0;
-      for (size_t i = 0; i < a.size(); ++i) {
-        largest = std::max(largest, std::abs(b[i]));
-        difference = std::max(difference, std::abs(a[i] - b[i]));
-      }
-      EXPECT_LT(difference, 1e-6 * largest) << name << " " << channel;
-    }
+    ExpectSame(imported, own, "");
   }
+}
+
+TEST_F(UrdfImportTest, TheImportedBogieCarriesALocomotiveToo) {
+  auto text = Import();
+  ASSERT_TRUE(text.ok()) << text.error().Line();
+  const std::string file = Write("imported.xml", text.value());
+  const RunOutcome imported = RunBogie(file, "locomotive", 5);
+  const RunOutcome own = RunBogie("phs", "locomotive", 5);
+  for (const char* prefix : {"front_", "rear_"}) ExpectSame(imported, own, prefix);
 }
 
 TEST_F(UrdfImportTest, ErrorsNameTheElement) {

@@ -1,0 +1,173 @@
+// The run beside the limits of the standards, and what it wears.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+
+#include "report/curving_parts.h"
+
+namespace phs::report {
+namespace {
+
+using json = nlohmann::ordered_json;
+
+struct Quantity {
+  const char* key;
+  const char* label;
+  double scale;
+};
+constexpr Quantity kQuantities[] = {
+    {"sum_Y_N", "Track-shifting force ΣY, mean over 2 m, 99.85 % [kN]", 1e-3},
+    {"Y_over_Q", "Y/Q, mean over 2 m, 99.85 %", 1},
+    {"Q_N", "Wheel load Q, 99.85 % [kN]", 1e-3},
+    {"Y_qst_N", "Guiding force Y, quasi-static [kN]", 1e-3},
+    {"Q_qst_N", "Wheel load Q, quasi-static [kN]", 1e-3},
+    {"unloading", "Wheel unloading 1 − Q/Q0, 99.85 %", 1},
+    {"sum_Y_rms_N", "ΣY in the band of hunting, rms over 100 m [kN]", 1e-3}};
+
+/// Null for a run without an assessment.
+const json* Assessed(const BogieRun& run) {
+  if (!run.summary.contains("assessment")) return nullptr;
+  const json& assessment = run.summary["assessment"];
+  return assessment.value("status", "") == "ok" ? &assessment : nullptr;
+}
+
+/// Entry of the worst wheelset and section; null if the run has none.
+const json* Worst(const BogieRun& run, const char* key) {
+  const json* assessment = Assessed(run);
+  if (assessment == nullptr || !assessment->contains("worst")) return nullptr;
+  const json& worst = (*assessment)["worst"];
+  return worst.contains(key) ? &worst[key] : nullptr;
+}
+
+TableCell Number(const json& json, const char* key, double scale) {
+  if (!json.contains(key) || !json[key].is_number()) return TableCell("–");
+  return TableCell(FormatNumber(scale * json[key].get<double>()));
+}
+
+void AddLimits(const CurvingResults& results, ReportPage* page) {
+  DataTable table{.caption = "Worst wheelset and section of each bogie", .head = {"", "Limit"}};
+  for (const BogieRun& run : results.runs) {
+    table.head.push_back(run.label);
+    table.head.push_back("where");
+  }
+  for (const Quantity& q : kQuantities) {
+    std::vector<TableCell> row = {TableCell(q.label)};
+    for (const BogieRun& run : results.runs) {
+      const json* worst = Worst(run, q.key);
+      if (row.size() == 1 && worst != nullptr) row.push_back(Number(*worst, "limit", q.scale));
+      if (row.size() == 1) continue;
+      if (worst == nullptr) {
+        row.insert(row.end(), {TableCell("–"), TableCell("")});
+        continue;
+      }
+      TableCell value = Number(*worst, "value", q.scale);
+      value.strong = !worst->value("kept", true);
+      if (value.strong) value.text += " beyond";
+      row.push_back(value);
+      row.emplace_back(fmt::format("{}, {:.0f} m", worst->value("wheelset", ""),
+                                   worst->value("section_begin_s_m", 0.0)));
+    }
+    if (row.size() > 1) table.rows.push_back(std::move(row));
+  }
+  page->Add(table);
+}
+
+void AddRide(const CurvingResults& results, ReportPage* page) {
+  DataTable table{.caption = "Car body acceleration, 0.4 … 10 Hz, on each section [m/s²]",
+                  .head = {"Section"}};
+  for (const BogieRun& run : results.runs) {
+    for (const char* what : {"lateral, 99.85 %", "rms", "vertical, 99.85 %", "rms"}) {
+      table.head.push_back(run.label + ": " + what);
+    }
+  }
+  const json* first = Assessed(results.reference());
+  if (first == nullptr) return;
+  for (std::size_t i = 0; i < (*first)["sections"].size(); ++i) {
+    const json& section = (*first)["sections"][i];
+    std::vector<TableCell> row = {
+        TableCell(fmt::format("{}, {:.0f} … {:.0f} m", section.value("kind", ""),
+                              section.value("begin_s_m", 0.0), section.value("end_s_m", 0.0)))};
+    for (const BogieRun& run : results.runs) {
+      const json* assessment = Assessed(run);
+      const bool there = assessment != nullptr && i < (*assessment)["sections"].size();
+      for (const char* axis : {"lateral", "vertical"}) {
+        if (!there || !(*assessment)["sections"][i]["ride"].contains(axis)) {
+          row.insert(row.end(), {TableCell("–"), TableCell("–")});
+          continue;
+        }
+        const json& ride = (*assessment)["sections"][i]["ride"][axis];
+        row.push_back(TableCell(FormatNumber(std::max(std::abs(ride.value("low_m_s2", 0.0)),
+                                                      std::abs(ride.value("high_m_s2", 0.0))))));
+        row.push_back(Number(ride, "rms_m_s2", 1));
+      }
+    }
+    table.rows.push_back(std::move(row));
+  }
+  page->Add(table);
+}
+
+void AddWear(const CurvingResults& results, ReportPage* page) {
+  DataTable table{.caption = "Wear and rolling contact fatigue of every wheel", .head = {"Wheel"}};
+  for (const BogieRun& run : results.runs) {
+    for (const char* what :
+         {"Tγ, steady [N]", "regime", "RCF per 10⁶ passes", "worn over the run [mm²/km]"}) {
+      table.head.push_back(run.label + ": " + what);
+    }
+  }
+  const json* first = Assessed(results.reference());
+  if (first == nullptr) return;
+  for (std::size_t i = 0; i < (*first)["wheels"].size(); ++i) {
+    std::vector<TableCell> row = {TableCell((*first)["wheels"][i].value("name", ""))};
+    for (const BogieRun& run : results.runs) {
+      const json* assessment = Assessed(run);
+      if (assessment == nullptr || i >= (*assessment)["wheels"].size()) {
+        row.insert(row.end(), 4, TableCell("–"));
+        continue;
+      }
+      const json& wheel = (*assessment)["wheels"][i];
+      row.push_back(Number(wheel, "steady_T_gamma_N", 1));
+      row.emplace_back(wheel.value("steady_wear_regime", "–"));
+      row.push_back(Number(wheel, "steady_rcf_damage_per_pass", 1e6));
+      row.push_back(Number(wheel, "worn_area_mm2_per_km", 1));
+    }
+    table.rows.push_back(std::move(row));
+  }
+  page->Add(table);
+  page->Note(
+      "Regimes and worn section after Pearce and Sherratt (British Rail Research, 1991), fatigue "
+      "of "
+      "the rail after Burstow (whole life rail model, 2003): empirical, to rank designs. A pass "
+      "without fatigue may be one that wears cracks off.");
+}
+
+}  // namespace
+
+bool HasStandards(const CurvingResults& results) {
+  for (const BogieRun& run : results.runs) {
+    if (Assessed(run) != nullptr) return true;
+  }
+  return false;
+}
+
+void AddStandards(const CurvingResults& results, ReportPage* page) {
+  page->Paragraph(
+      "Processed as EN 14363 and UIC 518 ask: low-pass 20 Hz, mean over 2 m every 0.5 m, "
+      "percentiles of each section; quasi-static values are medians on full arcs. One simulated "
+      "run does not replace the standard's sections and statistics.");
+  for (const BogieRun& run : results.runs) {
+    const json* assessment = Assessed(run);
+    if (assessment == nullptr || !assessment->value("limits_are_orientation", false)) continue;
+    page->Warning(fmt::format(
+        "The limits are made for 1435 mm gauge and 22.5 t. Here the gauge is {:.0f} mm and an axle "
+        "carries {:.1f} t: they are orientation.",
+        1e3 * assessment->value("gauge_m", 0.0),
+        2 * assessment->value("static_wheel_load_N", 0.0) / 9810));
+    break;
+  }
+  AddLimits(results, page);
+  AddRide(results, page);
+  AddWear(results, page);
+}
+
+}  // namespace phs::report
