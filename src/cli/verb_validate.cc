@@ -82,6 +82,12 @@ void PrintTable(const validate::Checks& checks, const Json& json) {
       }
     }
     PrintRow(check);
+    // One line of source under the rows that share it.
+    const validate::Check* next = &check + 1;
+    const bool last = next == checks.data() + checks.size();
+    if (last || next->group != check.group || next->source != check.source) {
+      fmt::print("      source: {}\n", check.source);
+    }
   }
   fmt::print("\n{} checks hold, {} missed, {} skipped\n", json["passed"].get<int>(),
              json["failed"].get<int>(), json["skipped"].get<int>());
