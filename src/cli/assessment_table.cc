@@ -92,7 +92,7 @@ std::string WearLines(const NamedSummaries& summaries) {
   for (const auto& [name, summary] : summaries) {
     const Json* a = Assessed(summary);
     if (a == nullptr) continue;
-    text += fmt::format("  {:<19}{:<32}RCF {:.1e}   {:.2f} mm2/km\n", name, Regimes(*a),
+    text += fmt::format("  {:<19}{:<42}RCF {:.1e}  {:.2g} mm2/km\n", name, Regimes(*a),
                         LargestOf(*a, "steady_rcf_damage_per_pass"),
                         LargestOf(*a, "worn_area_mm2_per_km"));
   }
