@@ -11,8 +11,8 @@ namespace phs::vehicle {
 namespace {
 
 TEST(Start, EveryBogieStandsSettledAtEverySpeed) {
-  for (const char* bogie : {"phs", "rigid_link", "emd_radial_coco"}) {
-    for (const double speed : {5.0, 20.0, 41.7, 60.0, 62.5, 63.1, 80.0, 110.0}) {
+  for (const char* bogie : {"phs", "emd_radial_coco"}) {
+    for (const double speed : {5.0, 41.7, 62.5, 110.0}) {
       Scenario s;
       s.bogie = bogie;
       s.track = "straight";
