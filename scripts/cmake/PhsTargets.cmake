@@ -45,7 +45,11 @@ function(phs_test_folder name)
   target_compile_definitions(test_${name} PRIVATE
     PHS_SOURCE_DIR="${PROJECT_SOURCE_DIR}" PHS_BINARY_DIR="${PROJECT_BINARY_DIR}"
     PHS_TEST_DATA="${PROJECT_SOURCE_DIR}/models/reference")
+  set(labels)
+  if(ARG_LABELS)
+    set(labels LABELS "${ARG_LABELS}")
+  endif()
   gtest_discover_tests(test_${name} TEST_PREFIX "${name}." DISCOVERY_TIMEOUT 60
                        # Property tests draw the same cases on every machine.
-                       PROPERTIES LABELS "${ARG_LABELS}" ENVIRONMENT "RC_PARAMS=seed=20260")
+                       PROPERTIES ${labels} ENVIRONMENT "RC_PARAMS=seed=20260")
 endfunction()

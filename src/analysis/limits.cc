@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <sstream>
 
+#include "base/json_path.h"
 #include "base/words.h"
 #include "base/yaml.h"
 
@@ -15,44 +15,8 @@ using Json = nlohmann::ordered_json;
 
 constexpr char kRatios[] = "ratios.";
 
-/// The part of `node` called `part`: a key of a map or the entry of a list with that name.
-const Json* PartOf(const Json& node, const std::string& part) {
-  if (node.is_object()) return node.contains(part) ? &node[part] : nullptr;
-  if (!node.is_array()) return nullptr;
-  for (const Json& entry : node) {
-    if (entry.is_object() && entry.value("name", "") == part) return &entry;
-  }
-  return nullptr;
-}
-
-const Json* Find(const Json& document, const std::string& path) {
-  const Json* node = &document;
-  std::istringstream parts(path);
-  for (std::string part; node != nullptr && std::getline(parts, part, '.');) {
-    node = PartOf(*node, part);
-  }
-  return node;
-}
-
-/// Paths of all numbers, and of places for numbers that this run has not (null).
-void CollectPaths(const Json& node, const std::string& path, std::vector<std::string>* paths) {
-  const std::string dot = path.empty() ? "" : path + ".";
-  if (node.is_number() || (node.is_null() && !path.empty())) {
-    paths->push_back(path);
-  } else if (node.is_object()) {
-    for (const auto& [key, value] : node.items()) CollectPaths(value, dot + key, paths);
-  } else if (node.is_array()) {
-    for (const Json& entry : node) {
-      if (entry.is_object() && entry.contains("name")) {
-        CollectPaths(entry, dot + entry["name"].get<std::string>(), paths);
-      }
-    }
-  }
-}
-
 Error UnknownQuantity(const Limit& limit, const Json& document, const std::string& prefix) {
-  std::vector<std::string> known;
-  CollectPaths(document, "", &known);
+  std::vector<std::string> known = NumberPaths(document);
   for (std::string& path : known) path = prefix + path;
   return {limit.where, Quoted(limit.quantity) + " is no number of the result",
           "paths of numbers in summary.json, or ratios.A_over_B. and such a path",
@@ -83,7 +47,7 @@ Status CheckBogies(const Limit& limit, const std::vector<NamedSummary>& summarie
     names.push_back(bogie);
     if (!limit.bogie.empty() && limit.bogie != bogie) continue;
     found_bogie = true;
-    const Json* found = Find(summary, limit.quantity);
+    const Json* found = FindPath(summary, limit.quantity);
     const bool number = found != nullptr && (found->is_number() || found->is_null());
     known = known || number;
     // Bogies differ in what they have: only those with this quantity are held to it.
@@ -179,7 +143,7 @@ Result<std::vector<LimitCheck>> CheckLimits(const std::vector<Limit>& limits,
       if (Status s = CheckBogies(limit, summaries, &checks); !s.ok()) return s.error();
       continue;
     }
-    const Json* found = Find(ratios, limit.quantity.substr(sizeof kRatios - 1));
+    const Json* found = FindPath(ratios, limit.quantity.substr(sizeof kRatios - 1));
     if (found == nullptr || !(found->is_number() || found->is_null())) {
       return UnknownQuantity(limit, ratios, kRatios);
     }

@@ -25,7 +25,7 @@ struct Limit {
   double at_most = std::numeric_limits<double>::infinity();
   double at_least = -std::numeric_limits<double>::infinity();
   bool of_magnitude = false;  ///< the bounds hold for the magnitude
-  std::string where = {};          ///< file:line: key, for messages
+  std::string where = {};     ///< file:line: key, for messages
 };
 
 /// Errors name file:line and key.

@@ -1,15 +1,14 @@
-// phs sweep: many runs of one scenario, resumable, on all cores.
+// phs sweep: many runs of one scenario, resumable, on all cores or a cluster.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <map>
 #include <memory>
-#include <thread>
 
 #include "base/data_path.h"
 #include "base/result_dir.h"
+#include "cli/sweep_engines.h"
 #include "cli/verbs.h"
 #include "report/sweep_report.h"
 #include "sweep/case_files.h"
@@ -30,7 +29,8 @@ struct SweepOptions {
   int workers = 0;
   bool resume = false;
   int only = -1;
-  bool report = false;
+  std::string engine = "local";
+  EngineOptions slurm;
 };
 
 int Count(const std::vector<RunRecord>& records, const std::string& status) {
@@ -155,39 +155,32 @@ int RunSweep(const SweepOptions& options) {
   const Study& study = loaded.value();
   if (options.only >= 0) return RunOnly(options, study);
   const std::string out = options.common.out.empty() ? study.name : options.common.out;
+  const sweep::SlurmOptions slurm = options.slurm.Over(study.slurm);
+  if (!options.slurm.task.empty()) return RunSlurmTask(study, out, options.slurm.task);
+  if (options.slurm.plan) return PrintSlurmPlan(study, slurm, out);
   auto work = sweep::WorkDir::Open(out, study, options.resume, options.common.force);
   if (!work.ok()) return BadInput(work.error());
-  const int workers = options.workers > 0
-                          ? options.workers
-                          : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-  ProgressLine progress(study.name, options.common.quiet);
-  const auto all = sweep::RunLocally(study, workers, &work.value(), [&](int done, int of) {
-    return progress(static_cast<double>(done) / of);
-  });
-  if (!all.ok()) {
-    Error error = all.error();
-    error.mend = "what is finished is kept: mend it, then --resume";
-    return BadInput(error);
-  }
-  if (!all.value()) {
-    const auto missing = work.value().Missing(study, false).size();
-    fmt::print(stderr, "phs: stopped with {} of {} runs done; --resume continues\n",
-               static_cast<std::size_t>(study.num_runs()) - missing, study.num_runs());
-    return kFailed;
-  }
+  const auto code = options.engine == "slurm"
+                        ? MakeRunsOnSlurm(study, slurm, &work.value(), options.common.quiet)
+                        : MakeRunsHere(study, options.workers, &work.value(), options.common.quiet);
+  if (code) return *code;
   return Conclude(options, study, &work.value());
 }
 
 }  // namespace
 
 void AddSweep(CLI::App* app, Action* action) {
-  CLI::App* verb =
-      app->add_subcommand("sweep", "Many runs of one scenario, resumable, on all cores");
+  CLI::App* verb = app->add_subcommand(
+      "sweep", "Many runs of one scenario, resumable, on all cores or a cluster");
   auto options = std::make_shared<SweepOptions>();
   AddCommonOptions(verb, &options->common);
   verb->add_option("study", options->study, "Scenario, axes and design (YAML)")->required();
+  verb->add_option("--engine", options->engine, "Where the runs are made")
+      ->check(CLI::IsMember({"local", "slurm"}))
+      ->capture_default_str();
   verb->add_option("--workers", options->workers, "Worker processes (one per core without it)")
       ->check(CLI::Range(1, 4096));
+  AddEngineOptions(verb, &options->slurm);
   verb->add_flag("--resume", options->resume, "Continue what was stopped or killed");
   verb->add_option("--only", options->only, "Lay out one run as files, to be simulated alone")
       ->check(CLI::NonNegativeNumber);

@@ -7,9 +7,9 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "base/json_path.h"
 #include "base/result_dir.h"
 #include "sweep/case_files.h"
-#include "sweep/outputs.h"
 #include "vehicle/simulation.h"
 #include "vehicle/summary.h"
 
@@ -40,11 +40,13 @@ Result<RunRecord> Simulate(const Study& study, int run, const std::string& scrat
   const Json summary = vehicle::Summarise(simulation.value(), outcome.value());
   RunRecord record{run, outcome.value().status, outcome.value().reason, {}};
   for (const std::string& path : study.outputs) {
-    const auto value = FindOutput(summary, path);
+    const auto value = NumberAt(summary, path);
     if (value.ok()) {
       record.outputs.push_back(value.value());
     } else if (record.status == "ok") {
-      return value.error();
+      Error error = value.error();
+      error.where = "outputs: " + path;
+      return error;
     } else {  // a run that ended early has no steady curve
       record.outputs.push_back(kNoNumber);
     }
@@ -62,6 +64,10 @@ RunRecord RunCase(const Study& study, int run, const std::string& scratch) {
   if (made.ok()) return made.value();
   return {run, "error", Without(made.error().Line(), scratch + "/"),
           std::vector<double>(study.outputs.size(), kNoNumber)};
+}
+
+RunRecord KilledRun(const Study& study, int run, const std::string& reason) {
+  return {run, "killed", reason, std::vector<double>(study.outputs.size(), kNoNumber)};
 }
 
 std::string RecordPath(const std::string& directory, int run) {

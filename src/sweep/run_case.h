@@ -21,6 +21,9 @@ struct RunRecord {
 /// is status "error". The record depends on study and run alone.
 RunRecord RunCase(const Study& study, int run, const std::string& scratch);
 
+/// The record of a run whose process was lost.
+RunRecord KilledRun(const Study& study, int run, const std::string& reason);
+
 /// DIRECTORY/runs/000123.json: written aside and renamed.
 std::string RecordPath(const std::string& directory, int run);
 Status WriteRecord(const RunRecord& record, const std::string& directory);

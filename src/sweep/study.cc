@@ -209,6 +209,7 @@ Result<Study> LoadStudy(const std::string& name) {
   study.vary_irregularity = map.Bool("vary_irregularity", false);
   study.time_limit_s =
       map.Number("time_limit_s", {.min = 0, .max = 1e6, .open_min = true}, study.time_limit_s);
+  if (map.Has("slurm")) study.slurm = ReadSlurmOptions(map.Map("slurm"));
   study.outputs = map.Texts("outputs");
   if (study.outputs.empty()) study.outputs = DefaultOutputs();
   if (study.design != DesignKind::kList) ReadAxes(&map, &study);

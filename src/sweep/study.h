@@ -15,6 +15,7 @@
 
 #include "base/result.h"
 #include "sweep/sampling.h"
+#include "sweep/slurm_options.h"
 
 namespace phs::sweep {
 
@@ -37,6 +38,7 @@ struct Study {
   std::uint64_t seed = 1;
   bool vary_irregularity = false;  ///< each run its own irregularity, by its seed
   double time_limit_s = 600;       ///< a run that takes longer is ended and named
+  SlurmOptions slurm;              ///< block `slurm:`
   std::vector<Axis> axes;
   std::vector<std::string> outputs;            ///< paths in summary.json (sweep/outputs.h)
   std::vector<std::vector<std::string>> runs;  ///< [run][axis] values as text

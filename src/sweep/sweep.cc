@@ -8,7 +8,6 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
-#include <limits>
 
 #include "base/result_dir.h"
 #include "sweep/result_store.h"
@@ -18,11 +17,6 @@ namespace phs::sweep {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string UnfinishedPath(std::string path) {
-  while (path.size() > 1 && path.back() == '/') path.pop_back();
-  return path + ".unfinished";
-}
 
 /// Everything that decides the runs: the study and the laid-out values. Other results would follow
 /// from another text.
@@ -71,6 +65,20 @@ Status CheckSameStudy(const std::string& path, const Study& study) {
 
 }  // namespace
 
+std::string UnfinishedPath(std::string path) {
+  while (path.size() > 1 && path.back() == '/') path.pop_back();
+  return path + ".unfinished";
+}
+
+std::vector<int> MissingRuns(const Study& study, const std::string& path, bool repeat_killed) {
+  std::vector<int> missing;
+  for (int run = 0; run < study.num_runs(); ++run) {
+    const auto record = ReadRecord(study, path, run);
+    if (!record || (repeat_killed && record->status == "killed")) missing.push_back(run);
+  }
+  return missing;
+}
+
 Result<WorkDir> WorkDir::Open(const std::string& final_path, const Study& study, bool resume,
                               bool force) {
   const std::string path = UnfinishedPath(final_path);
@@ -115,12 +123,7 @@ void WorkDir::ReleaseInChild() {
 }
 
 std::vector<int> WorkDir::Missing(const Study& study, bool repeat_killed) const {
-  std::vector<int> missing;
-  for (int run = 0; run < study.num_runs(); ++run) {
-    const auto record = ReadRecord(study, path_, run);
-    if (!record || (repeat_killed && record->status == "killed")) missing.push_back(run);
-  }
-  return missing;
+  return MissingRuns(study, path_, repeat_killed);
 }
 
 Status WorkDir::Finish() {
@@ -134,25 +137,26 @@ Status WorkDir::Finish() {
   return {};
 }
 
-Result<bool> RunLocally(const Study& study, int workers, WorkDir* work, const Progress& progress) {
-  const std::vector<int> missing = work->Missing(study, true);
-  int done = study.num_runs() - static_cast<int>(missing.size());
+Result<bool> MakeRuns(const Study& study, const std::vector<int>& runs, int workers,
+                      const std::string& scratch, WorkDir* work, const Progress& progress) {
+  int done = study.num_runs() - static_cast<int>(runs.size());
   PoolEvents events;
   events.work = [&](int run, int worker) {
     work->ReleaseInChild();
-    const std::string scratch = work->File(fmt::format("scratch/{}", worker));
-    return WriteRecord(RunCase(study, run, scratch), work->path());
+    return WriteRecord(RunCase(study, run, fmt::format("{}/{}", scratch, worker)), work->path());
   };
   events.done = [&](int run, const LostRun* lost) -> Status {
     ++done;
     if (lost == nullptr) return {};
-    const double none = std::numeric_limits<double>::quiet_NaN();
-    return WriteRecord(
-        {run, "killed", lost->reason, std::vector<double>(study.outputs.size(), none)},
-        work->path());
+    return WriteRecord(KilledRun(study, run, lost->reason), work->path());
   };
   events.go_on = [&] { return progress(done, study.num_runs()); };
-  return RunPool(missing, {.workers = workers, .time_limit_s = study.time_limit_s}, events);
+  return RunPool(runs, {.workers = workers, .time_limit_s = study.time_limit_s}, events);
+}
+
+Result<bool> RunLocally(const Study& study, int workers, WorkDir* work, const Progress& progress) {
+  return MakeRuns(study, work->Missing(study, true), workers, work->File("scratch"), work,
+                  progress);
 }
 
 std::vector<RunRecord> ReadRecords(const Study& study, const WorkDir& work) {

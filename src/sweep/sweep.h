@@ -15,6 +15,11 @@
 
 namespace phs::sweep {
 
+/// FINAL_PATH.unfinished.
+std::string UnfinishedPath(std::string final_path);
+/// Runs without a record in that directory, or with one of status "killed" when `repeat_killed`.
+std::vector<int> MissingRuns(const Study& study, const std::string& path, bool repeat_killed);
+
 /// The working directory, locked for this process.
 class WorkDir {
  public:
@@ -48,7 +53,11 @@ class WorkDir {
 
 using Progress = std::function<bool(int done, int of)>;
 
-/// Makes the missing runs with worker processes. False: stopped by `progress`.
+/// Makes `runs` with worker processes, their files in `scratch`. False: stopped by `progress`.
+Result<bool> MakeRuns(const Study& study, const std::vector<int>& runs, int workers,
+                      const std::string& scratch, WorkDir* work, const Progress& progress);
+
+/// Makes the missing runs on this machine.
 Result<bool> RunLocally(const Study& study, int workers, WorkDir* work, const Progress& progress);
 
 /// All records in order of the runs. @pre none is missing

@@ -5,6 +5,7 @@
 
 #include <fstream>
 
+#include "base/json_path.h"
 #include "base/result_dir.h"
 #include "sweep/case_files.h"
 #include "sweep/outputs.h"
@@ -127,12 +128,13 @@ TEST(Outputs, AreFoundByPathAndNamedByColumn) {
   const nlohmann::ordered_json summary = {
       {"steady_curve", {{"wheelsets", {{{"name", "lead"}, {"lateral_m", 0.5}}}}}},
       {"run", {{"max_sum_Y_N", 7}}}};
-  EXPECT_EQ(FindOutput(summary, "steady_curve.wheelsets.lead.lateral_m").value(), 0.5);
+  EXPECT_EQ(NumberAt(summary, "steady_curve.wheelsets.lead.lateral_m").value(), 0.5);
   EXPECT_EQ(OutputColumn("steady_curve.wheelsets.lead.lateral_m"), "lead_lateral_m");
-  EXPECT_EQ(FindOutput(summary, "run.max_sum_Y_N").value(), 7);
-  const auto wrong = FindOutput(summary, "steady_curve.wheelsets.led.lateral_m");
+  EXPECT_EQ(NumberAt(summary, "run.max_sum_Y_N").value(), 7);
+  const auto wrong = NumberAt(summary, "steady_curve.wheelsets.led.lateral_m");
   ASSERT_FALSE(wrong.ok());
-  EXPECT_THAT(wrong.error().Line(), HasSubstr("did you mean 'lead'?"));
+  EXPECT_THAT(wrong.error().Line(),
+              HasSubstr("did you mean 'steady_curve.wheelsets.lead.lateral_m'?"));
 }
 
 }  // namespace

@@ -104,7 +104,7 @@ TEST_F(SweepProgram, AnotherStudyIsNotMixedIn) {
   std::ofstream(dir_.File("study.yaml"), std::ios::app) << "outputs: [run.max_sum_Y_Nn]\n";
   const Output wrong = Sweep("mixed");
   EXPECT_EQ(wrong.code, 1) << wrong.text;  // every run says that there is no such output
-  EXPECT_THAT(wrong.text, HasSubstr("did you mean 'max_sum_Y_N'?"));
+  EXPECT_THAT(wrong.text, HasSubstr("did you mean 'run.max_sum_Y_N'?"));
   ASSERT_EQ(Execute("mv " + dir_.File("mixed") + " " + dir_.File("old.unfinished")).code, 0);
   ExpectOneLine(Sweep("old", "--resume"), "belongs to another study");
 }
