@@ -11,6 +11,8 @@
 namespace phs::analysis {
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 constexpr int kSteps = 200;         ///< load steps to the end of a case
 constexpr double kProbe = 1e-7;     ///< of finite differences [m, rad]
 constexpr double kTolerance = 1.0;  ///< of the equilibrium [N, N m]
@@ -157,6 +159,44 @@ void NoteLimits(const hydraulics::PhsSystem& system, const LoadState& s, const L
   }
 }
 
+double LargestMagnitude(const std::vector<double>& values) {
+  double largest = 0;
+  for (double value : values) largest = std::max(largest, std::abs(value));
+  return largest;
+}
+
+Json ResultJson(const LoadResult& result, const hydraulics::PhsSystem& system) {
+  Json json = {
+      {"name", result.load_case.name},
+      {"pattern", result.load_case.pattern},
+      {"load_per_box_N", result.load_case.load_N},
+      {"source", result.load_case.source},
+      {"lead_x_m", result.end.x_m[0]},
+      {"trail_x_m", result.end.x_m[1]},
+      {"lead_yaw_rad", result.end.yaw_rad[0]},
+      {"trail_yaw_rad", result.end.yaw_rad[1]},
+      {"largest_shift_m", std::max(std::abs(result.end.x_m[0]), std::abs(result.end.x_m[1]))},
+      {"largest_cylinder_N", LargestMagnitude(result.end.force_N)},
+      {"least_pressure_Pa",
+       *std::min_element(result.end.pressure_Pa.begin(), result.end.pressure_Pa.end())},
+      {"cylinders", Json::array()},
+      {"lines", Json::array()},
+      {"limits", Json::array()}};
+  for (size_t i = 0; i < result.end.force_N.size(); ++i) {
+    json["cylinders"].push_back({{"name", system.cylinder_names()[i]},
+                                 {"force_N", result.end.force_N[i]},
+                                 {"piston_m", result.end.piston_m[i]}});
+  }
+  for (size_t i = 0; i < result.end.pressure_Pa.size(); ++i) {
+    json["lines"].push_back(
+        {{"name", system.line_names()[i]}, {"pressure_Pa", result.end.pressure_Pa[i]}});
+  }
+  for (const auto& limit : result.limits) {
+    json["limits"].push_back({{"what", limit.what}, {"load_per_box_N", limit.load_N}});
+  }
+  return json;
+}
+
 }  // namespace
 
 std::vector<LoadCase> StandardLoadCases() {
@@ -188,6 +228,16 @@ Result<std::vector<LoadResult>> CalcLoadCases(const vehicle::Simulation& simulat
     results.push_back(std::move(result));
   }
   return results;
+}
+
+Json LoadsJson(const vehicle::Simulation& simulation, const std::vector<LoadResult>& results) {
+  const hydraulics::PhsSystem& system = *simulation.binding().phs()[0].system;
+  Json json;
+  json["bogie"] = simulation.scenario().bogie;
+  json["phs"] = system.name();
+  json["cases"] = Json::array();
+  for (const auto& result : results) json["cases"].push_back(ResultJson(result, system));
+  return json;
 }
 
 }  // namespace phs::analysis

@@ -13,6 +13,7 @@
 //   shear      same-sense yaw: -P on left boxes, +P on right boxes of both axles
 #pragma once
 
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -64,5 +65,10 @@ struct LoadResult {
 Result<std::vector<LoadResult>> CalcLoadCases(const vehicle::Simulation& simulation,
                                               const std::vector<LoadCase>& cases,
                                               const LoadLimits& limits = {});
+
+/// loads.json: each case with the state at its full load, and of that the largest shift of an axle,
+/// the largest force of a cylinder (magnitudes) and the least pressure of a line.
+nlohmann::ordered_json LoadsJson(const vehicle::Simulation& simulation,
+                                 const std::vector<LoadResult>& results);
 
 }  // namespace phs::analysis

@@ -485,4 +485,16 @@ Result<SteadyCurve> SolveSteadyCurve(vehicle::Simulation* simulation,
   return result;
 }
 
+nlohmann::ordered_json CurveTotals(const nlohmann::ordered_json& steady) {
+  double t_gamma = 0, largest_y = 0, largest_ratio = 0;
+  for (const auto& wheel : steady["wheels"]) {
+    t_gamma += wheel["T_gamma_N"].get<double>();
+    largest_y = std::max(largest_y, std::abs(wheel["Y_N"].get<double>()));
+    if (wheel["Y_over_Q"].is_number()) {
+      largest_ratio = std::max(largest_ratio, std::abs(wheel["Y_over_Q"].get<double>()));
+    }
+  }
+  return {{"T_gamma_N", t_gamma}, {"largest_Y_N", largest_y}, {"largest_Y_over_Q", largest_ratio}};
+}
+
 }  // namespace phs::analysis

@@ -45,4 +45,7 @@ struct SteadyCurve {
 Result<SteadyCurve> SolveSteadyCurve(vehicle::Simulation* simulation,
                                      const SteadyCurveOptions& options = {});
 
+/// Over all wheels of a "steady_curve": sum of T_gamma_N, largest magnitudes of Y_N and Y_over_Q.
+nlohmann::ordered_json CurveTotals(const nlohmann::ordered_json& steady);
+
 }  // namespace phs::analysis

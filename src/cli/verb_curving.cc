@@ -34,20 +34,6 @@ Json WheelsetOf(const Json& steady, size_t index, const char* key) {
   return index < sets.size() ? sets[index][key] : Json(nullptr);
 }
 
-double SumTGamma(const Json& steady) {
-  double sum = 0;
-  for (const Json& wheel : steady["wheels"]) sum += wheel["T_gamma_N"].get<double>();
-  return sum;
-}
-
-double LargestY(const Json& steady) {
-  double largest = 0;
-  for (const Json& wheel : steady["wheels"]) {
-    largest = std::max(largest, std::abs(wheel["Y_N"].get<double>()));
-  }
-  return largest;
-}
-
 /// Largest difference between the steady state and the time run, each quantity against its scale:
 /// angle of attack against a/R of 1.5 m, forces against the static wheel load, shift against 10 mm.
 double LargestDifference(const Json& a, const Json& b, double radius, double load) {
@@ -110,8 +96,9 @@ Result<Json> SolveOne(const CurvingVerb& verb, const std::string& bogie, double 
   row["steady_curve"] = steady;
   row["angle_of_attack_lead_rad"] = WheelsetOf(steady, 0, "angle_of_attack_rad");
   row["sum_Y_lead_N"] = WheelsetOf(steady, 0, "sum_Y_N");
-  row["largest_Y_N"] = LargestY(steady);
-  row["T_gamma_N"] = SumTGamma(steady);
+  const Json totals = analysis::CurveTotals(steady);
+  row["largest_Y_N"] = totals["largest_Y_N"];
+  row["T_gamma_N"] = totals["T_gamma_N"];
   row["residual"] = solved.value().residual;
   row["evaluations"] = solved.value().evaluations;
   row["processor_s"] = solved.value().processor_s;

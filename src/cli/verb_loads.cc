@@ -20,33 +20,6 @@ struct LoadsOptions {
   vehicle::Scenario scenario;
 };
 
-Json ResultJson(const analysis::LoadResult& result, const hydraulics::PhsSystem& system) {
-  Json json = {{"name", result.load_case.name},
-               {"pattern", result.load_case.pattern},
-               {"load_per_box_N", result.load_case.load_N},
-               {"source", result.load_case.source},
-               {"lead_x_m", result.end.x_m[0]},
-               {"trail_x_m", result.end.x_m[1]},
-               {"lead_yaw_rad", result.end.yaw_rad[0]},
-               {"trail_yaw_rad", result.end.yaw_rad[1]},
-               {"cylinders", Json::array()},
-               {"lines", Json::array()},
-               {"limits", Json::array()}};
-  for (size_t i = 0; i < result.end.force_N.size(); ++i) {
-    json["cylinders"].push_back({{"name", system.cylinder_names()[i]},
-                                 {"force_N", result.end.force_N[i]},
-                                 {"piston_m", result.end.piston_m[i]}});
-  }
-  for (size_t i = 0; i < result.end.pressure_Pa.size(); ++i) {
-    json["lines"].push_back(
-        {{"name", system.line_names()[i]}, {"pressure_Pa", result.end.pressure_Pa[i]}});
-  }
-  for (const auto& limit : result.limits) {
-    json["limits"].push_back({{"what", limit.what}, {"load_per_box_N", limit.load_N}});
-  }
-  return json;
-}
-
 void Print(const analysis::LoadResult& result, const hydraulics::PhsSystem& system) {
   fmt::print("\n{}: {:.1f} kN per box, {}\n", result.load_case.name, result.load_case.load_N / 1e3,
              result.load_case.pattern);
@@ -80,11 +53,7 @@ int RunLoads(const LoadsOptions& options) {
   auto results = analysis::CalcLoadCases(simulation.value(), analysis::StandardLoadCases());
   if (!results.ok()) return BadInput(results.error());
   const hydraulics::PhsSystem& system = *simulation.value().binding().phs()[0].system;
-  Json json;
-  json["bogie"] = options.scenario.bogie;
-  json["phs"] = system.name();
-  json["cases"] = Json::array();
-  for (const auto& result : results.value()) json["cases"].push_back(ResultJson(result, system));
+  const Json json = analysis::LoadsJson(simulation.value(), results.value());
   if (options.common.format == "json") {
     fmt::print("{}\n", json.dump(2));
   } else {

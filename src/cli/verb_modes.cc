@@ -2,11 +2,10 @@
 #include <fmt/format.h>
 
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <vector>
 
-#include "analysis/axle_modes.h"
+#include "analysis/axle_modes_json.h"
 #include "base/result_dir.h"
 #include "cli/verbs.h"
 #include "report/analysis_report.h"
@@ -15,7 +14,6 @@
 namespace phs::cli {
 namespace {
 
-using Json = nlohmann::ordered_json;
 using analysis::AxleMode;
 using analysis::AxleModes;
 
@@ -30,68 +28,6 @@ struct Measured {
   std::string bogie;
   AxleModes modes;
 };
-
-const char* StiffnessKey(const AxleMode& mode) {
-  return mode.rotation ? "stiffness_Nm_per_rad" : "stiffness_N_per_m";
-}
-
-Json ModeJson(const AxleMode& mode, const analysis::BogiePlan& plan) {
-  Json json;
-  json[StiffnessKey(mode)] = mode.stiffness;
-  json[mode.rotation ? "damping_Nms_per_rad" : "damping_Ns_per_m"] = mode.damping;
-  json[mode.rotation ? "amplitude_rad" : "amplitude_m"] = mode.amplitude;
-  json["loss_per_cycle_J"] = mode.loss_per_cycle;
-  Json at_most = Json::object();
-  for (size_t i = 0; i < mode.cylinder_force_N.size() && i < plan.cylinders.size(); ++i) {
-    at_most["cylinders"].push_back({{"name", plan.cylinders[i].name},
-                                    {"stroke_m", mode.cylinder_stroke_m[i]},
-                                    {"force_N", mode.cylinder_force_N[i]}});
-  }
-  for (size_t i = 0; i < mode.line_pressure_Pa.size(); ++i) {
-    at_most["lines"].push_back(
-        {{"name", plan.lines[i]}, {"pressure_Pa", mode.line_pressure_Pa[i]}});
-  }
-  json["at_greatest_displacement"] = std::move(at_most);
-  json["loop"] = {{mode.rotation ? "displacement_rad" : "displacement_m", mode.loop_displacement},
-                  {mode.rotation ? "moment_Nm" : "force_N", mode.loop_force}};
-  return json;
-}
-
-Json ClosedFormJson(const AxleMode& mode) {
-  const analysis::ModeClosedForm& form = mode.closed_form;
-  return {{StiffnessKey(mode), form.total()},
-          {"springs", form.springs},
-          {"seals", form.seals},
-          {"lines", form.lines}};
-}
-
-Json PlanJson(const analysis::BogiePlan& plan) {
-  Json json = {{"axles", Json::array()}, {"cylinders", Json::array()}};
-  for (const auto& axle : plan.axles) {
-    json["axles"].push_back({{"name", axle.name}, {"x_m", axle.x}});
-  }
-  for (const auto& cylinder : plan.cylinders) {
-    json["cylinders"].push_back({{"name", cylinder.name},
-                                 {"from_m", {cylinder.from[0], cylinder.from[1]}},
-                                 {"to_m", {cylinder.to[0], cylinder.to[1]}}});
-  }
-  return json;
-}
-
-Json ModesJson(const Measured& measured, const analysis::AxleModeOptions& options) {
-  Json json;
-  const AxleModes& modes = measured.modes;
-  for (size_t i = 0; i < modes.large.size(); ++i) {
-    Json& mode = json[modes.large[i].name] = ModeJson(modes.large[i], modes.plan);
-    mode["small_amplitude"] = ModeJson(modes.small[i], modes.plan);
-    mode["closed_form"] = ClosedFormJson(modes.small[i]);
-  }
-  json["bogie"] = measured.bogie;
-  json["frequency_Hz"] = options.frequency_Hz;
-  json["lever_m"] = options.lever_m;
-  json["plan"] = PlanJson(modes.plan);
-  return json;
-}
 
 void PrintModes(const Measured& measured, const analysis::AxleModeOptions& options) {
   fmt::print("{}: axle modes at {:g} Hz, totals over both axles\n", measured.bogie,
@@ -113,7 +49,8 @@ Status WriteResults(const std::vector<Measured>& all, const ModesOptions& option
   for (const Measured& measured : all) {
     files.push_back(
         dir->File(files.empty() ? "modes.json" : fmt::format("modes_{}.json", files.size())));
-    const std::string text = ModesJson(measured, options.measure).dump(2) + "\n";
+    const std::string text =
+        analysis::AxleModesJson(measured.bogie, measured.modes, options.measure).dump(2) + "\n";
     if (Status s = WriteFileAtomically(files.back(), text); !s.ok()) return s;
   }
   if (Status s = report::WriteModesReport(files, dir->File("report.html")); !s.ok()) return s;
@@ -147,7 +84,9 @@ int RunModes(const ModesOptions& options) {
   auto all = MeasureAll(options);
   if (!all.ok()) return BadInput(all.error());
   if (options.common.format == "json") {
-    fmt::print("{}\n", ModesJson(all.value()[0], options.measure).dump(2));
+    fmt::print("{}\n",
+               analysis::AxleModesJson(all.value()[0].bogie, all.value()[0].modes, options.measure)
+                   .dump(2));
   } else {
     for (const Measured& measured : all.value()) PrintModes(measured, options.measure);
     fmt::print("amplitudes at the axle boxes: large {:g} mm, small {:g} mm (seals stick)\n",

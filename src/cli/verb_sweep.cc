@@ -9,6 +9,7 @@
 #include "base/data_path.h"
 #include "base/result_dir.h"
 #include "cli/sweep_engines.h"
+#include "cli/sweep_search.h"
 #include "cli/verbs.h"
 #include "report/sweep_report.h"
 #include "sweep/case_files.h"
@@ -101,24 +102,10 @@ int RunOnly(const SweepOptions& options, const Study& study) {
       options.common.out.empty() ? fmt::format("run_{}", options.only) : options.common.out;
   auto dir = ResultDir::Create(out, options.common.force);
   if (!dir.ok()) return BadInput(dir.error());
-  const std::string folder = std::filesystem::absolute(dir.value().File("")).string();
-  if (auto file = sweep::WriteCaseFiles(study, options.only, folder); !file.ok()) {
-    return BadInput(file.error());
-  }
-  // The files name each other: let them name their final place.
-  for (const char* name : {"scenario.yaml"}) {
-    auto text = ReadFile(dir.value().File(name));
-    if (!text.ok()) return BadInput(text.error());
-    std::string moved = text.value();
-    const std::string final_folder =
-        std::filesystem::absolute(dir.value().final_path()).string() + "/";
-    for (std::size_t at = 0; (at = moved.find(folder, at)) != std::string::npos;) {
-      moved.replace(at, folder.size(), final_folder);
-      at += final_folder.size();
-    }
-    if (Status s = WriteFileAtomically(dir.value().File(name), moved); !s.ok()) {
-      return BadInput(s.error());
-    }
+  if (Status s =
+          sweep::LayOutRun(study, options.only, dir.value().File(""), dir.value().final_path());
+      !s.ok()) {
+    return BadInput(s.error());
   }
   if (Status s = dir.value().Commit(); !s.ok()) return BadInput(s.error());
   fmt::print("run {}:", options.only);
@@ -149,10 +136,20 @@ int Conclude(const SweepOptions& options, const Study& study, sweep::WorkDir* wo
   return Count(records, "ok") == study.num_runs() ? kDone : kFailed;
 }
 
+int RunSearch(const SweepOptions& options, const Study& study) {
+  if (options.engine != "local" || options.only >= 0 || options.slurm.plan) {
+    return BadInput({options.study, "is a search for the best design", "--workers, --resume, --out",
+                     "its runs depend on each other: leave --engine, --only and --plan away"});
+  }
+  const std::string out = options.common.out.empty() ? study.name : options.common.out;
+  return FindBestDesign(study, options.workers, out, options.resume, options.common);
+}
+
 int RunSweep(const SweepOptions& options) {
   const auto loaded = sweep::LoadStudy(options.study);
   if (!loaded.ok()) return BadInput(loaded.error());
   const Study& study = loaded.value();
+  if (study.optimisation) return RunSearch(options, loaded.value());
   if (options.only >= 0) return RunOnly(options, study);
   const std::string out = options.common.out.empty() ? study.name : options.common.out;
   const sweep::SlurmOptions slurm = options.slurm.Over(study.slurm);

@@ -43,9 +43,11 @@ double CalcBwrDensity(double p, double T, const BwrConstants& k) {
   for (int i = 0; i < 60; ++i) {
     const BwrPressure at = CalcBwrPressure(rho, T, k);
     const double error = at.p - p;
+    if (error == 0) break;
     (error > 0 ? high : low) = rho;
     double next = at.dp_drho > 0 ? rho - error / at.dp_drho : -1;
-    if (!(next > low && next < high)) next = 0.5 * (low + high);
+    // The ends belong to it: at the root a step of one rounding must not begin a bisection.
+    if (!(next >= low && next <= high)) next = 0.5 * (low + high);
     const double move = std::abs(next - rho);
     rho = next;
     if (move <= 1e-9 * rho) break;  // quadratic: the error left is at rounding

@@ -122,13 +122,16 @@ Result<YAML::Node> LoadFile(const std::string& path) {
 class CaseBuilder {
  public:
   CaseBuilder(const Study& study, int run, std::string folder)
-      : study_(study),
-        values_(study.runs[static_cast<std::size_t>(run)]),
-        run_(run),
-        folder_(std::move(folder)) {}
+      : study_(study), case_(study.CaseOf(run)), run_(run), folder_(std::move(folder)) {
+    const auto& values = study.runs[static_cast<std::size_t>(run)];
+    for (std::size_t i = 0; i < study.axes.size(); ++i) {
+      set_.emplace_back(study.axes[i].key, values[i]);
+    }
+    set_.insert(set_.end(), case_.set.begin(), case_.set.end());
+  }
 
   Result<std::string> Write() {
-    auto scenario = LoadFile(study_.scenario);
+    auto scenario = LoadFile(case_.scenario);
     if (!scenario.ok()) return scenario.error();
     scenario_ = scenario.value();
     if (Status s = Set("scenario.", scenario_); !s.ok()) return s.error();
@@ -143,10 +146,9 @@ class CaseBuilder {
   }
 
   Status Set(const std::string& prefix, YAML::Node root) {
-    for (std::size_t i = 0; i < study_.axes.size(); ++i) {
-      const std::string& key = study_.axes[i].key;
+    for (const auto& [key, value] : set_) {
       if (key.compare(0, prefix.size(), prefix) != 0) continue;
-      if (Status s = SetPath(root, key.substr(prefix.size()), values_[i]); !s.ok()) {
+      if (Status s = SetPath(root, key.substr(prefix.size()), value); !s.ok()) {
         return AtAxis(key, s.error());
       }
     }
@@ -154,8 +156,8 @@ class CaseBuilder {
   }
 
   bool Varies(const std::string& prefix) const {
-    for (const Axis& axis : study_.axes) {
-      if (axis.key.compare(0, prefix.size(), prefix) == 0) return true;
+    for (const auto& [key, value] : set_) {
+      if (key.compare(0, prefix.size(), prefix) == 0) return true;
     }
     return false;
   }
@@ -206,10 +208,9 @@ class CaseBuilder {
     if (model.empty()) return {};  // a bogie without hydraulics has nothing to vary
     auto params = effects::FindPhsParams(model);
     if (!params.ok()) return params.error();
-    for (std::size_t i = 0; i < study_.axes.size(); ++i) {
-      const std::string& key = study_.axes[i].key;
+    for (const auto& [key, value] : set_) {
       if (key.compare(0, 6, "model.") != 0) continue;
-      if (Status s = SetModelParameter(key.substr(6), values_[i], &params.value()); !s.ok()) {
+      if (Status s = SetModelParameter(key.substr(6), value, &params.value()); !s.ok()) {
         return AtAxis(key, s.error());
       }
     }
@@ -220,7 +221,8 @@ class CaseBuilder {
   }
 
   const Study& study_;
-  const std::vector<std::string>& values_;
+  const StudyCase& case_;
+  std::vector<std::pair<std::string, std::string>> set_;  ///< axes, then those of the case
   int run_;
   std::string folder_;
   YAML::Node scenario_;
@@ -241,19 +243,46 @@ Result<std::string> WriteCaseFiles(const Study& study, int run, const std::strin
   return CaseBuilder(study, run, folder).Write();
 }
 
-Status CheckFirstCase(const Study& study) {
+Status LayOutRun(const Study& study, int run, const std::string& folder,
+                 const std::string& final_folder) {
+  const std::string from = fs::absolute(folder).string() + "/";
+  const std::string to = fs::absolute(final_folder).string() + "/";
+  const auto file = WriteCaseFiles(study, run, from);
+  if (!file.ok()) return file.error();
+  auto text = ReadFile(file.value());
+  if (!text.ok()) return text.error();
+  std::string moved = text.value();
+  for (std::size_t at = 0; (at = moved.find(from, at)) != std::string::npos; at += to.size()) {
+    moved.replace(at, from.size(), to);
+  }
+  return WriteFileAtomically(file.value(), moved);
+}
+
+namespace {
+
+Status CheckCase(const Study& study, int run, const std::string& folder) {
+  const auto file = WriteCaseFiles(study, run, folder);
+  if (!file.ok()) return file.error();
+  const auto scenario = vehicle::LoadScenario(file.value());
+  if (scenario.ok()) return {};
+  const Error& inner = scenario.error();
+  // The reader names the run's own file: name the study and the key instead.
+  const std::string key = inner.where.substr(inner.where.rfind(' ') + 1);
+  const std::string of = study.CaseOf(run).name;
+  return Error{study.path + (of.empty() ? "" : ": case " + of) + ": scenario." + key, inner.what,
+               inner.allowed, inner.mend};
+}
+
+}  // namespace
+
+Status CheckCases(const Study& study) {
   std::string pattern = (fs::temp_directory_path() / "phs_case_XXXXXX").string();
   if (mkdtemp(pattern.data()) == nullptr) {
     return Error{fs::temp_directory_path().string(), "cannot be written", "", "set TMPDIR"};
   }
   Status status;
-  if (const auto file = WriteCaseFiles(study, 0, pattern); !file.ok()) {
-    status = file.error();
-  } else if (const auto scenario = vehicle::LoadScenario(file.value()); !scenario.ok()) {
-    const Error& inner = scenario.error();
-    // The reader names the run's own file: name the study and the key instead.
-    const std::string key = inner.where.substr(inner.where.rfind(' ') + 1);
-    status = Error{study.path + ": scenario." + key, inner.what, inner.allowed, inner.mend};
+  for (int run = 0; run < static_cast<int>(study.cases.size()) && status.ok(); ++run) {
+    status = CheckCase(study, run, pattern);
   }
   std::error_code ignored;
   fs::remove_all(pattern, ignored);

@@ -16,7 +16,13 @@ Status CheckAxisKey(const std::string& key);
 /// path of scenario.yaml. Errors name the axis.
 Result<std::string> WriteCaseFiles(const Study& study, int run, const std::string& folder);
 
-/// Lays out the first run and reads its scenario: finds wrong keys before anything runs.
-Status CheckFirstCase(const Study& study);
+/// The same in `folder`, for files that will be moved to `final_folder`: they name each other
+/// there.
+Status LayOutRun(const Study& study, int run, const std::string& folder,
+                 const std::string& final_folder);
+
+/// Lays out the first run of each case and reads its scenario: finds wrong keys before anything
+/// runs.
+Status CheckCases(const Study& study);
 
 }  // namespace phs::sweep

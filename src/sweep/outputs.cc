@@ -1,6 +1,7 @@
 #include "sweep/outputs.h"
 
 #include <sstream>
+#include <vector>
 
 namespace phs::sweep {
 namespace {
@@ -13,24 +14,11 @@ std::vector<std::string> Parts(const std::string& path) {
 }
 
 bool NamesList(const std::string& part) {
-  return part == "wheelsets" || part == "wheels" || part == "cylinders" || part == "lines";
+  return part == "wheelsets" || part == "wheels" || part == "cylinders" || part == "lines" ||
+         part == "cases";
 }
 
 }  // namespace
-
-std::vector<std::string> DefaultOutputs() {
-  return {"steady_curve.wheelsets.lead.angle_of_attack_rad",
-          "steady_curve.wheelsets.trail.angle_of_attack_rad",
-          "steady_curve.wheelsets.lead.lateral_m",
-          "steady_curve.wheels.lead_outer.Y_N",
-          "steady_curve.wheels.lead_outer.Y_over_Q",
-          "steady_curve.wheels.lead_outer.T_gamma_N",
-          "run.T_gamma_total_J",
-          "run.max_Y_over_Q",
-          "run.max_sum_Y_N",
-          "run.max_angle_of_attack_rad",
-          "run.energy_error_relative"};
-}
 
 std::string OutputColumn(const std::string& path) {
   std::string column;

@@ -7,12 +7,8 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 namespace phs::sweep {
-
-/// What an engineer looks at first.
-std::vector<std::string> DefaultOutputs();
 
 std::string OutputColumn(const std::string& path);
 

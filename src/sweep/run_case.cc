@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -10,8 +11,6 @@
 #include "base/json_path.h"
 #include "base/result_dir.h"
 #include "sweep/case_files.h"
-#include "vehicle/simulation.h"
-#include "vehicle/summary.h"
 
 namespace phs::sweep {
 namespace {
@@ -33,13 +32,18 @@ Result<RunRecord> Simulate(const Study& study, int run, const std::string& scrat
   if (!file.ok()) return file.error();
   const auto scenario = vehicle::LoadScenario(file.value());
   if (!scenario.ok()) return scenario.error();
-  auto simulation = vehicle::Simulation::Create(scenario.value());
-  if (!simulation.ok()) return simulation.error();
-  const auto outcome = simulation.value().Run();
-  if (!outcome.ok()) return outcome.error();
-  const Json summary = vehicle::Summarise(simulation.value(), outcome.value());
-  RunRecord record{run, outcome.value().status, outcome.value().reason, {}};
+  const StudyCase& own = study.CaseOf(run);
+  const auto made = Analyse(own.analysis, scenario.value());
+  if (!made.ok()) return made.error();
+  const Json& summary = made.value().numbers;
+  RunRecord record{run, made.value().status, made.value().reason, {}};
   for (const std::string& path : study.outputs) {
+    const bool asked = own.outputs.empty() ||
+                       std::find(own.outputs.begin(), own.outputs.end(), path) != own.outputs.end();
+    if (!asked) {
+      record.outputs.push_back(kNoNumber);
+      continue;
+    }
     const auto value = NumberAt(summary, path);
     if (value.ok()) {
       record.outputs.push_back(value.value());

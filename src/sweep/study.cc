@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <set>
 
@@ -9,6 +10,7 @@
 #include "base/numbers.h"
 #include "base/result_dir.h"
 #include "base/table.h"
+#include "base/words.h"
 #include "sweep/case_files.h"
 #include "sweep/outputs.h"
 
@@ -87,6 +89,8 @@ void NameColumns(std::vector<Axis>* axes) {
   }
 }
 
+Axis AxisOf(const std::string& key) { return {key, {}, {}, {}}; }
+
 Status LayOutGrid(Study* study) {
   double count = 1;
   for (const Axis& axis : study->axes) count *= static_cast<double>(axis.values.size());
@@ -119,7 +123,7 @@ Status LayOutList(YamlMap* map, Study* study) {
       return Error{file.string() + ":1: " + name, s.error().what, s.error().allowed,
                    s.error().mend};
     }
-    study->axes.push_back({.key = name, .column = {}, .values = {}, .distribution = {}});
+    study->axes.push_back(AxisOf(name));
   }
   if (table.value().num_rows() == 0) return Error{file.string(), "lists no run", "rows", ""};
   for (int row = 0; row < table.value().num_rows(); ++row) {
@@ -188,6 +192,67 @@ Result<std::string> FindScenario(const Study& study, const std::string& name) {
   return FindData("scenario", "models/scenarios", name, {".yaml"});
 }
 
+/// The axes of a search, and its first candidate as runs, to be checked.
+void LayOutSearch(Study* study) {
+  const Optimisation& o = *study->optimisation;
+  std::vector<std::string> values = o.Combination(0);
+  for (const DesignChoice& choice : o.choices) study->axes.push_back(AxisOf(choice.key));
+  for (const DesignParameter& p : o.parameters) {
+    study->axes.push_back(AxisOf(p.key));
+    values.push_back(Shortest(p.start));
+  }
+  study->axes.push_back(AxisOf("case"));
+  for (std::size_t k = 0; k < study->cases.size(); ++k) {
+    study->runs.push_back(values);
+    study->runs.back().push_back(study->cases[k].name);
+    study->case_of_run.push_back(static_cast<int>(k));
+    for (const std::string& output : study->cases[k].outputs) {
+      if (std::find(study->outputs.begin(), study->outputs.end(), output) == study->outputs.end()) {
+        study->outputs.push_back(output);
+      }
+    }
+  }
+}
+
+Status FindScenarios(YamlMap* map, Study* study) {
+  for (StudyCase& c : study->cases) {
+    const auto base = FindScenario(*study, c.scenario);
+    if (!base.ok()) {
+      const std::string where =
+          c.name.empty() ? map->Where("scenario") : map->Where("optimise") + ".cases." + c.name;
+      return Error{where, Quoted(c.scenario) + " " + base.error().what, base.error().allowed,
+                   base.error().mend};
+    }
+    c.scenario = base.value();
+  }
+  return {};
+}
+
+Status ReadSearch(YamlMap* map, Study* study) {
+  for (const char* key : {"axes", "design", "samples", "outputs", "analysis"}) {
+    if (map->Has(key)) map->Fail(key, "has no place beside `optimise`", "", "remove it");
+  }
+  OptimisationBlock block = ReadOptimisation(map->Map("optimise"), map->Text("scenario", ""));
+  study->optimisation = std::move(block.optimisation);
+  study->cases = std::move(block.cases);
+  if (Status s = map->Finish(); !s.ok()) return s;
+  LayOutSearch(study);
+  return {};
+}
+
+Status ReadPlain(YamlMap* map, Study* study) {
+  StudyCase only;
+  only.scenario = map->Text("scenario");
+  only.analysis = ReadAnalysis(map);
+  study->cases = {only};
+  study->design = ReadDesign(map);
+  if (IsSampled(study->design)) study->samples = map->Integer("samples", 1, kMostRuns);
+  study->outputs = map->Texts("outputs");
+  if (study->outputs.empty()) study->outputs = DefaultOutputs(only.analysis);
+  if (study->design != DesignKind::kList) ReadAxes(map, study);
+  return LayOut(map, study);
+}
+
 }  // namespace
 
 Result<Study> LoadStudy(const std::string& name) {
@@ -202,25 +267,16 @@ Result<Study> LoadStudy(const std::string& name) {
   auto document = YamlMap::Parse(study.text, study.path);
   if (!document.ok()) return document.error();
   YamlMap& map = document.value();
-  const std::string scenario = map.Text("scenario");
-  study.design = ReadDesign(&map);
-  if (IsSampled(study.design)) study.samples = map.Integer("samples", 1, kMostRuns);
   study.seed = static_cast<std::uint64_t>(map.Integer("seed", 0, 2147483647, 1));
   study.vary_irregularity = map.Bool("vary_irregularity", false);
   study.time_limit_s =
       map.Number("time_limit_s", {.min = 0, .max = 1e6, .open_min = true}, study.time_limit_s);
   if (map.Has("slurm")) study.slurm = ReadSlurmOptions(map.Map("slurm"));
-  study.outputs = map.Texts("outputs");
-  if (study.outputs.empty()) study.outputs = DefaultOutputs();
-  if (study.design != DesignKind::kList) ReadAxes(&map, &study);
-  if (Status s = LayOut(&map, &study); !s.ok()) return s.error();
+  const Status read = map.Has("optimise") ? ReadSearch(&map, &study) : ReadPlain(&map, &study);
+  if (!read.ok()) return read.error();
   NameColumns(&study.axes);
-  const auto base = FindScenario(study, scenario);
-  if (!base.ok()) {
-    return Error{map.Where("scenario"), base.error().what, base.error().allowed, base.error().mend};
-  }
-  study.scenario = base.value();
-  if (Status s = CheckFirstCase(study); !s.ok()) return s.error();
+  if (Status s = FindScenarios(&map, &study); !s.ok()) return s.error();
+  if (Status s = CheckCases(study); !s.ok()) return s.error();
   return study;
 }
 

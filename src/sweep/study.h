@@ -10,12 +10,15 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "base/result.h"
+#include "sweep/optimisation.h"
 #include "sweep/sampling.h"
 #include "sweep/slurm_options.h"
+#include "sweep/study_case.h"
 
 namespace phs::sweep {
 
@@ -29,10 +32,9 @@ struct Axis {
 };
 
 struct Study {
-  std::string path;      ///< the file read
-  std::string text;      ///< its text, kept with the results
-  std::string name;      ///< file name without extension
-  std::string scenario;  ///< path of the base scenario
+  std::string path;  ///< the file read
+  std::string text;  ///< its text, kept with the results
+  std::string name;  ///< file name without extension
   DesignKind design = DesignKind::kGrid;
   int samples = 0;  ///< points of a sampled design
   std::uint64_t seed = 1;
@@ -41,9 +43,18 @@ struct Study {
   SlurmOptions slurm;              ///< block `slurm:`
   std::vector<Axis> axes;
   std::vector<std::string> outputs;            ///< paths in summary.json (sweep/outputs.h)
+  std::vector<StudyCase> cases;                ///< what a run calculates; a plain study has one
+  std::vector<int> case_of_run;                ///< empty: all runs are the first case
   std::vector<std::vector<std::string>> runs;  ///< [run][axis] values as text
+  /// A search: its runs are laid out as it goes on; its axes are choices, parameters, the case.
+  std::optional<Optimisation> optimisation;
 
   int num_runs() const { return static_cast<int>(runs.size()); }
+  const StudyCase& CaseOf(int run) const {
+    return cases[case_of_run.empty()
+                     ? 0
+                     : static_cast<std::size_t>(case_of_run[static_cast<std::size_t>(run)])];
+  }
 };
 
 constexpr int kMostRuns = 1'000'000;

@@ -21,8 +21,11 @@ namespace fs = std::filesystem;
 /// Everything that decides the runs: the study and the laid-out values. Other results would follow
 /// from another text.
 std::string Fingerprint(const Study& study) {
-  const auto base = ReadFile(study.scenario);
-  std::string text = study.text + "\n# base scenario\n" + (base.ok() ? base.value() : "");
+  std::string text = study.text;
+  for (const StudyCase& c : study.cases) {
+    const auto base = ReadFile(c.scenario);
+    text += "\n# base scenario\n" + (base.ok() ? base.value() : "");
+  }
   text += "\n# runs\n";
   for (const auto& run : study.runs) text += fmt::format("{}\n", fmt::join(run, ","));
   return text;
@@ -45,7 +48,7 @@ Status CheckPlaces(const std::string& final_path, const std::string& path, bool 
   if (fs::exists(final_path, ignored) && !force) {
     return Error{final_path, "exists already", "a new directory", "use --force to replace it"};
   }
-  const bool unfinished = fs::exists(path, ignored);
+  const bool unfinished = fs::exists(path + "/plan.txt", ignored);
   if (resume && !unfinished) {
     return Error{path, "holds no unfinished sweep", "", "start it without --resume"};
   }
@@ -94,6 +97,7 @@ Result<WorkDir> WorkDir::Open(const std::string& final_path, const Study& study,
     return work;
   }
   fs::remove_all(path + "/runs", fault);
+  fs::remove(work.File("candidates.txt"), fault);
   fs::create_directories(path + "/runs", fault);
   if (Status s = WriteFileAtomically(work.File("plan.txt"), Fingerprint(study)); !s.ok()) {
     return s.error();
@@ -128,7 +132,7 @@ std::vector<int> WorkDir::Missing(const Study& study, bool repeat_killed) const 
 
 Status WorkDir::Finish() {
   std::error_code fault;
-  for (const char* name : {"runs", "scratch", "slurm", "plan.txt", "lock"}) {
+  for (const char* name : {"runs", "scratch", "slurm", "plan.txt", "candidates.txt", "lock"}) {
     fs::remove_all(File(name), fault);
   }
   if (force_) fs::remove_all(final_path_, fault);

@@ -1,0 +1,94 @@
+#include "cli/sweep_search.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <thread>
+
+#include "report/optimisation_report.h"
+#include "sweep/optimiser.h"
+
+namespace phs::cli {
+namespace {
+
+using sweep::Candidate;
+using sweep::SearchResult;
+using sweep::Study;
+
+void PrintDesign(const Study& study, const SearchResult& result, int number) {
+  const auto& constraints = study.optimisation->constraints;
+  if (number < 0) {
+    fmt::print("  no candidate was calculated to the end\n");
+    return;
+  }
+  const Candidate& c = result.candidates[static_cast<std::size_t>(number)];
+  fmt::print("  objective {:.6g}{}\n", c.objective, c.Kept() ? "" : ", constraints missed");
+  for (std::size_t i = study.optimisation->choices.size(); i < c.values.size(); ++i) {
+    fmt::print("  {} = {}\n", study.axes[i].key, c.values[i]);
+  }
+  for (std::size_t i = 0; i < constraints.size(); ++i) {
+    const bool kept = constraints[i].Violation(c.constrained[i]) <= 1e-6;
+    fmt::print("  {}: {:.5g}{}\n", constraints[i].name, c.constrained[i],
+               kept ? "" : "   <- missed");
+  }
+}
+
+void Print(const Study& study, const SearchResult& result, const std::string& path) {
+  const auto& o = *study.optimisation;
+  fmt::print("{}: {} candidates, {} runs\n", study.name, result.candidates.size(),
+             study.num_runs());
+  for (std::size_t i = 0; i < result.best_of.size(); ++i) {
+    const bool best = result.best_of[i] == result.best && result.best >= 0;
+    fmt::print("\n{}{}\n", fmt::join(o.Combination(static_cast<int>(i)), ", "),
+               best ? " (best)" : "");
+    PrintDesign(study, result, result.best_of[i]);
+  }
+  fmt::print("\nTables: {0}/candidates.csv, {0}/sweep.csv, report: {0}/report.html\n", path);
+  if (result.best >= 0) {
+    fmt::print("The best design as files: {}/best/{}/\n", path, study.cases[0].name);
+  }
+}
+
+}  // namespace
+
+int FindBestDesign(Study study, int workers, const std::string& out, bool resume,
+                   const CommonOptions& common) {
+  auto work = sweep::WorkDir::Open(out, study, resume, common.force);
+  if (!work.ok()) return BadInput(work.error());
+  if (workers <= 0) workers = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  const auto found = [&] {
+    ProgressLine progress(study.name, common.quiet);
+    return sweep::SearchOptimum(&study, workers, &work.value(), [&](int done, int of) {
+      return progress(static_cast<double>(done) / of);
+    });
+  }();
+  if (!found.ok()) return BadInput(found.error());
+  if (!found.value().all) {
+    fmt::print(stderr, "phs: stopped after {} candidates; --resume continues\n",
+               found.value().candidates.size());
+    return kFailed;
+  }
+  const auto records = sweep::ReadRecords(study, work.value());
+  for (const Status& s : {sweep::WriteTables(study, records, work.value()),
+                          sweep::WriteOptimum(study, found.value(), work.value())}) {
+    if (!s.ok()) return BadInput(s.error());
+  }
+  if (Status s =
+          report::WriteOptimisationReport(work.value().path(), work.value().File("report.html"));
+      !s.ok()) {
+    return BadInput(s.error());
+  }
+  if (Status s = work.value().Finish(); !s.ok()) return BadInput(s.error());
+  const SearchResult& result = found.value();
+  if (common.format == "json") {
+    fmt::print("{{\"candidates\": {}, \"best\": {}, \"optimum\": \"{}/optimum.json\"}}\n",
+               result.candidates.size(), result.best, work.value().final_path());
+  } else {
+    Print(study, result, work.value().final_path());
+  }
+  const bool kept =
+      result.best >= 0 && result.candidates[static_cast<std::size_t>(result.best)].Kept();
+  return kept ? kDone : kFailed;
+}
+
+}  // namespace phs::cli
