@@ -106,6 +106,8 @@ TEST_F(SweepProgram, AnotherStudyIsNotMixedIn) {
   EXPECT_EQ(wrong.code, 1) << wrong.text;  // every run says that there is no such output
   EXPECT_THAT(wrong.text, HasSubstr("did you mean 'run.max_sum_Y_N'?"));
   ASSERT_EQ(Execute("mv " + dir_.File("mixed") + " " + dir_.File("old.unfinished")).code, 0);
+  ExpectOneLine(Sweep("old", "--resume"), "holds no unfinished sweep");
+  std::ofstream(dir_.File("old.unfinished/plan.txt")) << "another\n";
   ExpectOneLine(Sweep("old", "--resume"), "belongs to another study");
 }
 
@@ -130,11 +132,26 @@ TEST_F(SweepProgram, AFullDiskLosesNothing) {
 
 TEST_F(SweepProgram, AnUnreadableScenarioEndsBeforeAnythingRuns) {
   Study("nowhere.yaml", "  - {key: scenario.friction, values: [0.3]}\n");
-  ExpectOneLine(Sweep("none"), "scenario: was not found");
+  ExpectOneLine(Sweep("none"), "'nowhere.yaml' was not found");
   std::ofstream(dir_.File("short.yaml"), std::ios::app) << "speed_km_h: 70\n";
   Study("short.yaml", "  - {key: scenario.friction, values: [0.3]}\n");
   ExpectOneLine(Sweep("none"), "speed_km_h: is given twice");
   EXPECT_FALSE(ReadFile(dir_.File("none.unfinished/plan.txt")).ok());
+}
+
+TEST_F(SweepProgram, AWorkerKilledFromOutsideCostsItsRunAndNothingElse) {
+  std::ofstream(dir_.File("short.yaml"))
+      << "track: straight\nbogie: phs\nspeed_km_h: 60\nduration_s: 5\n";
+  Study("short.yaml", "  - {key: scenario.speed_km_h, values: [40, 50, 60, 70]}\n");
+  const Output out =
+      Execute(Command("worker", "--workers 1") +
+              " & S=$!; for i in $(seq 600); do W=$(pgrep -P $S | head -n 1); [ -n \"$W\" ] && "
+              "[ -e " +
+              dir_.File("worker.unfinished/runs/000000.json") +
+              " ] && break; sleep 0.01; done; kill -KILL $W; wait $S");
+  EXPECT_EQ(out.code, 1) << out.text;
+  EXPECT_THAT(out.text, HasSubstr("3 ok, 1 killed"));
+  EXPECT_THAT(Table("worker"), HasSubstr("its process was ended by signal 9 (Killed)"));
 }
 
 TEST_F(SweepProgram, OneRunLaidOutAloneRepeatsItsRow) {
