@@ -72,9 +72,33 @@ void PrintOutcome(const Study& study, const std::vector<RunRecord>& records,
       path, study.path);
 }
 
+/// Sobol indices of one output, where the design gives them.
+void AddIndices(const Study& study, const std::vector<RunRecord>& records, std::size_t output,
+                report::SweepReportInput* input) {
+  if (study.design != sweep::DesignKind::kSobolIndices) return;
+  std::vector<double> values;
+  for (const RunRecord& r : records) {
+    values.push_back(r.status == "ok" ? r.outputs[output] : std::nan(""));
+  }
+  const auto indices = sweep::SobolIndices(values, static_cast<int>(study.axes.size()));
+  if (indices.empty() || input->parameters.size() != study.axes.size()) return;
+  report::OutputIndices of{sweep::OutputColumn(study.outputs[output]), {}, {}, {}, {}};
+  for (const sweep::SobolIndex& index : indices) {
+    of.first.push_back(index.first);
+    of.total.push_back(index.total);
+    of.first_error.push_back(index.first_error);
+    of.total_error.push_back(index.total_error);
+  }
+  input->indices.push_back(std::move(of));
+}
+
 report::SweepReportInput ReportInput(const Study& study, const std::vector<RunRecord>& records,
                                      const std::string& table) {
-  report::SweepReportInput input{.table = table, .parameters = {}, .outputs = {}};
+  report::SweepReportInput input;
+  input.table = table;
+  input.study = study.path;
+  input.sampled =
+      study.design != sweep::DesignKind::kGrid && study.design != sweep::DesignKind::kList;
   for (std::size_t axis = 0; axis < study.axes.size(); ++axis) {
     bool numbers = true, varies = false;
     for (const auto& run : study.runs) {
@@ -87,7 +111,9 @@ report::SweepReportInput ReportInput(const Study& study, const std::vector<RunRe
   for (std::size_t i = 0; i < study.outputs.size(); ++i) {
     const bool any = std::any_of(records.begin(), records.end(),
                                  [&](const auto& r) { return std::isfinite(r.outputs[i]); });
-    if (any) input.outputs.push_back(sweep::OutputColumn(study.outputs[i]));
+    if (!any) continue;
+    input.outputs.push_back(sweep::OutputColumn(study.outputs[i]));
+    AddIndices(study, records, i, &input);
   }
   return input;
 }

@@ -2,30 +2,18 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
-#include <map>
 #include <set>
 
 #include "base/table.h"
 #include "report/readable_name.h"
 #include "report/report_page.h"
+#include "report/sweep_parts.h"
 
 namespace phs::report {
 namespace {
 
-constexpr int kMostCurves = 8;
-
-/// The sweep's table with the columns sorted by their part.
-struct Sweep {
-  Table table;
-  std::vector<int> parameters;
-  std::vector<int> outputs;
-  std::vector<int> texts;  ///< text columns that differ between runs (bogie, track)
-  std::vector<int> good;   ///< rows whose run went well
-  std::vector<int> bad;
-};
+using sweep_page::Sweep;
 
 bool IsNumeric(const Table& table, int column) {
   for (double value : table.columns[column]) {
@@ -90,123 +78,6 @@ Result<Sweep> ReadSweep(const SweepReportInput& input) {
   return sweep;
 }
 
-std::string Label(const Table& table, int column) {
-  const ReadableName name = Readable(table.names[column]);
-  return name.words + " [" + name.unit + "]";
-}
-
-double Value(const Table& table, int column, int row) {
-  return Readable(table.names[column]).factor * table.columns[column][row];
-}
-
-/// What tells one curve from another: texts and all parameters but the first.
-std::string CurveName(const Sweep& sweep, int row) {
-  std::string name;
-  for (int column : sweep.texts) {
-    name += (name.empty() ? "" : ", ") + sweep.table.text[column][row];
-  }
-  for (std::size_t i = 1; i < sweep.parameters.size(); ++i) {
-    const int column = sweep.parameters[i];
-    const ReadableName words = Readable(sweep.table.names[column]);
-    name += fmt::format("{}{} {} {}", name.empty() ? "" : ", ", words.words,
-                        FormatNumber(Value(sweep.table, column, row)), words.unit);
-  }
-  return name.empty() ? "all runs" : name;
-}
-
-void AddCurves(const Sweep& sweep, int output, ReportPage* page) {
-  std::map<std::string, std::vector<std::pair<double, double>>> curves;
-  for (int row : sweep.good) {
-    curves[CurveName(sweep, row)].emplace_back(Value(sweep.table, sweep.parameters[0], row),
-                                               Value(sweep.table, output, row));
-  }
-  const std::string title = Readable(sweep.table.names[output]).words;
-  XyPlot plot{.title = title,
-              .x_label = Label(sweep.table, sweep.parameters[0]),
-              .y_label = Label(sweep.table, output),
-              .height_px = 300};
-  for (auto& [name, points] : curves) {
-    const int number = static_cast<int>(plot.curves.size());
-    if (number == kMostCurves) {
-      plot.title += fmt::format(" (the first {} of {} series)", kMostCurves, curves.size());
-      break;
-    }
-    std::sort(points.begin(), points.end());
-    Curve curve{.label = name, .colour = number, .dash = number % 4};
-    for (const auto& [x, y] : points) {
-      curve.x.push_back(x);
-      curve.y.push_back(y);
-    }
-    plot.curves.push_back(std::move(curve));
-  }
-  if (!plot.curves.empty()) page->Add(plot);
-}
-
-/// Edges of cells around sorted values: midway between neighbours.
-std::vector<double> EdgesAround(const std::set<double>& values) {
-  const std::vector<double> v(values.begin(), values.end());
-  std::vector<double> edges = {v[0] - (v[1] - v[0]) / 2};
-  for (std::size_t i = 1; i < v.size(); ++i) edges.push_back((v[i - 1] + v[i]) / 2);
-  edges.push_back(v.back() + (v.back() - v[v.size() - 2]) / 2);
-  return edges;
-}
-
-/// One map per text combination, for sweeps of two parameters with at least three values each.
-void AddMaps(const Sweep& sweep, int output, ReportPage* page) {
-  if (sweep.parameters.size() != 2) return;
-  std::set<double> xs;
-  std::set<double> ys;
-  std::map<std::string, std::map<std::pair<double, double>, double>> maps;
-  for (int row : sweep.good) {
-    const double x = Value(sweep.table, sweep.parameters[0], row);
-    const double y = Value(sweep.table, sweep.parameters[1], row);
-    xs.insert(x);
-    ys.insert(y);
-    std::string name;
-    for (int column : sweep.texts) {
-      name += (name.empty() ? "" : ", ") + sweep.table.text[column][row];
-    }
-    maps[name][{x, y}] = Value(sweep.table, output, row);
-  }
-  if (xs.size() < 3 || ys.size() < 3) return;
-  for (const auto& [name, cells] : maps) {
-    HeatMap map{
-        .title = Readable(sweep.table.names[output]).words + (name.empty() ? "" : ", ") + name,
-        .x_label = Label(sweep.table, sweep.parameters[0]),
-        .y_label = Label(sweep.table, sweep.parameters[1]),
-        .value_label = Label(sweep.table, output),
-        .x_edges = EdgesAround(xs),
-        .y_edges = EdgesAround(ys),
-        .diverging = false};
-    for (double y : ys) {
-      std::vector<double> row;
-      for (double x : xs) {
-        const auto found = cells.find({x, y});
-        row.push_back(found == cells.end() ? std::numeric_limits<double>::quiet_NaN()
-                                           : found->second);
-      }
-      map.values.push_back(std::move(row));
-    }
-    page->Add(map);
-  }
-}
-
-void AddRuns(const Sweep& sweep, ReportPage* page) {
-  DataTable table{.caption = "All runs", .head = {"Run"}};
-  for (const std::string& name : sweep.table.names) table.head.push_back(name);
-  for (int row = 0; row < sweep.table.num_rows(); ++row) {
-    std::vector<TableCell> cells = {TableCell(std::to_string(row + 1))};
-    for (int i = 0; i < sweep.table.num_columns(); ++i) {
-      const double value = sweep.table.columns[i][row];
-      cells.emplace_back(std::isfinite(value) ? FormatNumber(value, 4) : sweep.table.text[i][row]);
-    }
-    table.rows.push_back(std::move(cells));
-  }
-  page->BeginDetails(fmt::format("Table of all {} runs", sweep.table.num_rows()));
-  page->Add(table);
-  page->EndDetails();
-}
-
 }  // namespace
 
 Status WriteSweepReport(const SweepReportInput& input, const std::string& path) {
@@ -221,18 +92,31 @@ Status WriteSweepReport(const SweepReportInput& input, const std::string& path) 
   page.Section("Results");
   if (!sweep.bad.empty()) {
     page.Warning(
-        fmt::format("{} of {} runs did not end well and are left out of the plots; the "
-                    "table at the end names them.",
+        fmt::format("{} of {} runs did not end well and are left out of the plots; "
+                    "they stand under the worst cases.",
                     sweep.bad.size(), sweep.table.num_rows()));
   }
   page.BeginGrid(2);
-  for (int output : sweep.outputs) AddCurves(sweep, output, &page);
+  for (int output : sweep.outputs) {
+    if (input.sampled) {
+      sweep_page::AddScatter(sweep, output, &page);
+    } else {
+      sweep_page::AddCurves(sweep, output, &page);
+    }
+  }
   page.EndGrid();
-  page.BeginGrid(2);
-  for (int output : sweep.outputs) AddMaps(sweep, output, &page);
-  page.EndGrid();
+  if (!input.sampled) {
+    page.BeginGrid(2);
+    for (int output : sweep.outputs) sweep_page::AddMaps(sweep, output, &page);
+    page.EndGrid();
+  }
+  if (input.sampled) sweep_page::AddCorrelations(sweep, &page);
+  sweep_page::AddSobolIndices(input, &page);
+  page.Section("Worst cases");
+  sweep_page::AddWorst(sweep, input.study, &page);
+  sweep_page::AddFailed(sweep, input.study, &page);
   page.Section("Runs");
-  AddRuns(sweep, &page);
+  sweep_page::AddRuns(sweep, &page);
   return page.Write(path);
 }
 

@@ -49,6 +49,38 @@ TEST_F(SweepReport, PlotsEveryResultOverTheVariedParameters) {
   EXPECT_TRUE(Holds(html, "phs, friction 0.200"));
 }
 
+TEST_F(SweepReport, WorstCasesCarryTheCommandThatRepeatsThem) {
+  const Status status =
+      WriteSweepReport({.table = File("sweep.csv"), .study = "study.yaml"}, File("report.html"));
+  ASSERT_TRUE(status.ok()) << status.error().Line();
+  const std::string html = ReadFile(File("report.html")).value();
+  // Largest Y: R = 250 m with the greater friction that did not derail, of either bogie.
+  EXPECT_TRUE(Holds(html, "phs sweep study.yaml --only 1 --out run_1"));
+  EXPECT_TRUE(Holds(html, "phs sweep study.yaml --only 10 --out run_10"));
+  EXPECT_TRUE(Holds(html, "phs sweep study.yaml --only 2 --out run_2"));  // derailed
+}
+
+TEST_F(SweepReport, SamplesAreShownOverTheParameterThatMattersMost) {
+  std::ofstream csv(File("samples.csv"));
+  csv << "run,weak_m,strong_m,status,result_N\n";
+  for (int i = 0; i < 20; ++i) {
+    csv << i << ',' << (i * 7) % 20 << ',' << i * i << ",ok," << -3 * i << '\n';
+  }
+  csv.close();
+  SweepReportInput input;
+  input.table = File("samples.csv");
+  input.parameters = {"weak_m", "strong_m"};
+  input.outputs = {"result_N"};
+  input.sampled = true;
+  input.indices = {{"result_N", {0.1, 0.8}, {0.2, 0.9}, {0.01, 0.02}, {0.03, 0.02}}};
+  const Status status = WriteSweepReport(input, File("report.html"));
+  ASSERT_TRUE(status.ok()) << status.error().Line();
+  const std::string html = ReadFile(File("report.html")).value();
+  EXPECT_TRUE(Holds(html, "-1.00"));  // Spearman: falls always, however curved
+  EXPECT_TRUE(Holds(html, "Sobol indices"));
+  EXPECT_TRUE(Holds(html, "first order"));
+}
+
 TEST_F(SweepReport, UnknownColumnsAreNamed) {
   const Status status = WriteSweepReport(
       {.table = File("sweep.csv"), .parameters = {"radius"}, .outputs = {"max_Y_N"}},
