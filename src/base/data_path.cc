@@ -71,7 +71,9 @@ std::vector<std::string> ListData(const std::string& folder,
 
 Result<std::string> FindData(const std::string& kind, const std::string& folder,
                              const std::string& name, const std::vector<std::string>& extensions) {
-  if (IsFile(name)) return name;
+  // A bare word is a name first: a program called phs beside one must not hide the bogie phs.
+  const bool bare = !fs::path(name).has_parent_path() && !fs::path(name).has_extension();
+  if (!bare && IsFile(name)) return name;
   for (const fs::path& root : Roots()) {
     for (const std::string& extension : extensions) {
       if (name.empty()) break;
@@ -81,6 +83,7 @@ Result<std::string> FindData(const std::string& kind, const std::string& folder,
       }
     }
   }
+  if (bare && IsFile(name)) return name;
   const std::vector<std::string> known = ListData(folder, extensions);
   return Error{kind + " " + Quoted(name), "was not found",
                "a path, or one of: " + (known.empty() ? "(none installed)" : JoinWords(known)),

@@ -10,12 +10,32 @@ namespace {
 constexpr int kIntervals = 1024;
 constexpr double kMaxLogRatio = 12;  ///< ratio of curvatures up to e^12
 
-/// (larger / smaller curvature) of an ellipse of axis ratio g < 1.
+/// Complete elliptic integrals of modulus e = sqrt(1 - g^2), 0 < g <= 1, by the
+/// arithmetic-geometric mean: a, b, c -> (a + b)/2, sqrt(a b), (a - b)/2 from 1, g, e; S = sum
+/// 2^(n-1) c_n^2; K = pi/(2 a), E = K (1 - S) (Abramowitz and Stegun, 17.6.3 and 17.6.4).
+struct EllipticIntegrals {
+  double k = 0;           ///< K
+  double difference = 0;  ///< S = (K - E)/K, without the loss of digits of K - E
+};
+
+EllipticIntegrals CalcElliptic(double g) {
+  double a = 1, b = g, weight = 0.5;
+  double sum = weight * (1 - g) * (1 + g);
+  while (a - b > 1e-9 * a) {  // the next term is of the square of this
+    const double c = (a - b) / 2;
+    const double mean = (a + b) / 2;
+    b = std::sqrt(a * b);
+    a = mean;
+    weight *= 2;
+    sum += weight * c * c;
+  }
+  return {std::numbers::pi / (a + b), sum};
+}
+
+/// (larger / smaller curvature) of an ellipse of axis ratio g < 1: (E/g^2 - K)/(K - E).
 double CurvatureRatio(double g) {
-  const double e = std::sqrt(1 - g * g);
-  const double k = std::comp_ellint_1(e);
-  const double l = std::comp_ellint_2(e);
-  return (l / (g * g) - k) / (k - l);
+  const double s = CalcElliptic(g).difference;
+  return ((1 - g) * (1 + g) - s) / (g * g * s);
 }
 
 /// Axis ratio for a ratio of curvatures >= 1, by bisection in log g.
@@ -35,8 +55,8 @@ Hertz::Hertz(double shear_modulus_Pa, double poisson_ratio)
     : modulus_(shear_modulus_Pa / (1 - poisson_ratio)) {
   for (int i = 0; i <= kIntervals; ++i) {
     const double g = i == 0 ? 1.0 : AxisRatio(std::exp(kMaxLogRatio * i / kIntervals));
-    const double e = std::sqrt(std::max(0.0, 1 - g * g));
-    table_.push_back({g, std::comp_ellint_2(e) / std::comp_ellint_1(e), std::comp_ellint_2(e)});
+    const EllipticIntegrals at = CalcElliptic(g);
+    table_.push_back({g, 1 - at.difference, at.k * (1 - at.difference)});
   }
 }
 

@@ -52,6 +52,14 @@ TEST_F(DataPath, CurrentDirectoryThenPhsDataThenTheProduct) {
   EXPECT_EQ(FindData("bogie", "bogie_xml", "phs.xml", {".xml"}).value(), "bogie_xml/phs.xml");
 }
 
+TEST_F(DataPath, AFileCalledAsAModelDoesNotHideTheModel) {
+  Make("phs");  // the program itself, say
+  EXPECT_TRUE(FindData("bogie", "bogie_xml", "phs", {".xml"}).value().ends_with("phs.xml"));
+  EXPECT_EQ(FindData("bogie", "bogie_xml", "./phs", {".xml"}).value(), "./phs");
+  Make("unknown_name");
+  EXPECT_EQ(FindData("bogie", "bogie_xml", "unknown_name", {".xml"}).value(), "unknown_name");
+}
+
 TEST_F(DataPath, MessageListsNamesAndTheNearest) {
   const std::string line = FindData("bogie", "bogie_xml", "rigit_link", {".xml"}).error().Line();
   EXPECT_THAT(line, HasSubstr("bogie 'rigit_link': was not found; allowed: a path, or one of: "));
