@@ -48,6 +48,9 @@ std::vector<int> Largest(const Sweep& sweep, int output) {
   return rows;
 }
 
+/// What lies below is noise of the estimate.
+double Thousandths(double share) { return std::round(1e3 * share) / 1e3 + 0.0; }
+
 }  // namespace
 
 void AddCorrelations(const Sweep& sweep, ReportPage* page) {
@@ -82,8 +85,8 @@ void AddSobolIndices(const SweepReportInput& input, ReportPage* page) {
     for (std::size_t i = 0; i < input.parameters.size(); ++i) {
       chart.categories.push_back(fmt::format("{} (±{:.2f})", Readable(input.parameters[i]).words,
                                              std::max(of.first_error[i], of.total_error[i])));
-      chart.bars[0].values.push_back(of.first[i]);
-      chart.bars[1].values.push_back(of.total[i]);
+      chart.bars[0].values.push_back(Thousandths(of.first[i]));
+      chart.bars[1].values.push_back(Thousandths(of.total[i]));
     }
     chart.significant = 2;
     page->Add(chart);

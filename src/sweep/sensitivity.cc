@@ -43,10 +43,10 @@ std::vector<SobolIndex> SobolIndices(const std::vector<double>& values, int dime
   for (std::size_t i = 0; i < d; ++i) {
     std::vector<double> first, total;
     for (std::size_t at : good) {
-      first.push_back(std::pow(values[at + 1] - values[at + 2 + i], 2) / (2 * variance));
+      first.push_back((values[at + 1] - mean) * (values[at + 2 + i] - values[at]) / variance);
       total.push_back(std::pow(values[at] - values[at + 2 + i], 2) / (2 * variance));
     }
-    indices[i] = {1 - Mean(first), Mean(total), StandardError(first), StandardError(total)};
+    indices[i] = {Mean(first), Mean(total), StandardError(first), StandardError(total)};
   }
   return indices;
 }

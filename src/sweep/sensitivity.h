@@ -1,10 +1,10 @@
 // Variance-based sensitivity: how much of an output's variance each axis explains.
 //
 // With base points A, B and A_B^i (A with axis i from B), N of each:
-//   first order  S_i  = 1 - sum (f(B) - f(A_B^i))^2 / (2 N V)
+//   first order  S_i  =     sum (f(B) - mean) (f(A_B^i) - f(A)) / (N V)
 //   total        ST_i =     sum (f(A) - f(A_B^i))^2 / (2 N V),   V the variance of f over A and B.
-// Source: Jansen, Analysis of variance designs for model output, Computer Physics Communications
-// 117 (1999) 35; Saltelli et al., Comput. Phys. Commun. 181 (2010) 259, table 2.
+// An axis that does nothing has exactly S_i = ST_i = 0, whatever N. Source: Saltelli et al.,
+// Comput. Phys. Commun. 181 (2010) 259, table 2 (b) and, after Jansen 1999, (f).
 #pragma once
 
 #include <vector>

@@ -99,6 +99,17 @@ TEST(SobolIndices, IshigamiWithin0p02) {
   }
 }
 
+TEST(SobolIndices, AnAxisThatDoesNothingHasExactlyNone) {
+  std::vector<double> values;
+  for (const auto& u : SobolPoints(8, 4, 3)) {
+    for (double x : {u[0], u[2], u[2], u[0]}) values.push_back(std::exp(x));  // A, B, A_B^1, A_B^2
+  }
+  const auto indices = SobolIndices(values, 2);
+  EXPECT_EQ(indices[1].first, 0);
+  EXPECT_EQ(indices[1].total, 0);
+  EXPECT_GT(indices[0].total, 0.5);
+}
+
 TEST(SobolIndices, LeavesOutBasePointsWithALostRunAndSaysNothingOfAConstant) {
   std::vector<double> values;
   for (int i = 0; i < 40; ++i) values.push_back(std::sin(7.0 * i));
