@@ -32,6 +32,7 @@ struct ContactOptions {
   std::string cases;
   std::string wheelset;
   bool functions = false;
+  double load_N = 0;  ///< of the functions, on each wheel; 0 = rigid bodies
   double reach_m = 10e-3;
   double step_m = 0.1e-3;
   std::string report;
@@ -180,13 +181,15 @@ Status WriteFunctions(const std::string& path, const rail::ContactFunctions& f) 
 }
 
 Status WriteFunctionsReport(const std::string& path, const rail::WheelRailParams& pair,
-                            const rail::ContactFunctions& f) {
+                            double load_N, const rail::ContactFunctions& f) {
   using report::Curve;
   report::ReportPage page(
       "Contact functions",
-      fmt::format("{} on {}, gauge {:.4g} m, rigid bodies, no yaw",
+      fmt::format("{} on {}, gauge {:.4g} m, {}, no yaw",
                   std::filesystem::path(pair.wheel_profile).filename().string(),
-                  std::filesystem::path(pair.rail_profile).filename().string(), pair.gauge));
+                  std::filesystem::path(pair.rail_profile).filename().string(), pair.gauge,
+                  load_N > 0 ? fmt::format("{:.4g} kN on each wheel", 1e-3 * load_N)
+                             : std::string("rigid bodies")));
   Curve difference{.label = "radius difference"}, left{.label = "left"},
       right{.label = "right", .colour = 1}, conicity{.label = "equivalent conicity"};
   for (const rail::ContactFunctionRow& row : f.rows) {
@@ -226,8 +229,8 @@ Status WriteFunctionsReport(const std::string& path, const rail::WheelRailParams
 int RunFunctions(const ContactOptions& options) {
   const auto pair = CreatePair(options.pair);
   if (!pair.ok()) return BadInput(pair.error());
-  const auto f =
-      rail::CalcContactFunctions(pair.value(), pair.value(), options.reach_m, options.step_m);
+  const auto f = rail::CalcContactFunctions(pair.value(), pair.value(), options.reach_m,
+                                            options.step_m, options.load_N);
   if (!f.ok()) return BadInput(f.error());
   if (Status s = WriteFunctions(options.out, f.value()); !s.ok()) return BadInput(s.error());
   fmt::print("amplitude [mm]   equivalent conicity\n");
@@ -236,7 +239,9 @@ int RunFunctions(const ContactOptions& options) {
   }
   fmt::print("{} lateral positions: {}\n", f.value().rows.size(), options.out);
   if (options.report.empty()) return kDone;
-  if (Status s = WriteFunctionsReport(options.report, pair.value().params(), f.value()); !s.ok()) {
+  if (Status s =
+          WriteFunctionsReport(options.report, pair.value().params(), options.load_N, f.value());
+      !s.ok()) {
     return BadInput(s.error());
   }
   fmt::print("Report: {}\n", options.report);
@@ -294,6 +299,9 @@ void AddContact(CLI::App* app, Action* action) {
   verb->add_option("--step_m", options->step_m, "--functions: between lateral positions")
       ->check(CLI::Range(1e-5, 1e-3))
       ->capture_default_str();
+  verb->add_option("--load_N", options->load_N,
+                   "--functions: on each wheel, elastic bodies (0: rigid bodies)")
+      ->check(CLI::Range(0.0, 1e6));
   verb->add_option("--report", options->report, "--functions: page with the plots (HTML)");
   verb->add_option("--method", options->method,
                    "Creep law (kalker_table for --cases, fastsim for --wheelset)")

@@ -12,18 +12,57 @@ constexpr double kMostRoll = 0.06;  ///< [rad]
 constexpr double kAmplitudeStep = 0.5e-3;
 constexpr double kLeastAmplitude = 1e-3;
 constexpr int kPhases = 2000;
+constexpr double kDeepest = 4e-3;  ///< of an elastic contact [m]
+constexpr int kHeightSteps = 36;   ///< to 1e-13 m
+constexpr int kRollSteps = 36;     ///< to 1e-12 rad
+
+/// A wheel sunk into its rail until it carries `load`; means over the patches.
+TouchPoint Pressed(const WheelRail& pair, double lateral, double roll, double load) {
+  TouchPoint point = pair.Touch(lateral, roll, 0);
+  if (!point.found) return point;
+  WheelsetMotion motion;
+  motion.lateral = lateral;
+  motion.roll = roll;
+  motion.speed = 1;
+  motion.velocity = {1, 0, 0};
+  double low = point.height;
+  double high = low + kDeepest;
+  WheelRailForces f;
+  for (int i = 0; i < kHeightSteps; ++i) {
+    motion.vertical = 0.5 * (low + high);
+    pair.Calc(motion, Side::kRight, {}, {}, &f);
+    (-f.elastic_force[2] < load ? low : high) = motion.vertical;
+  }
+  point = {f.count > 0, motion.vertical, 0, 0, 0, 0};
+  double sum = 0;
+  for (int k = 0; k < f.count; ++k) sum += f.patch[static_cast<size_t>(k)].normal;
+  for (int k = 0; k < f.count; ++k) {
+    const ContactPatch& patch = f.patch[static_cast<size_t>(k)];
+    const double share = patch.normal / sum;
+    point.rail_y += share * patch.rail_y;
+    point.wheel_y += share * patch.wheel_y;
+    point.angle += share * patch.angle;
+    point.radius += share * patch.rolling_radius;
+  }
+  return point;
+}
+
+TouchPoint Placed(const WheelRail& pair, double lateral, double roll, double load) {
+  return load > 0 ? Pressed(pair, lateral, roll, load) : pair.Touch(lateral, roll, 0);
+}
 
 /// C of a right wheel has the axes used here; a left wheel's is its mirror image.
-std::optional<ContactFunctionRow> RowAt(const WheelRail& left, const WheelRail& right, double y) {
+std::optional<ContactFunctionRow> RowAt(const WheelRail& left, const WheelRail& right, double y,
+                                        double load) {
   ContactFunctionRow row;
   row.y = y;
   // The right wheel sinks with the roll: it touches at a greater height.
   double low = -kMostRoll;
   double high = kMostRoll;
-  for (int i = 0; i < 60; ++i) {
+  for (int i = 0; i < (load > 0 ? kRollSteps : 60); ++i) {
     row.roll = 0.5 * (low + high);
-    row.right = right.Touch(y, row.roll, 0);
-    row.left = left.Touch(-y, -row.roll, 0);
+    row.right = Placed(right, y, row.roll, load);
+    row.left = Placed(left, -y, -row.roll, load);
     if (!row.right.found || !row.left.found) return std::nullopt;
     (row.right.height > row.left.height ? low : high) = row.roll;
   }
@@ -106,13 +145,13 @@ double ConicityBetween(const RadiusCurve& curve, double left, double right) {
 }  // namespace
 
 Result<ContactFunctions> CalcContactFunctions(const WheelRail& left, const WheelRail& right,
-                                              double reach, double step) {
+                                              double reach, double step, double load) {
   ContactFunctions out;
   const int count = static_cast<int>(std::floor(reach / step + 1e-9));
   for (int i = -count; i <= count; ++i) {
-    if (auto row = RowAt(left, right, i * step)) out.rows.push_back(*row);
+    if (auto row = RowAt(left, right, i * step, load)) out.rows.push_back(*row);
   }
-  const auto middle = RowAt(left, right, 0);
+  const auto middle = RowAt(left, right, 0, load);
   const std::string pair = right.params().wheel_profile + " on " + right.params().rail_profile;
   if (!middle || out.rows.size() < 3) {
     return Error{pair, "do not touch near the centre of the track",

@@ -1,5 +1,9 @@
 // Contact functions of a wheelset on a pair of rails: rolling radii, contact angles, roll and
-// height over the lateral position, rigid bodies without yaw; and the equivalent conicity.
+// height over the lateral position, without yaw; and the equivalent conicity.
+//
+// Rigid bodies, or elastic ones under a load on each wheel: then radius, angle and place are means
+// over all patches, weighted with their normal forces (quasi-elastic contact).
+// Where a rigid wheel jumps from tread to flange root, an elastic one bears on both.
 //
 // At a lateral position y (to the right) the wheelset has the roll at which both wheels touch. With
 // the rolling-radius difference Dr(y) = r_right - r_left, the distance e of the contact points at
@@ -36,10 +40,11 @@ struct ContactFunctions {
   double half_base = 0;  ///< e/2 [m]
 };
 
-/// From -reach to reach by `step` [m]; rows where a wheel finds no rail are left out. The conicity
-/// for amplitudes of 1 mm, 1.5 mm … as far as both turning points lie within the rows. An error if
-/// the wheelset does not touch near the centre, or nowhere rolls straight.
+/// From -reach to reach by `step` [m]; rows where a wheel finds no rail are left out. `load` on
+/// each wheel [N], 0 = rigid bodies. The conicity for amplitudes of 1 mm, 1.5 mm … as far as both
+/// turning points lie within the rows. An error if the wheelset does not touch near the centre, or
+/// nowhere rolls straight.
 Result<ContactFunctions> CalcContactFunctions(const WheelRail& left, const WheelRail& right,
-                                              double reach, double step);
+                                              double reach, double step, double load = 0);
 
 }  // namespace phs::rail
