@@ -195,7 +195,7 @@ TEST_F(ProgramTest, ContactFunctionsOfAPair) {
   EXPECT_EQ(Phs("contact --functions --wheel S1002 --out " + Path("g.csv")).code, 3);
   const Output loaded =
       Phs("contact --functions --wheel S1002 --rail UIC60 --load_N 100e3 --step_m " +
-          std::string("0.002 --out ") + Path("h.csv"));
+          std::string("0.001 --out ") + Path("h.csv"));
   EXPECT_EQ(loaded.code, 0) << loaded.text;
   EXPECT_EQ(Phs("contact --functions --wheel S1002 --rail UIC60 --load_N -1 --out x").code, 2);
 }
