@@ -19,12 +19,12 @@ class ReleasedAir final : public hydraulics::VolumeLaw {
   // A line whose static pressure is below p_c has its air out already: p_c is taken there.
   ReleasedAir(double volume, double release, double p0)
       : pV_(volume * hydraulics::kAtmosphere), release_(std::min(release, p0)) {}
-  void Add(double pressure, double* volume, double* slope) const noexcept override {
+  void Add(double pressure, double, double* volume, double* slope) const noexcept override {
     if (pressure >= release_) return;
     *volume -= pV_ * (1 / pressure - 1 / release_);
     *slope += pV_ / (pressure * pressure);
   }
-  double Energy(double pressure) const noexcept override {
+  double Energy(double pressure, double) const noexcept override {
     return pressure >= release_ ? 0 : pV_ * std::log(pressure / release_);
   }
 
@@ -36,7 +36,9 @@ Status Install(const EffectParams& effect, Extension* extension) {
   for (int line : TargetLines(effect, extension->params())) {
     const hydraulics::LineParams& l = extension->line(line);
     extension->AddVolume(
-        line, std::make_unique<ReleasedAir>(effect.values.at("solubility") * l.oil_volume_m3,
+        line, std::make_unique<ReleasedAir>(effect.values.at("solubility") *
+                                                LineFactor(effect, extension->params(), line) *
+                                                l.oil_volume_m3,
                                             effect.values.at("release_Pa"), l.static_pressure_Pa));
   }
   return {};
@@ -45,15 +47,17 @@ Status Install(const EffectParams& effect, Extension* extension) {
 }  // namespace
 
 const EffectInfo& CavitationInfo() {
-  static const EffectInfo info = {"cavitation",
-                                  "hydraulic",
-                                  "lines",
-                                  "air released below p_c: V = b V_oil p_a (1/p - 1/p_c)",
-                                  {
-                                      {"release_Pa", "Pa", 1e5, 1e2, 1e8, 2e3, 1.5e6, "p_c"},
-                                      {"solubility", "-", 0.09, 0, 0.5, 0.01, 0.12, "b"},
-                                  },
-                                  Install};
+  static const EffectInfo info = {
+      "cavitation",
+      "hydraulic",
+      "lines",
+      "air released below p_c: V = b V_oil p_a (1/p - 1/p_c)",
+      {
+          {"release_Pa", "Pa", 1e5, 1e2, 1e8, 2e3, 1.5e6, "p_c"},
+          {"solubility", "-", 0.09, 0, 0.5, 0.01, 0.12, "b"},
+          {"rod_ratio", "-", 1, 1e-3, 1e3, 0.2, 5, "air of rod lines over that of bore lines"},
+      },
+      Install};
   return info;
 }
 

@@ -11,18 +11,17 @@ namespace {
 using hydraulics::EffectInfo;
 using hydraulics::EffectParams;
 using hydraulics::Extension;
-using hydraulics::PipeFlow;
+using hydraulics::GapFlow;
 using hydraulics::Port;
 
 Status Install(const EffectParams& effect, Extension* extension) {
-  if (effect.values.at("conductance_m3_per_Pas") <= 0) return {};
-  const double R =
-      AtModelTemperature(1 / effect.values.at("conductance_m3_per_Pas"), extension->params());
+  const double G = LeakAtModelTemperature(effect, extension->params());
+  if (G <= 0) return {};
   for (int line : TargetLines(effect, extension->params())) {
     extension->AddFlow(
         Port::kLine, Port::kAtmosphere, -1, line, "external_leakage",
-        std::make_unique<PipeFlow>(PipeFlow::Resistance{R, 0}, PipeFlow::Resistance{R, 0}, 0,
-                                   effect.values.at("start_s")));
+        std::make_unique<GapFlow>(G * LineFactor(effect, extension->params(), line),
+                                  effect.values.at("exponent"), effect.values.at("start_s")));
   }
   return {};
 }
@@ -34,10 +33,12 @@ const EffectInfo& ExternalLeakageInfo() {
       "external_leakage",
       "hydraulic",
       "lines",
-      "q = G (p - p_atmosphere) out of the line from start_s on",
+      "q = G d (d/5 MPa)^(n-1), d = p - p_atmosphere, out of the line from start_s on",
       {
-          {"conductance_m3_per_Pas", "m3/(Pa s)", 1e-14, 0, 1e-3, 1e-16, 1e-11,
-           "laminar conductance at 20 °C"},
+          {"conductance_m3_per_Pas", "m3/(Pa s)", 1e-14, 0, 1e-3, 1e-18, 1e-11,
+           "conductance at 5 MPa and 20 °C"},
+          {"exponent", "-", 1, 0.2, 5, 0.4, 2.5, "n: 1 laminar, 1/2 orifice, > 1 widening gap"},
+          {"rod_ratio", "-", 1, 1e-3, 1e3, 0.2, 5, "leak of rod lines over that of bore lines"},
           {"start_s", "s", 0, -1e12, 1e12, 0, 1e6, "the leak opens at this time"},
       },
       Install};

@@ -15,7 +15,11 @@ Status Install(const EffectParams& effect, Extension* extension) {
   for (int line : TargetLines(effect, extension->params())) {
     hydraulics::LineParams& l = extension->line(line);
     l.reservoir.law = l.accumulator.law = law;
-    l.reservoir.thermal_time_s = l.accumulator.thermal_time_s = effect.values.at("thermal_time_s");
+    const double time =
+        effect.values.at("thermal_time_s") * LineFactor(effect, extension->params(), line);
+    l.reservoir.thermal_time_s = l.accumulator.thermal_time_s = time;
+    l.reservoir.heat_capacity_ratio = l.accumulator.heat_capacity_ratio =
+        effect.values.at("heat_capacity_ratio");
   }
   return {};
 }
@@ -30,6 +34,10 @@ const EffectInfo& GasThermalInfo() {
       "energy equation of the gas with a thermal time constant",
       {
           {"thermal_time_s", "s", 3, 1e-4, 1e9, 0.1, 60, "tau"},
+          {"heat_capacity_ratio", "-", 1, 1, 1e4, 1, 500,
+           "(gas + filler or wall that stores heat with it) / gas"},
+          {"rod_ratio", "-", 1, 1e-3, 1e3, 0.2, 5,
+           "time constant of rod lines over that of bore lines"},
           {"real_gas", "-", 0, 0, 1, 0, 1, "1: Benedict-Webb-Rubin, 0: ideal gas"},
       },
       Install};

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <memory>
+#include <string>
 
 #include "effects/targets.h"
 
@@ -12,30 +13,74 @@ using hydraulics::EffectInfo;
 using hydraulics::EffectParams;
 using hydraulics::Extension;
 
+/// Integral of a^(e-1) da from a0 to a.
+double PowerIntegral(double a0, double a, double e) {
+  const double log_ratio = std::log(a / a0);
+  return std::abs(e) < 1e-9 ? log_ratio : std::pow(a0, e) * std::expm1(e * log_ratio) / e;
+}
+
+/// dV/dp = C a^-m, a = 1 + p/p_k.
 class HoseVolume final : public hydraulics::VolumeLaw {
  public:
-  HoseVolume(double compliance, double stiffening, double p0)
-      : compliance_(compliance), stiffening_(stiffening), p0_(p0) {}
-  void Add(double pressure, double* volume, double* slope) const noexcept override {
-    *volume += compliance_ * stiffening_ * std::log1p((pressure - p0_) / (stiffening_ + p0_));
-    *slope += compliance_ * stiffening_ / (stiffening_ + pressure);
+  HoseVolume(double compliance, double stiffening, double order, double p0)
+      : compliance_(compliance),
+        stiffening_(stiffening),
+        order_(order),
+        start_(1 + p0 / stiffening) {}
+  void Add(double pressure, double, double* volume, double* slope) const noexcept override {
+    const double a = 1 + pressure / stiffening_;
+    *volume += compliance_ * stiffening_ * PowerIntegral(start_, a, 1 - order_);
+    *slope += compliance_ * std::pow(a, -order_);
   }
-  double Energy(double pressure) const noexcept override {
-    const double rise = pressure - p0_;
-    return compliance_ * stiffening_ *
-           (rise - stiffening_ * std::log1p(rise / (stiffening_ + p0_)));
+  // p dV = C p_k² (a - 1) a^-m da.
+  double Energy(double pressure, double) const noexcept override {
+    const double a = 1 + pressure / stiffening_;
+    return compliance_ * stiffening_ * stiffening_ *
+           (PowerIntegral(start_, a, 2 - order_) - PowerIntegral(start_, a, 1 - order_));
   }
 
  private:
-  double compliance_, stiffening_, p0_;
+  double compliance_, stiffening_, order_, start_;
+};
+
+/// Kelvin-Voigt element: w = C_c P m,  tau dm/dt = (p - p0)/P - m. Stored C_c (p0 P m + P² m²/2).
+class CreepVolume final : public hydraulics::VolumeLaw {
+ public:
+  CreepVolume(double compliance, double time, double p0)
+      : compliance_(compliance), time_(time), p0_(p0) {}
+  void Add(double, double memory, double* volume, double*) const noexcept override {
+    *volume += compliance_ * kScale * memory;
+  }
+  double Energy(double, double memory) const noexcept override {
+    return compliance_ * kScale * memory * (p0_ + 0.5 * kScale * memory);
+  }
+  std::string MemoryName() const override { return "hose_creep"; }
+  hydraulics::MemoryRate Memory(double pressure, double memory) const noexcept override {
+    const double behind = (pressure - p0_) / kScale - memory;
+    return {behind / time_, -1 / time_, 1 / (time_ * kScale), compliance_ * kScale,
+            compliance_ * kScale * kScale * behind * behind / time_};
+  }
+
+ private:
+  static constexpr double kScale = 1e7;  // P [Pa]: makes the memory of the order of one
+  double compliance_, time_, p0_;
 };
 
 Status Install(const EffectParams& effect, Extension* extension) {
   for (int line : TargetLines(effect, extension->params())) {
-    extension->AddVolume(line,
-                         std::make_unique<HoseVolume>(effect.values.at("compliance_m3_per_Pa"),
-                                                      effect.values.at("stiffening_Pa"),
-                                                      extension->line(line).static_pressure_Pa));
+    const double p0 = extension->line(line).static_pressure_Pa;
+    const double factor = LineFactor(effect, extension->params(), line);
+    const double elastic = factor * effect.values.at("compliance_m3_per_Pa");
+    const double creeping = factor * effect.values.at("creep_m3_per_Pa");
+    if (elastic > 0) {
+      extension->AddVolume(line,
+                           std::make_unique<HoseVolume>(elastic, effect.values.at("stiffening_Pa"),
+                                                        effect.values.at("stiffening_order"), p0));
+    }
+    if (creeping > 0) {
+      extension->AddVolume(
+          line, std::make_unique<CreepVolume>(creeping, effect.values.at("creep_time_s"), p0));
+    }
   }
   return {};
 }
@@ -47,10 +92,15 @@ const EffectInfo& HoseExpansionInfo() {
       "hose_expansion",
       "hydraulic",
       "lines",
-      "volume C p_k ln((p_k + p)/(p_k + p0))",
+      "dV/dp = C (1 + p/p_k)^-m, and a creeping part tau dw/dt = C_c (p - p0) - w",
       {
-          {"compliance_m3_per_Pa", "m3/Pa", 2e-13, 0, 1e-9, 1e-14, 3e-12, "C"},
-          {"stiffening_Pa", "Pa", 1e9, 1e4, 1e12, 5e6, 1e9, "p_k"},
+          {"compliance_m3_per_Pa", "m3/Pa", 2e-13, 0, 1e-9, 1e-14, 5e-11, "C"},
+          {"stiffening_Pa", "Pa", 1e9, 1e4, 1e12, 1e6, 1e9, "p_k"},
+          {"stiffening_order", "-", 1, 0, 100, 0.5, 20, "m; many: nearly exponential"},
+          {"creep_m3_per_Pa", "m3/Pa", 0, 0, 1e-9, 0, 2e-11, "C_c"},
+          {"creep_time_s", "s", 1, 1e-4, 1e6, 0.05, 60, "tau"},
+          {"rod_ratio", "-", 1, 1e-3, 1e3, 0.2, 5,
+           "compliance of rod lines over that of bore lines"},
       },
       Install};
   return info;

@@ -15,13 +15,15 @@ using hydraulics::PipeFlow;
 using hydraulics::Port;
 
 Status Install(const EffectParams& effect, Extension* extension) {
-  const PipeFlow::Resistance r{
-      AtModelTemperature(effect.values.at("laminar_Pas_per_m3"), extension->params()), 0};
   for (int i : TargetCylinders(effect, extension->params())) {
     for (Port chamber : {Port::kBore, Port::kRod}) {
-      extension->SplitChamber(
-          chamber, i, effect.values.at("oil_share"), "line_inertance",
-          std::make_unique<PipeFlow>(r, r, effect.values.at("inertance_kg_per_m4")));
+      const double factor = chamber == Port::kRod ? effect.values.at("rod_ratio") : 1;
+      const PipeFlow::Resistance r{
+          factor * AtModelTemperature(effect.values.at("laminar_Pas_per_m3"), extension->params()),
+          0};
+      const double inertance = factor * effect.values.at("inertance_kg_per_m4");
+      extension->SplitChamber(chamber, i, effect.values.at("oil_share"), "line_inertance",
+                              std::make_unique<PipeFlow>(r, r, inertance));
     }
   }
   return {};
@@ -38,6 +40,8 @@ const EffectInfo& LineInertanceInfo() {
       {
           {"inertance_kg_per_m4", "kg/m4", 1.6e7, 1, 1e12, 1e6, 1e9, "I = rho l/A"},
           {"laminar_Pas_per_m3", "Pa s/m3", 4e8, 1e3, 1e16, 1e7, 1e11, "R at 20 °C"},
+          {"rod_ratio", "-", 1, 1e-3, 1e3, 0.2, 5,
+           "resistance and inertance of the rod side over those of the bore side"},
           {"oil_share", "-", 0.2, 0.02, 0.45, 0.1, 0.4, "share of the line's oil at the chamber"},
       },
       Install};

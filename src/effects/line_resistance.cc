@@ -15,11 +15,12 @@ using hydraulics::PipeFlow;
 using hydraulics::Port;
 
 Status Install(const EffectParams& effect, Extension* extension) {
-  const PipeFlow::Resistance r{
-      AtModelTemperature(effect.values.at("laminar_Pas_per_m3"), extension->params()),
-      effect.values.at("turbulent_Pas2_per_m6")};
   for (int i : TargetCylinders(effect, extension->params())) {
     for (Port chamber : {Port::kBore, Port::kRod}) {
+      const double factor = chamber == Port::kRod ? effect.values.at("rod_ratio") : 1;
+      const PipeFlow::Resistance r{
+          factor * AtModelTemperature(effect.values.at("laminar_Pas_per_m3"), extension->params()),
+          factor * effect.values.at("turbulent_Pas2_per_m6")};
       extension->SplitChamber(chamber, i, effect.values.at("oil_share"), "line_resistance",
                               std::make_unique<PipeFlow>(r, r, 0));
     }
@@ -38,6 +39,8 @@ const EffectInfo& LineResistanceInfo() {
       {
           {"laminar_Pas_per_m3", "Pa s/m3", 1e9, 1e3, 1e16, 1e7, 1e12, "R at 20 °C"},
           {"turbulent_Pas2_per_m6", "Pa s2/m6", 0, 0, 1e20, 0, 1e16, "K"},
+          {"rod_ratio", "-", 1, 1e-3, 1e3, 0.2, 5,
+           "resistance of the rod side over that of the bore side"},
           {"oil_share", "-", 0.2, 0.02, 0.45, 0.1, 0.4, "share of the line's oil at the chamber"},
       },
       Install};

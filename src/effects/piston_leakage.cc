@@ -11,17 +11,15 @@ namespace {
 using hydraulics::EffectInfo;
 using hydraulics::EffectParams;
 using hydraulics::Extension;
-using hydraulics::PipeFlow;
+using hydraulics::GapFlow;
 using hydraulics::Port;
 
 Status Install(const EffectParams& effect, Extension* extension) {
-  if (effect.values.at("conductance_m3_per_Pas") <= 0) return {};
-  const double R =
-      AtModelTemperature(1 / effect.values.at("conductance_m3_per_Pas"), extension->params());
+  const double G = LeakAtModelTemperature(effect, extension->params());
+  if (G <= 0) return {};
   for (int i : TargetCylinders(effect, extension->params())) {
-    extension->AddFlow(
-        Port::kBore, Port::kRod, i, -1, "piston_leakage",
-        std::make_unique<PipeFlow>(PipeFlow::Resistance{R, 0}, PipeFlow::Resistance{R, 0}, 0));
+    extension->AddFlow(Port::kBore, Port::kRod, i, -1, "piston_leakage",
+                       std::make_unique<GapFlow>(G, effect.values.at("exponent")));
   }
   return {};
 }
@@ -29,15 +27,17 @@ Status Install(const EffectParams& effect, Extension* extension) {
 }  // namespace
 
 const EffectInfo& PistonLeakageInfo() {
-  static const EffectInfo info = {"piston_leakage",
-                                  "hydraulic",
-                                  "cylinders",
-                                  "q = G (p_bore - p_rod) past the piston seal",
-                                  {
-                                      {"conductance_m3_per_Pas", "m3/(Pa s)", 1e-13, 0, 1e-6, 1e-15,
-                                       1e-11, "laminar conductance of the gap at 20 °C"},
-                                  },
-                                  Install};
+  static const EffectInfo info = {
+      "piston_leakage",
+      "hydraulic",
+      "cylinders",
+      "q = G d (|d|/5 MPa)^(n-1), d = p_bore - p_rod, past the piston seal",
+      {
+          {"conductance_m3_per_Pas", "m3/(Pa s)", 1e-13, 0, 1e-6, 1e-17, 1e-11,
+           "conductance of the gap at 5 MPa and 20 °C"},
+          {"exponent", "-", 1, 0.2, 5, 0.4, 2.5, "n: 1 laminar, 1/2 orifice, > 1 widening gap"},
+      },
+      Install};
   return info;
 }
 

@@ -14,6 +14,8 @@ Status Install(const EffectParams& effect, Extension* extension) {
     hydraulics::FrictionTerms& f = extension->friction(i);
     f.presliding = true;
     f.presliding_stiffness_N_per_m = effect.values.at("stiffness_N_per_m");
+    f.presliding_creeps = effect.values.at("creeping") >= 0.5;
+    f.presliding_share = effect.values.at("share");
     f.presliding_breakaway_ratio = effect.values.at("breakaway_ratio");
   }
   return {};
@@ -30,6 +32,8 @@ const EffectInfo& PreslidingInfo() {
       {
           {"stiffness_N_per_m", "N/m", 3.6e7, 1e3, 1e12, 2e6, 5e8, "sigma0"},
           {"breakaway_ratio", "-", 0.7, 0, 0.99, 0.1, 0.95, "elastic share of the level"},
+          {"creeping", "-", 0, 0, 1, 0, 1, "1: bristle of Dahl and LuGre, 0: elasto-plastic"},
+          {"share", "-", 1, 0.01, 1, 0.02, 1, "of the level that sticks; the rest slides at once"},
       },
       Install};
   return info;

@@ -12,8 +12,8 @@ double DriftTime(double t, double settling) {
   return settling > 0 ? -settling * std::expm1(-t / settling) : t;
 }
 
-void Apply(const Channel& error, double settling, double t0_s, double step_s,
-           std::vector<double>* values) {
+void Apply(const Channel& error, const hydraulics::InstrumentTerms& terms, double t0_s,
+           double step_s, std::vector<double>* values) {
   std::vector<double>& y = *values;
   if (error.delay_s > 0) {
     const double shift = error.delay_s / step_s;
@@ -30,7 +30,11 @@ void Apply(const Channel& error, double settling, double t0_s, double step_s,
   }
   for (size_t i = 0; i < y.size(); ++i) {
     const double t = t0_s + static_cast<double>(i) * step_s;
-    y[i] = error.gain * y[i] + error.offset + error.drift_per_s * DriftTime(t, settling);
+    y[i] = error.gain * y[i] + error.offset + error.drift_per_s * DriftTime(t, terms.settling_s);
+    if (error.wave_sine != 0 || error.wave_cosine != 0) {
+      const double phase = 2 * M_PI * t / terms.period_s;
+      y[i] += error.wave_sine * std::sin(phase) + error.wave_cosine * (std::cos(phase) - 1);
+    }
   }
 }
 
@@ -42,8 +46,7 @@ void ApplyToLines(const hydraulics::PhsSystem& system, double t0_s, double step_
       const auto& error = system.instruments(static_cast<int>(c));
       const bool bore = cylinders[c].bore_line == system.line_names()[l];
       if (!bore && cylinders[c].rod_line != system.line_names()[l]) continue;
-      Apply(bore ? error.p_bore : error.p_rod, error.settling_s, t0_s, step_s,
-            &prediction->channels[8 + l]);
+      Apply(bore ? error.p_bore : error.p_rod, error, t0_s, step_s, &prediction->channels[8 + l]);
       break;
     }
   }
@@ -58,21 +61,19 @@ void ApplyInstruments(RigKind kind, const hydraulics::PhsSystem& system, double 
   if (!any) return;
   auto& channels = prediction->channels;
   if (kind == RigKind::kElement) {
-    Apply(system.instruments(0).load, system.instruments(0).settling_s, t0_s, step_s, &channels[0]);
+    Apply(system.instruments(0).load, system.instruments(0), t0_s, step_s, &channels[0]);
   } else if (kind == RigKind::kFull) {
     for (int c = 0; c < 4; ++c) {
-      Apply(system.instruments(c).piston, system.instruments(c).settling_s, t0_s, step_s,
-            &channels[c]);
-      Apply(system.instruments(c).load, system.instruments(c).settling_s, t0_s, step_s,
-            &channels[4 + c]);
+      Apply(system.instruments(c).piston, system.instruments(c), t0_s, step_s, &channels[c]);
+      Apply(system.instruments(c).load, system.instruments(c), t0_s, step_s, &channels[4 + c]);
     }
     ApplyToLines(system, t0_s, step_s, prediction);
   } else {
     const auto& error = system.instruments(0);
-    Apply(error.piston, error.settling_s, t0_s, step_s, &channels[0]);
-    Apply(error.load, error.settling_s, t0_s, step_s, &channels[1]);
-    Apply(error.p_bore, error.settling_s, t0_s, step_s, &channels[2]);
-    Apply(error.p_rod, error.settling_s, t0_s, step_s, &channels[3]);
+    Apply(error.piston, error, t0_s, step_s, &channels[0]);
+    Apply(error.load, error, t0_s, step_s, &channels[1]);
+    Apply(error.p_bore, error, t0_s, step_s, &channels[2]);
+    Apply(error.p_rod, error, t0_s, step_s, &channels[3]);
   }
 }
 

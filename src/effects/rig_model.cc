@@ -123,6 +123,7 @@ struct RigModel::Impl {
   PhsSystem system;
   std::vector<std::string> inputs, outputs;
 
+  int Substeps(double step_s) const;
   void RunCylinder(const RigMotion& motion, const std::vector<double>& speed,
                    RigPrediction* out) const;
   void RunMounted(const RigMotion& motion, const std::vector<double>& speed,
@@ -151,11 +152,35 @@ Result<RigModel> RigModel::Create(RigKind kind, const PhsParams& params,
   return RigModel(std::move(impl));
 }
 
+/// Position between two samples: the cubic through both with their speeds.
+class SampleStep {
+ public:
+  SampleStep(double x0, double x1, double v0, double v1, double h)
+      : x0_(x0), x1_(x1), v0_(h * v0), v1_(h * v1) {}
+  double At(double s) const {
+    const double d = x1_ - x0_;
+    return x0_ + s * (v0_ + s * (3 * d - 2 * v0_ - v1_ + s * (v0_ + v1_ - 2 * d)));
+  }
+  double End() const { return x1_; }
+
+ private:
+  double x0_, x1_, v0_, v1_;
+};
+
+/// Those asked for, or as many as a ringing oil column needs.
+int RigModel::Impl::Substeps(double step_s) const {
+  constexpr double kPhase = 0.6;  // [rad] per step: numerical damping below 0.1 %
+  constexpr int kMost = 8;
+  const double needed = std::ceil(system.max_line_frequency() * step_s / kPhase);
+  return std::max(options.substeps, static_cast<int>(std::min<double>(needed, kMost)));
+}
+
 void RigModel::Impl::RunCylinder(const RigMotion& motion, const std::vector<double>& speed,
                                  RigPrediction* out) const {
   if (options.substeps == 1 && system.has_mounts()) return RunMounted(motion, speed, out);
   const int n = motion.num_samples(), states = system.num_states();
-  const double h = motion.step_s / options.substeps;
+  const int substeps = Substeps(motion.step_s);
+  const double h = motion.step_s / substeps;
   std::vector<double> state(states, 0.0), rate(states, 0.0);
   PhsOutputs at;
   at.energy = false;
@@ -167,10 +192,14 @@ void RigModel::Impl::RunCylinder(const RigMotion& motion, const std::vector<doub
     double t = motion.t0_s + i * motion.step_s, x = motion.position_m[0][i];
     system.Calc(t, &x, &speed[i], state.data(), &at);
     if (i + 1 == n || states == 0) continue;
-    const double v = (motion.position_m[0][i + 1] - x) / motion.step_s;
-    for (int k = 0; k < options.substeps; ++k, t += h, x += h * v) {
+    const SampleStep step(motion.position_m[0][i], motion.position_m[0][i + 1], speed[i],
+                          speed[i + 1], motion.step_s);
+    for (int k = 0; k < substeps; ++k, t += h) {
+      const double next = k + 1 < substeps ? step.At((k + 1.0) / substeps) : step.End();
+      const double v = (next - x) / h;
       system.CalcStateRate(t, h, &x, &v, state.data(), rate.data());
       for (int j = 0; j < states; ++j) state[j] += h * rate[j];
+      x = next;
     }
   }
 }

@@ -11,7 +11,8 @@
 // Channel names are those of the measured data: quarter and cylinder
 // `piston_m,load_cell_N,p_bore_Pa,p_rod_Pa` from `actuator_m`; full `piston1_m…piston4_m,
 // load1_N…load4_N,pL1_Pa…pL4_Pa` from `actuator1_m,actuator2_m`; element `force_N` from `x_m`
-// (optionally `v_m_s`, `p_Pa`, `temperature_K`). Signs: extension > 0, tension > 0; pressures absolute.
+// (optionally `v_m_s`, `p_Pa`, `temperature_K`). Signs: extension > 0, tension > 0; pressures
+// absolute.
 #pragma once
 
 #include <memory>
@@ -36,7 +37,7 @@ struct BeamParams {
 };
 
 struct RigOptions {
-  int substeps = 1;    ///< integration steps per sample (1 … 1000)
+  int substeps = 1;    ///< integration steps per sample (1 … 1000); more where a line rings
   bool settle = true;  ///< states start settled at the first position (friction unloaded)
   BeamParams beam;     ///< full rig only
 };

@@ -19,14 +19,29 @@
 
 namespace phs::hydraulics {
 
+/// How the memory of a VolumeLaw moves: dm/dt = rate(p, m).
+struct MemoryRate {
+  double rate = 0;         ///< [1/s]
+  double rate_slope = 0;   ///< d(rate)/dm [1/s], <= 0
+  double rate_rise = 0;    ///< d(rate)/dp [1/(s Pa)]
+  double volume_rise = 0;  ///< dV/dm at constant pressure [m3]
+  double loss = 0;         ///< available power lost [W], >= 0
+};
+
 /// Volume taken up above the static state at pressure p: Volume(p0) = 0, rising with p (passive).
+/// A law may have a memory m, one number that follows the pressure with a lag (creep, dissolving
+/// gas): 0 in the static state, of the order of one.
 class VolumeLaw {
  public:
   virtual ~VolumeLaw() = default;
-  /// `volume` [m3] and `slope` dV/dp [m3/Pa] >= 0 are added to.
-  virtual void Add(double pressure, double* volume, double* slope) const noexcept = 0;
-  /// Integral of p dV from the static state [J].
-  virtual double Energy(double pressure) const noexcept = 0;
+  /// `volume` [m3] and `slope` dV/dp [m3/Pa] >= 0 at constant memory are added to.
+  virtual void Add(double pressure, double memory, double* volume,
+                   double* slope) const noexcept = 0;
+  /// Integral of p dV from the static state, less what was lost on the way [J].
+  virtual double Energy(double pressure, double memory) const noexcept = 0;
+  /// Name of the memory among the states, "creep"; empty = none.
+  virtual std::string MemoryName() const { return {}; }
+  virtual MemoryRate Memory(double /*pressure*/, double /*memory*/) const noexcept { return {}; }
 };
 
 /// Flow through an opening or pipe: rises with the pressure difference, Flow(0) = 0 (passive).
@@ -75,44 +90,65 @@ struct ElementTerms {
 };
 
 /// Friction level of one cylinder beyond its curve. level(v, …) = curve(v)
-///   * (1 + position_slope y + position_curvature y²)     (kept >= 0)
-///   + stribeck_extra exp(-(|v|/stribeck_speed)) + dwell_extra * phi + pressure terms
+///   * (1 + position_slope y + position_curvature y² + spot exp(-((y - centre)/width)²)
+///        + wave_sine sin(2 pi y/wave_length) + wave_cosine (cos(2 pi y/wave_length) - 1))
+///     (kept >= 0)
+///   + stribeck_extra exp(-(|v|/stribeck_speed)^exponent) + dwell_extra * phi + pressure terms
 ///   + level_shift (extension) or - level_shift (retraction),
 /// all times 1 - temperature_slope (T - T_static), kept >= 0,
-/// plus viscous force c v and a further force (effect `unlisted`). phi: dwell state, dphi/dt = (1 - phi)/dwell_time - phi |v|/dwell_length.
+/// plus viscous force c v |v/1 cm/s|^(viscous_exponent - 1) and a further force (effect
+/// `unlisted`). Pressure terms: k_bore, k_rod times the chamber's rise and k_difference times the
+/// rise of |p_bore - p_rod|.
+/// phi: dwell state, dphi/dt = (1 - phi)/dwell_time - phi |v|/dwell_length.
 struct FrictionTerms {
   double stribeck_extra_extension_N = 0, stribeck_extra_retraction_N = 0;
-  double stribeck_speed_m_s = 1e-3;
+  double stribeck_speed_m_s = 1e-3, stribeck_exponent = 1;
   double viscous_extension_Ns_per_m = 0, viscous_retraction_Ns_per_m = 0;
+  double viscous_exponent = 1;
   double pressure_bore_N_per_Pa = 0, pressure_rod_N_per_Pa = 0;  ///< times p - p0 of the chamber
+  double pressure_difference_N_per_Pa = 0;
+  double static_difference_Pa = 0;  ///< p_bore - p_rod at rest; set by the core
   double level_shift_N = 0;
   double position_slope_1_per_m = 0, position_curvature_1_per_m2 = 0;
+  double spot_share = 0, spot_centre_m = 0, spot_width_m = 1e-3;
+  double wave_sine = 0, wave_cosine = 0, wave_length_m = 1e-3;
   double temperature_slope_1_per_K = 0;
   std::shared_ptr<const ForceLaw> further;  ///< none if empty
   double dwell_extra_N = 0, dwell_time_s = 1, dwell_length_m = 1e-4;
   bool presliding = false;  ///< forces the presliding model with the two numbers below
   double presliding_stiffness_N_per_m = 0, presliding_breakaway_ratio = 0;
+  bool presliding_creeps = false;  ///< the bristle of Dahl and LuGre instead of the elasto-plastic
+  double presliding_share = 1;     ///< of the level that sticks; the rest slides at once
 };
 
-/// Elements in series between mounting and piston: play, spring, spring with a Maxwell branch.
+/// Elements in series between mounting and piston: play, spring, spring with Maxwell branches.
+/// Spring force k e (1 + b e²), times `tension_ratio` for e > 0.
 struct MountTerms {
+  static constexpr int kBranches = 2;
   bool present = false;
-  double gap_m = 0;                      ///< total free play
-  double stiffness_N_per_m = 0;          ///< series spring; 0 = the contact stiffness below only
-  double maxwell_stiffness_N_per_m = 0;  ///< parallel branch of a bush
-  double maxwell_damping_Ns_per_m = 0;
+  double gap_m = 0;               ///< total free play
+  double stiffness_N_per_m = 0;   ///< series spring; 0 = the contact stiffness below only
+  double hardening_1_per_m2 = 0;  ///< b >= 0
+  double tension_ratio = 1;       ///< stiffness in tension over that in compression, > 0
+  /// Parallel branches of a bush.
+  double maxwell_stiffness_N_per_m[kBranches] = {0, 0};
+  double maxwell_damping_Ns_per_m[kBranches] = {0, 0};
+  bool HasBranch(int k) const { return maxwell_stiffness_N_per_m[k] > 0; }
 };
 /// Stiffness used for a mounting that only has play [N/m].
 inline constexpr double kContactStiffness = 2e9;
 
 /// Error of the instruments of one cylinder: shown = gain * true(t - delay) + offset + drift * t,
-/// or drift T (1 - exp(-t/T)) for a drift that settles with the time T.
+/// or drift T (1 - exp(-t/T)) for a drift that settles with the time T; plus a slow wave
+/// wave_sine sin(2 pi t/P) + wave_cosine (cos(2 pi t/P) - 1).
 struct InstrumentTerms {
   struct Channel {
     double gain = 1, offset = 0, drift_per_s = 0, delay_s = 0;
+    double wave_sine = 0, wave_cosine = 0;
   };
   Channel load, p_bore, p_rod, piston;
   double settling_s = 0;  ///< T; 0 = never settles
+  double period_s = 100;  ///< P
   bool present = false;
 };
 

@@ -13,7 +13,6 @@
 // of Alexander (SIAM J. Numer. Anal. 14 (1977) 1006), second order, stiffly accurate, L-stable:
 //   u1 = u + g h F(t + g h, u1),   u' = u + (1 - g) h F1 + g h F(t + h, u'),   each by Newton.
 // g = 1 - 1/sqrt(2) in both.
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 
@@ -24,13 +23,56 @@ namespace {
 
 constexpr double kGamma = 1 - M_SQRT1_2;
 constexpr int kMaxFlow = 2 * kMaxPaths;
-using Matrix =
-    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, kMaxFlow, kMaxFlow>;
-using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, kMaxFlow, 1>;
 
-// Heat balances of one node; `inflow` = dD/dt. Writes rates and the diagonal of A.
+// A square matrix of the few flow states, rows one after the other.
+struct Matrix {
+  explicit Matrix(int rows) : n(rows) {}
+  double& operator()(int i, int k) { return value[i * n + k]; }
+  void SetZero() { std::fill(value, value + n * n, 0.0); }
+  int n;
+  double value[kMaxFlow * kMaxFlow];
+};
+
+// Solves (1 - a A) x = b in place of b, by elimination with partial pivoting; A is lost.
+void SolveShifted(double a, Matrix* A, double* b) {
+  const int n = A->n;
+  Matrix& m = *A;
+  for (int i = 0; i < n * n; ++i) m.value[i] *= -a;
+  for (int i = 0; i < n; ++i) m(i, i) += 1;
+  for (int k = 0; k < n; ++k) {
+    int pivot = k;
+    for (int i = k + 1; i < n; ++i) {
+      if (std::abs(m(i, k)) > std::abs(m(pivot, k))) pivot = i;
+    }
+    if (pivot != k) {
+      std::swap_ranges(&m(k, 0), &m(k, 0) + n, &m(pivot, 0));
+      std::swap(b[k], b[pivot]);
+    }
+    for (int i = k + 1; i < n; ++i) {
+      const double share = m(i, k) / m(k, k);
+      if (share == 0) continue;
+      for (int j = k + 1; j < n; ++j) m(i, j) -= share * m(k, j);
+      b[i] -= share * b[k];
+    }
+  }
+  for (int i = n - 1; i >= 0; --i) {
+    for (int j = i + 1; j < n; ++j) b[i] -= m(i, j) * b[j];
+    b[i] /= m(i, i);
+  }
+}
+
+// Memories of volume laws and heat balances of one node; `inflow` = dD/dt. Writes rates and the
+// diagonal of A.
 void CalcGasRates(const Node& node, const NodeState& at, double ambient, double inflow,
                   const double* state, double* rate, double* diagonal) {
+  for (const NodeLaw& l : node.laws) {
+    if (l.state < 0) continue;
+    const MemoryRate memory = l.law->Memory(at.p, state[l.state]);
+    rate[l.state] = memory.rate;
+    // The node's pressure answers to the memory: dp/dm = -V_m / S at constant oil.
+    diagonal[l.state] = memory.rate_slope - memory.rate_rise * memory.volume_rise / at.slope;
+    inflow -= memory.volume_rise * memory.rate;
+  }
   bool any = false;
   for (const NodeGas& g : node.gases) any |= g.state >= 0;
   if (!any) return;
@@ -70,7 +112,7 @@ void CalcDerivative(const CompiledPhs& sys, double time, const Instant& at, cons
     if (c.rod != kOpen) inflow[c.rod] += c.rod_area * speed[i];
   }
   const int first_flow = sys.paths.empty() ? 0 : sys.paths[0].volume;
-  if (A != nullptr) A->setZero();
+  if (A != nullptr) A->SetZero();
   for (const Path& path : sys.paths) {
     const double dp = sys.Pressure(at, path.from) - sys.Pressure(at, path.to);
     double flow, slope = 0;
@@ -146,7 +188,7 @@ void SolveStage(const CompiledPhs& sys, double time, double since, double a, con
   const int count = sys.num_states(), first = sys.first_slow;
   const int first_flow = sys.paths[0].volume, flows = count - first_flow;
   double diagonal[kMaxStates] = {};
-  Matrix A(flows, flows);
+  Matrix A(flows);
   Instant at;
   constexpr int kMostIterations = 30;
   for (int iteration = 0; iteration < kMostIterations; ++iteration) {
@@ -158,18 +200,17 @@ void SolveStage(const CompiledPhs& sys, double time, double since, double a, con
       u[i] += change;
       largest = std::max(largest, std::abs(change) * 1e7);
     }
-    Vector residual(flows);
+    double change[kMaxFlow];
     for (int i = 0; i < flows; ++i) {
       const int k = first_flow + i;
-      residual[i] = base[k] + a * F[k] - u[k];
+      change[i] = base[k] + a * F[k] - u[k];
     }
-    Matrix system = -a * A;
-    system.diagonal().array() += 1;
-    const Vector change = system.partialPivLu().solve(residual);
+    SolveShifted(a, &A, change);
     for (int i = 0; i < flows; ++i) {
       u[first_flow + i] += change[i];
-      // 1e-16 m3 is 1e-4 Pa on a chamber; a flow state moves its volume by a times itself.
-      largest = std::max(largest, std::abs(change[i]) * 1e16);
+      // 1e-14 m3 is 0.01 Pa on a chamber, and Newton's next error is far below the last change; a
+      // flow state moves its volume by a times itself.
+      largest = std::max(largest, std::abs(change[i]) * 1e14);
     }
     if (largest <= 1) break;
   }
@@ -226,6 +267,9 @@ double CalcHydraulicLoss(const CompiledPhs& sys, double time, const Instant& at,
                            : path.law->Flow(time, dp, &slope) * dp;
   }
   for (size_t n = 0; n < sys.nodes.size(); ++n) {
+    for (const NodeLaw& l : sys.nodes[n].laws) {
+      if (l.state >= 0) lost += l.law->Memory(at.node[n].p, state[l.state]).loss;
+    }
     for (const NodeGas& g : sys.nodes[n].gases) {
       if (g.state < 0) continue;
       const double T = GasTemperature(g, at.ambient, state);

@@ -44,6 +44,8 @@ Friction::Friction(const FrictionParams& params, const FrictionTerms& terms)
     model_ = FrictionModel::kPresliding;
     sigma0_ = terms.presliding_stiffness_N_per_m;
     ratio_ = terms.presliding_breakaway_ratio;
+    creeps_ = terms.presliding_creeps;
+    share_ = terms.presliding_share;
   }
   if (model_ != FrictionModel::kPresliding) sigma0_ = sigma1_ = 0;
 }
@@ -62,18 +64,47 @@ double Friction::Curve(int side, double speed) const {
   return f[i - 1] + (f[i] - f[i - 1]) * (speed - v[i - 1]) / (v[i] - v[i - 1]);
 }
 
+double Friction::PositionFactor(double piston) const {
+  const FrictionTerms& t = terms_;
+  double shape = 1 + (t.position_slope_1_per_m + t.position_curvature_1_per_m2 * piston) * piston;
+  if (t.spot_share != 0) {
+    const double away = (piston - t.spot_centre_m) / t.spot_width_m;
+    shape += t.spot_share * std::exp(-away * away);
+  }
+  if (t.wave_sine != 0 || t.wave_cosine != 0) {
+    const double phase = 2 * M_PI * piston / t.wave_length_m;
+    shape += t.wave_sine * std::sin(phase) + t.wave_cosine * (std::cos(phase) - 1);
+  }
+  return std::max(shape, 0.0);
+}
+
+double Friction::Viscous(double v) const {
+  constexpr double kReference = 1e-2, kSmooth = 1e-4;  // [m/s]
+  double force = extra_viscous_[v > 0 ? 0 : 1] * v;
+  if (force != 0 && terms_.viscous_exponent != 1) {
+    force *= std::pow((v * v + kSmooth * kSmooth) / (kReference * kReference),
+                      0.5 * (terms_.viscous_exponent - 1));
+  }
+  return force;
+}
+
 double Friction::Level(int sign, double speed, const FrictionPlace& place) const {
   const int side = sign > 0 ? 0 : 1;
   double level = scale_ * Curve(side, speed);
-  const double shape =
-      1 + (terms_.position_slope_1_per_m + terms_.position_curvature_1_per_m2 * place.piston) *
-              place.piston;
-  level *= std::max(shape, 0.0);
-  if (extra_[side] != 0) level += extra_[side] * std::exp(-speed / terms_.stribeck_speed_m_s);
+  level *= PositionFactor(place.piston);
+  if (extra_[side] != 0) {
+    const double ratio = speed / terms_.stribeck_speed_m_s, n = terms_.stribeck_exponent;
+    level += extra_[side] * std::exp(-(n == 1 ? ratio : std::pow(ratio, n)));
+  }
   level += sign > 0 ? terms_.level_shift_N : -terms_.level_shift_N;
   level += terms_.dwell_extra_N * place.rested;
   level += terms_.pressure_bore_N_per_Pa * place.bore_rise;
   level += terms_.pressure_rod_N_per_Pa * place.rod_rise;
+  if (terms_.pressure_difference_N_per_Pa != 0) {
+    const double rest = terms_.static_difference_Pa;
+    level += terms_.pressure_difference_N_per_Pa *
+             (std::abs(rest + place.bore_rise - place.rod_rise) - std::abs(rest));
+  }
   level *= std::max(1 - terms_.temperature_slope_1_per_K * place.warmer, 0.0);
   return std::max(level, 0.0);
 }
@@ -83,16 +114,22 @@ FrictionForce Friction::Calc(double v, double z, const FrictionPlace& place) con
   const int sign = v > 0 ? 1 : -1;
   const int side = v > 0 ? 0 : 1;
   const double speed = std::abs(v);
-  const double viscous = extra_viscous_[side] * v;
+  double viscous = Viscous(v);
   if (model_ == FrictionModel::kNone) {
     out.force = viscous;
   } else if (model_ == FrictionModel::kStatic) {
     out.force = sign * Level(sign, speed, place) * std::min(speed / ramp_[side], 1.0) + viscous;
   } else {
-    const double z_s = Level(sign, speed, place) / sigma0_, z_b = ratio_ * z_s;
+    const double level = Level(sign, speed, place);
+    if (share_ < 1) viscous += sign * (1 - share_) * level * std::min(speed / ramp_[side], 1.0);
+    const double z_s = share_ * level / sigma0_, z_b = ratio_ * z_s;
     const double along = sign * z;
     double yield = 0;  // alpha z/z_s
-    if (z_s > 0 && along > z_b) yield = (along - z_b) / (z_s - z_b) * along / z_s;
+    if (z_s > 0 && creeps_) {
+      yield = along / z_s;
+    } else if (z_s > 0 && along > z_b) {
+      yield = (along - z_b) / (z_s - z_b) * along / z_s;
+    }
     if (z_s <= 0 && along >= 0) yield = 1;
     out.bristle_speed = v * (1 - yield);
     const double damped = v * std::max(1 - yield, 0.0);
@@ -115,7 +152,7 @@ double Friction::Direction(double v, double z, const FrictionPlace& place) const
   if (model_ == FrictionModel::kStatic) {
     return sign * std::min(std::abs(v) / ramp_[v > 0 ? 0 : 1], 1.0);
   }
-  const double level = Level(z > 0 ? 1 : -1, std::abs(v), place);
+  const double level = share_ * Level(z > 0 ? 1 : -1, std::abs(v), place);
   return level > 0 ? std::clamp(sigma0_ * z / level, -1.0, 1.0) : 0;
 }
 
@@ -129,8 +166,9 @@ double Friction::Advance(double h, double v, double z, const FrictionPlace& plac
   if (left <= 0) return z;
   const int sign = v > 0 ? 1 : -1;
   double along = sign * z;
-  const double z_s = Level(sign, std::abs(v), place) / sigma0_;
+  const double z_s = share_ * Level(sign, std::abs(v), place) / sigma0_;
   if (!(z_s > 0)) return sign * std::min(along + left, 0.0);
+  if (creeps_) return sign * (z_s + (along - z_s) * std::exp(-left / z_s));
   const double z_b = ratio_ * z_s;
   if (along < z_b) {
     const double elastic = std::min(left, z_b - along);
@@ -164,6 +202,10 @@ double Friction::MaxDamping() const {
       c += Level(side == 0 ? 1 : -1, ramp_[side], FrictionPlace{}) / ramp_[side];
     } else {
       c += sigma1_;
+      if (share_ < 1) {
+        const double rest = Level(side == 0 ? 1 : -1, ramp_[side], FrictionPlace{});
+        c += (1 - share_) * rest / ramp_[side];
+      }
     }
     most = std::max(most, c);
   }

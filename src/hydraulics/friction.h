@@ -13,6 +13,10 @@
 //   q = (z_s - |z|)/(|z| + z_s - z_b),   q(x) = q(0) exp(-k x),   k = (2 z_s - z_b)/(z_s (z_s -
 //   z_b))
 // so the update over any step is exact and unconditionally stable.
+// With presliding_creeps instead the bristle of Dahl (1968) and of Canudas de Wit, Olsson, Astrom
+// and Lischinsky (LuGre, IEEE Trans. Automatic Control 40 (1995) 419), alpha = sgn(v z) throughout:
+//   dz/dt = v - |v| z/z_s,   z_s - |z| falls as exp(-x/z_s) in sliding. It creeps when shaken.
+// With presliding_share < 1 only that share of the level sticks, the rest follows the static law.
 // Signs: F adds to the tension force, F > 0 for extension (v > 0). Stored energy sigma0 z²/2;
 // lost power F v - sigma0 z dz/dt >= 0.
 #pragma once
@@ -49,7 +53,7 @@ class Friction {
   bool has_dwell() const { return terms_.dwell_extra_N != 0; }
   bool depends_on_pressure() const {
     return terms_.pressure_bore_N_per_Pa != 0 || terms_.pressure_rod_N_per_Pa != 0 ||
-           terms_.further != nullptr;
+           terms_.pressure_difference_N_per_Pa != 0 || terms_.further != nullptr;
   }
   double stiffness() const { return sigma0_; }
   /// Largest d(force)/d(speed) near zero speed [N s/m].
@@ -70,6 +74,8 @@ class Friction {
 
  private:
   double Curve(int sign, double speed) const;
+  double PositionFactor(double piston) const;
+  double Viscous(double v) const;
   double Further(double v, double z, const FrictionPlace& place) const;
 
   FrictionModel model_ = FrictionModel::kNone;
@@ -81,7 +87,8 @@ class Friction {
   double coulomb_[2] = {0, 0}, breakaway_[2] = {0, 0}, viscous_[2] = {0, 0}, ramp_[2] = {1, 1};
   double extra_[2] = {0, 0}, extra_viscous_[2] = {0, 0};
   double stribeck_speed_ = 1;
-  double sigma0_ = 0, sigma1_ = 0, ratio_ = 0;
+  double sigma0_ = 0, sigma1_ = 0, ratio_ = 0, share_ = 1;
+  bool creeps_ = false;
 };
 
 }  // namespace phs::hydraulics

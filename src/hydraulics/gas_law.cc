@@ -88,6 +88,18 @@ double CalcGasPressure(const GasVolume& gas, double volume, double temperature) 
   return 0;
 }
 
+namespace {
+
+/// Heat capacity of the filler per mass of gas [J/(kg K)].
+double FillerHeat(const GasVolume& gas) { return (gas.heat_capacity_ratio - 1) * kNitrogenCv; }
+
+double FillerExergy(const GasVolume& gas, double T, double ambient) {
+  const double T0 = gas.reference_temperature;
+  return gas.mass * FillerHeat(gas) * (T - T0 - ambient * std::log(T / T0));
+}
+
+}  // namespace
+
 double CalcGasEnergy(const GasVolume& gas, double volume, double temperature, double ambient) {
   const double T = std::max(temperature, kColdest);
   const double V0 = gas.reference_volume, T0 = gas.reference_temperature;
@@ -102,12 +114,14 @@ double CalcGasEnergy(const GasVolume& gas, double volume, double temperature, do
     }
     case GasLaw::kIdeal: {
       const double entropy = kNitrogenCv * std::log(T / T0) + kNitrogenR * std::log(volume / V0);
-      return gas.mass * (kNitrogenCv * (T - T0) - ambient * entropy);
+      return gas.mass * (kNitrogenCv * (T - T0) - ambient * entropy) +
+             FillerExergy(gas, T, ambient);
     }
     case GasLaw::kBwr: {
       const double rho = gas.mass / volume, rho0 = gas.mass / V0;
       return gas.mass * (CalcBwrEnergy(rho, T) - CalcBwrEnergy(rho0, T0) -
-                         ambient * (CalcBwrEntropy(rho, T) - CalcBwrEntropy(rho0, T0)));
+                         ambient * (CalcBwrEntropy(rho, T) - CalcBwrEntropy(rho0, T0))) +
+             FillerExergy(gas, T, ambient);
     }
   }
   return 0;
@@ -124,6 +138,7 @@ GasHeat CalcGasHeat(const GasVolume& gas, double volume, double temperature, dou
     cv = CalcNitrogenCv0(T) + CalcBwrResidualCv(rho, T, at.decay);
     dp_dT = at.dp_dT;
   }
+  cv += FillerHeat(gas);
   out.relax = (ambient - T) / gas.thermal_time;
   out.kappa = T * dp_dT / (gas.mass * cv);
   out.loss = gas.mass * cv * (T - ambient) * (T - ambient) / (gas.thermal_time * T);

@@ -33,6 +33,7 @@ struct GasVolume {
   double reference_temperature = 0;  ///< T0 [K]
   double exponent = 1.4;             ///< n of the polytropic law, 1 … 1.7
   double thermal_time = 5;           ///< tau [s], > 0
+  double heat_capacity_ratio = 1;    ///< (gas + filler that stores heat with it) / gas, >= 1
   double min_volume = 0;             ///< [m3]
   double max_volume = 0;             ///< [m3]
   double mass = 0;                   ///< [kg]; set by SetMass

@@ -2,8 +2,9 @@
 //
 //   x o--[ gap ]--+--[ k ]-------------+--o y piston        u = x - y (state), e = play-free part
 //   of u
-//                 +--[ k2 ]--q--[ c ]--+
-//   F = k e + k2 (e - q),  dq/dt = k2 (e - q)/c,  e = u - sgn(u) min(|u|, gap/2)
+//                 +--[ k2 ]--q--[ c ]--+  (one or two)
+//   F = k e (1 + b e²) [times r for e > 0] + sum k2 (e - q),  dq/dt = k2 (e - q)/c,
+//   e = u - sgn(u) min(|u|, gap/2)
 // The piston has no mass worth a state: F = pressure force + end stop + friction(dy/dt), which is
 // solved for the piston's move over the step by backward Euler. The sum rises with the move, so a
 // bracketed Newton finds it; cylinders that share lines are swept until none moves any more
@@ -48,14 +49,15 @@ class PistonBalance {
     const EndStopForce stop = CalcEndStop(c_.stop, start_ + move, speed);
     double friction_slope, mount_slope;
     const double friction = FrictionAfter(move, &friction_slope);
-    const double q = c_.maxwell >= 0 ? state_[c_.maxwell] : 0;
     MountTerms stepped = c_.mount;
-    if (c_.maxwell >= 0) {
+    for (int k = 0; k < MountTerms::kBranches; ++k) {
+      if (c_.maxwell[k] < 0) continue;
       // Backward Euler of q folded into the branch stiffness.
-      stepped.maxwell_stiffness_N_per_m /=
-          1 + h_ * c_.mount.maxwell_stiffness_N_per_m / c_.mount.maxwell_damping_Ns_per_m;
+      stepped.maxwell_stiffness_N_per_m[k] /=
+          1 + h_ * c_.mount.maxwell_stiffness_N_per_m[k] / c_.mount.maxwell_damping_Ns_per_m[k];
     }
-    const double mount = CalcMountForce(stepped, x_end_ - start_ - move, q, &mount_slope);
+    const double mount =
+        CalcMountForce(stepped, x_end_ - start_ - move, c_.Creep(state_), &mount_slope);
     *slope = k_bore + k_rod + stop.slope + friction_slope + mount_slope;
     return CalcPressureForce(sys_, *at_, cylinder_) + stop.force + friction - mount;
   }
@@ -119,26 +121,39 @@ double SolveMove(PistonBalance* balance, double guess) {
 
 }  // namespace
 
-double CalcMountForce(const MountTerms& mount, double u, double q, double* slope) {
+double CalcMountForce(const MountTerms& mount, double u, const MountCreep& q, double* slope) {
   const double e = PlayFree(u, mount.gap_m);
-  const double k2 = mount.maxwell_stiffness_N_per_m;
-  *slope = e != 0 ? mount.stiffness_N_per_m + k2 : 0;
-  return mount.stiffness_N_per_m * e + k2 * (e - q);
+  const double k = mount.stiffness_N_per_m * (e > 0 ? mount.tension_ratio : 1);
+  const double harder = mount.hardening_1_per_m2 * e * e;
+  double force = k * e * (1 + harder);
+  *slope = k * (1 + 3 * harder);
+  for (int b = 0; b < MountTerms::kBranches; ++b) {
+    force += mount.maxwell_stiffness_N_per_m[b] * (e - q[b]);
+    *slope += mount.maxwell_stiffness_N_per_m[b];
+  }
+  if (e == 0) *slope = 0;
+  return force;
 }
 
-double CalcMountEnergy(const MountTerms& mount, double u, double q) {
+double CalcMountEnergy(const MountTerms& mount, double u, const MountCreep& q) {
   const double e = PlayFree(u, mount.gap_m);
-  return 0.5 * mount.stiffness_N_per_m * e * e +
-         0.5 * mount.maxwell_stiffness_N_per_m * (e - q) * (e - q);
+  const double k = mount.stiffness_N_per_m * (e > 0 ? mount.tension_ratio : 1);
+  double energy = 0.5 * k * e * e * (1 + 0.5 * mount.hardening_1_per_m2 * e * e);
+  for (int b = 0; b < MountTerms::kBranches; ++b) {
+    energy += 0.5 * mount.maxwell_stiffness_N_per_m[b] * (e - q[b]) * (e - q[b]);
+  }
+  return energy;
 }
 
 double CalcMountLoss(const CompiledPhs& sys, const double* state) {
   double lost = 0;
   for (const CompiledCylinder& c : sys.cylinders) {
-    if (c.maxwell < 0) continue;
-    const double e = PlayFree(state[c.mount_state], c.mount.gap_m);
-    const double force = c.mount.maxwell_stiffness_N_per_m * (e - state[c.maxwell]);
-    lost += force * force / c.mount.maxwell_damping_Ns_per_m;
+    for (int k = 0; k < MountTerms::kBranches; ++k) {
+      if (c.maxwell[k] < 0) continue;
+      const double e = PlayFree(state[c.mount_state], c.mount.gap_m);
+      const double force = c.mount.maxwell_stiffness_N_per_m[k] * (e - state[c.maxwell[k]]);
+      lost += force * force / c.mount.maxwell_damping_Ns_per_m[k];
+    }
   }
   return lost;
 }
@@ -183,11 +198,14 @@ void CalcMountRates(const CompiledPhs& sys, double time, double h, const double*
     if (c.mount_state < 0) continue;
     piston_speed[i] = move[i] / step;
     rate[c.mount_state] = v[i] - piston_speed[i];
-    if (c.maxwell < 0) continue;
     const double u = state[c.mount_state] + step * rate[c.mount_state];
     const double e = PlayFree(u, c.mount.gap_m);
-    const double speed = c.mount.maxwell_stiffness_N_per_m / c.mount.maxwell_damping_Ns_per_m;
-    rate[c.maxwell] = speed * (e - state[c.maxwell]) / (1 + step * speed);
+    for (int k = 0; k < MountTerms::kBranches; ++k) {
+      if (c.maxwell[k] < 0) continue;
+      const double speed =
+          c.mount.maxwell_stiffness_N_per_m[k] / c.mount.maxwell_damping_Ns_per_m[k];
+      rate[c.maxwell[k]] = speed * (e - state[c.maxwell[k]]) / (1 + step * speed);
+    }
   }
 }
 

@@ -104,7 +104,7 @@ double CalcAbsorbed(const Node& node, double p, double ambient, const double* st
     volume += g.static_volume - at.volume;
     *slope -= at.dV_dp;
   }
-  for (const VolumeLaw* law : node.laws) law->Add(p, &volume, slope);
+  for (const NodeLaw& l : node.laws) l.law->Add(p, l.Memory(state), &volume, slope);
   return volume;
 }
 
@@ -146,7 +146,7 @@ double CalcNodeEnergy(const Node& node, double p, double ambient, const double* 
     const GasState at = CalcGas(g.gas, p, T);
     energy += CalcGasEnergy(g.gas, at.volume, T, ambient);
   }
-  for (const VolumeLaw* law : node.laws) energy += law->Energy(p);
+  for (const NodeLaw& l : node.laws) energy += l.law->Energy(p, l.Memory(state));
   return energy;
 }
 

@@ -27,6 +27,15 @@ struct NodeGas {
   int state = -1;            ///< index of its temperature state, or -1
 };
 
+/// A volume law of a node and the state of its memory, if it has one.
+struct NodeLaw {
+  const VolumeLaw* law = nullptr;
+  int state = -1;
+  double Memory(const double* states) const {
+    return state >= 0 && states != nullptr ? states[state] : 0;
+  }
+};
+
 struct Node {
   double p0 = 0;            ///< static pressure [Pa]
   double oil_volume = 0;    ///< [m3]
@@ -35,7 +44,7 @@ struct Node {
   double air = 0;           ///< p V of free air [J]
   double temperature = 0;   ///< static [K]
   std::vector<NodeGas> gases;
-  std::vector<const VolumeLaw*> laws;
+  std::vector<NodeLaw> laws;
   bool sequential = false;
   bool closed_form = false;  ///< set by Prepare
   bool real_gas = false;     ///< set by Prepare: the first gas is a reservoir by BWR

@@ -83,6 +83,7 @@ NodeGas CompileGas(const GasChargeParams& charge, double volume, double pressure
   g.gas.reference_temperature = T;
   g.gas.exponent = charge.polytropic_exponent;
   g.gas.thermal_time = charge.thermal_time_s;
+  g.gas.heat_capacity_ratio = charge.heat_capacity_ratio;
   g.gas.min_volume = charge.min_gas_volume_m3;
   g.gas.max_volume = std::max(charge.volume_m3, volume);
   g.static_volume = volume;
@@ -116,7 +117,7 @@ void Builder::CompileNodes(CompiledPhs* sys) {
     sys->nodes.push_back(std::move(node));
   }
   for (auto& [line, law] : volumes_) {
-    sys->nodes[line].laws.push_back(law.get());
+    sys->nodes[line].laws.push_back({law.get(), -1});
     sys->volume_laws.push_back(std::move(law));
   }
 }
@@ -131,6 +132,7 @@ void Builder::CompileCylinders(CompiledPhs* sys) {
     c.rod_area = from.RodArea();
     if (c.bore >= 0) c.bore_p0 = lines_[c.bore].static_pressure_Pa;
     if (c.rod >= 0) c.rod_p0 = lines_[c.rod].static_pressure_Pa;
+    friction_[i].static_difference_Pa = c.bore_p0 - c.rod_p0;
     c.friction = Friction(params_.friction, friction_[i]);
     c.stop = from.end_stop;
     c.mount = mount_[i];
@@ -225,13 +227,20 @@ void Builder::CompileStates(CompiledPhs* sys) {
     if (c.friction.model() == FrictionModel::kPresliding) c.bristle = add(name + ".bristle");
     if (c.friction.has_dwell()) c.dwell = add(name + ".dwell");
     if (c.mount.present) c.mount_state = add(name + ".mount");
-    if (c.mount.present && c.mount.maxwell_stiffness_N_per_m > 0) c.maxwell = add(name + ".bush");
+    for (int k = 0; k < MountTerms::kBranches; ++k) {
+      if (!c.mount.present || !c.mount.HasBranch(k)) continue;
+      c.maxwell[k] = add(name + (k == 0 ? ".bush" : ".bush2"));
+    }
   }
   sys->first_slow = sys->num_states();
   for (size_t n = 0; n < lines_.size(); ++n) {
     for (NodeGas& g : sys->nodes[n].gases) {
       if (!g.gas.HasTemperatureState()) continue;
       g.state = add(lines_[n].name + (g.blow_off ? ".accumulator" : ".gas") + "_temperature");
+    }
+    for (NodeLaw& l : sys->nodes[n].laws) {
+      const std::string memory = l.law->MemoryName();
+      if (!memory.empty()) l.state = add(lines_[n].name + "." + memory);
     }
   }
   for (size_t k = 0; k < sys->paths.size(); ++k) {

@@ -1,6 +1,7 @@
 // The compiled form of a PHS, shared by the files that evaluate it. Internal to src/hydraulics.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
@@ -18,6 +19,9 @@ inline constexpr int kMaxPaths = 32;
 inline constexpr int kMaxStates = 192;
 inline constexpr int kOpen = -1;  ///< node index of the atmosphere
 
+/// Maxwell deflections of a mounting [m].
+using MountCreep = std::array<double, MountTerms::kBranches>;
+
 struct CompiledCylinder {
   int bore = kOpen, rod = kOpen;  ///< nodes of its chambers
   double bore_area = 0, rod_area = 0;
@@ -26,7 +30,16 @@ struct CompiledCylinder {
   EndStopParams stop;
   MountTerms mount;
   InstrumentTerms instruments;
-  int bristle = -1, dwell = -1, mount_state = -1, maxwell = -1;  ///< state indices
+  int bristle = -1, dwell = -1, mount_state = -1;  ///< state indices
+  int maxwell[MountTerms::kBranches] = {-1, -1};
+  /// Maxwell deflections in `state`; 0 where there is no branch.
+  MountCreep Creep(const double* state) const {
+    MountCreep q{};
+    for (int k = 0; k < MountTerms::kBranches; ++k) {
+      if (maxwell[k] >= 0) q[k] = state[maxwell[k]];
+    }
+    return q;
+  }
 };
 
 /// Flow from one node to another; `volume` state = volume that went from `from` to `to` [m3].
@@ -77,9 +90,9 @@ double CalcPressureForce(const CompiledPhs& sys, const Instant& at, int cylinder
 /// Mean piston speeds over h and rates of the mount states (mount.cc).
 void CalcMountRates(const CompiledPhs& sys, double time, double h, const double* x, const double* v,
                     const double* state, double* piston_speed, double* rate);
-/// Force of a mounting at deflection u = x - y and Maxwell deflection q [N]; `slope` = dF/du.
-double CalcMountForce(const MountTerms& mount, double u, double q, double* slope);
-double CalcMountEnergy(const MountTerms& mount, double u, double q);
+/// Force of a mounting at deflection u = x - y and Maxwell deflections q [N]; `slope` = dF/du.
+double CalcMountForce(const MountTerms& mount, double u, const MountCreep& q, double* slope);
+double CalcMountEnergy(const MountTerms& mount, double u, const MountCreep& q);
 /// Power lost in the Maxwell branches of all mountings [W].
 double CalcMountLoss(const CompiledPhs& sys, const double* state);
 

@@ -46,7 +46,9 @@ struct GasChargeParams {
   GasLaw law = GasLaw::kIsothermal;
   double volume_m3 = 0;  ///< shell volume: gas volume when empty of oil; 0 = absent
   double polytropic_exponent = 1.4;
-  double thermal_time_s = 5.0;   ///< tau of the energy equation
+  double thermal_time_s = 5.0;  ///< tau of the energy equation
+  /// (gas + filler) / gas, >= 1: set by the effect gas_thermal.
+  double heat_capacity_ratio = 1.0;
   double min_gas_volume_m3 = 0;  ///< diaphragm on its stop
 };
 

@@ -105,7 +105,8 @@ void CalcCylinder(const CompiledPhs& sys, const Instant& at, int i, double pisto
     out->lost_power += stop.lost_power + friction.lost_power;
   }
   if (c.mount_state >= 0) {
-    const double u = state[c.mount_state], q = c.maxwell >= 0 ? state[c.maxwell] : 0;
+    const double u = state[c.mount_state];
+    const MountCreep q = c.Creep(state);
     double slope;
     force = CalcMountForce(c.mount, u, q, &slope);
     friction_force = force - pressure_force - stop.force;
@@ -206,6 +207,21 @@ double PhsSystem::max_stiffness() const {
     };
     k += chamber(c.bore, c.bore_area) + chamber(c.rod, c.rod_area);
     most = std::max(most, k);
+  }
+  return most;
+}
+
+double PhsSystem::max_line_frequency() const {
+  double most = 0;
+  for (const Path& path : impl_->paths) {
+    if (path.flow < 0) continue;
+    double stiffness = 0;  // [Pa/m3]
+    for (int end : {path.from, path.to}) {
+      if (end == kOpen) continue;
+      const Node& node = impl_->nodes[end];
+      stiffness += node.bulk_modulus / node.oil_volume;
+    }
+    most = std::max(most, std::sqrt(stiffness / path.law->Inertance()));
   }
   return most;
 }

@@ -75,6 +75,9 @@ class PhsSystem {
   /// cylinders stand still, inside the stroke and on an end stop, for step-size checks.
   double max_stiffness() const;
   double max_damping() const;
+  /// Fastest oscillation of oil with inertance against the oil on both sides of it [rad/s]; 0 =
+  /// no inertance. Steps longer than about 0.6 of its inverse damp it away.
+  double max_line_frequency() const;
 
   /// Errors of the instruments of a cylinder, for rigs.
   const InstrumentTerms& instruments(int cylinder) const;

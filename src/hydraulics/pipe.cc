@@ -1,5 +1,6 @@
 #include "hydraulics/pipe.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -72,6 +73,38 @@ double PipeFlow::Flow(double time, double dp, double* slope) const noexcept {
   const double root = std::sqrt(r.laminar * r.laminar + 4 * r.turbulent * std::abs(dp));
   *slope = 1 / root;
   return 2 * dp / (r.laminar + root);
+}
+
+double GapFlow::Flow(double time, double dp, double* slope) const noexcept {
+  if (time < start_) {
+    *slope = 0;
+    return 0;
+  }
+  if (exponent_ == 1) {
+    *slope = conductance_;
+    return conductance_ * dp;
+  }
+  constexpr double kSmooth = 2e3;  // [Pa]
+  const double square = dp * dp + kSmooth * kSmooth;
+  const double factor = std::pow(square / (kReference * kReference), 0.5 * (exponent_ - 1));
+  *slope = conductance_ * factor * (1 + (exponent_ - 1) * dp * dp / square);
+  return conductance_ * factor * dp;
+}
+
+// A leak has no inertia, so its drop is never asked for in a run; Newton, for completeness of the
+// law: the flow rises with dp.
+double GapFlow::Drop(double time, double flow, double* slope) const noexcept {
+  double dp =
+      kReference *
+      std::copysign(std::pow(std::abs(flow) / (conductance_ * kReference), 1 / exponent_), flow);
+  double rise = 1;
+  for (int i = 0; i < 50; ++i) {
+    const double error = Flow(std::max(time, start_), dp, &rise) - flow;
+    dp -= error / rise;
+    if (std::abs(error) <= 1e-14 * std::abs(flow)) break;
+  }
+  *slope = 1 / rise;
+  return dp;
 }
 
 std::unique_ptr<FlowLaw> InSeries(std::unique_ptr<FlowLaw> first, std::unique_ptr<FlowLaw> second) {

@@ -33,6 +33,21 @@ class PipeFlow final : public FlowLaw {
   double inertance_, start_;
 };
 
+/// Leak through a narrow opening: q = G dp (|dp|/5 MPa)^(n-1), n = 1 a laminar gap, 1/2 an orifice
+/// (Bernoulli), above 1 a gap that the pressure widens. Smooth below 2 kPa. Open from `start` on.
+class GapFlow final : public FlowLaw {
+ public:
+  static constexpr double kReference = 5e6;  ///< [Pa]
+  /// `conductance` G > 0 [m3/(Pa s)] at the reference, exponent n > 0.
+  GapFlow(double conductance, double exponent, double start_s = -1e300)
+      : conductance_(conductance), exponent_(exponent), start_(start_s) {}
+  double Flow(double time, double dp, double* slope) const noexcept override;
+  double Drop(double time, double flow, double* slope) const noexcept override;
+
+ private:
+  double conductance_, exponent_, start_;
+};
+
 /// Two laws one behind the other: drops and inertances add.
 std::unique_ptr<FlowLaw> InSeries(std::unique_ptr<FlowLaw> first, std::unique_ptr<FlowLaw> second);
 

@@ -40,7 +40,7 @@ bool SolveRealGasNode(const Node& node, double D, double ambient, const double* 
       absorbed += g.static_volume - a.volume;
       slope -= a.dV_dp;
     }
-    for (const VolumeLaw* law : node.laws) law->Add(p, &absorbed, &slope);
+    for (const NodeLaw& l : node.laws) l.law->Add(p, l.Memory(state), &absorbed, &slope);
     const double volume = m / rho, dV_drho = -volume / rho;
     absorbed += reservoir.static_volume - volume;
     const double error = absorbed - D;

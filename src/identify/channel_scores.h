@@ -13,8 +13,8 @@ struct ChannelScore {
   double bias = 0;   ///< mean of predicted - measured
   double max = 0;    ///< largest |predicted - measured|
   double m_re_percent = 0;
-  double share_at_or_below_mean = 0;
-  double share_below_12_percent = 0;
+  double share_at_or_below_mean = 0;  ///< 0 … 1
+  double share_below_12_percent = 0;  ///< share (0 … 1) of samples with relative error < 12 %
   int samples = 0;
 };
 

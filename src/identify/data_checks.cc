@@ -105,7 +105,8 @@ void MarkStuck(Channel* channel, const RigRun& run, std::vector<DataFinding>* fi
 void MendInputScale(const hydraulics::PhsParams& params, Channel* input,
                     std::vector<DataFinding>* findings) {
   double stroke = 0.03;
-  for (const auto& cylinder : params.cylinders) stroke = std::max(stroke, 2 * cylinder.end_stop.clearance_m);
+  for (const auto& cylinder : params.cylinders)
+    stroke = std::max(stroke, 2 * cylinder.end_stop.clearance_m);
   const double reach = Quantile(input->y, 0.99) - Quantile(input->y, 0.01);
   double factor = 1;
   while (reach * factor > 20 * stroke && factor > 1e-9) factor *= 1e-3;

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "base/table.h"
 #include "effects/catalogue.h"
 #include "identify/data_checks.h"
@@ -54,16 +56,30 @@ Result<Case> LoadCase(const Manifest& manifest) {
   return c;
 }
 
-/// Columns of the data on their clock: the smoothed motion and `outputs`.
+/// A column on the uniform clock, at the times of the file's rows.
+std::vector<double> AtRows(const FitData& data, const std::vector<double>& y) {
+  if (data.row_time_s.empty()) return y;
+  std::vector<double> out;
+  const double last = static_cast<double>(y.size()) - 1;
+  for (const double t : data.row_time_s) {
+    const double at = std::clamp((t - data.time_s.front()) / data.step_s, 0.0, last);
+    const auto k = static_cast<size_t>(at + 1e-6);
+    const double part = at - static_cast<double>(k);
+    out.push_back(part > 1e-6 && k + 1 < y.size() ? y[k] + part * (y[k + 1] - y[k]) : y[k]);
+  }
+  return out;
+}
+
+/// Columns of the data on the rows of the file: the smoothed motion and `outputs`.
 Status WriteChannels(const ResultDir& dir, const std::string& file, const FitData& data,
                      const Channels& outputs) {
   std::vector<std::string> names = {"t_s"};
-  Channels columns = {data.time_s};
+  Channels columns = {data.row_time_s.empty() ? data.time_s : data.row_time_s};
   for (size_t a = 0; a < data.inputs.size(); ++a) {
-    names.push_back(data.inputs[a].name), columns.push_back(data.motion[a].position);
+    names.push_back(data.inputs[a].name), columns.push_back(AtRows(data, data.motion[a].position));
   }
   for (size_t c = 0; c < data.outputs.size(); ++c) {
-    names.push_back(data.outputs[c].name), columns.push_back(outputs[c]);
+    names.push_back(data.outputs[c].name), columns.push_back(AtRows(data, outputs[c]));
   }
   return WriteCsv(dir.File(file), names, columns);
 }
@@ -114,7 +130,7 @@ Result<IdentifyOutcome> IdentifyDriven(const Manifest& manifest, const SearchOpt
   result["effects"] = EffectList(found);
   result["fitted"] = Parameters(found.corrected, found.after, 0, found.declared.free.size(), true);
   result["localised"] = Localise(data, before.value(), found.before);
-  result["unexplained"] = Unexplained(data, after.value(), found.after);
+  result["unexplained"] = Unexplained(data, after.value(), found);
   result["next_test"] = NextTests(found);
   result["candidates"] = CandidateList(found);
   result["model"] = "model.yaml";

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <mutex>
 
+#include "identify/driven_formula.h"
+#include "identify/effect_form.h"
 #include "identify/near_fit.h"
 #include "identify/screening.h"
 
@@ -20,18 +22,27 @@ std::string VariantName(const Candidate& candidate) {
   return name;
 }
 
-/// True if the main number of the candidate ended on a bound: not plausible, or
-/// not there.
+constexpr const char* kNotPlausible = "value not plausible";
+
+/// True if the amount of the candidate ended on a bound: not plausible, or not there. Where it has
+/// two amounts, one of them may be nil.
 bool OnBound(const FreeModel& model, const FitResult& fit, const Candidate& candidate) {
+  constexpr double kTiny = 1e-3;
   const size_t base = model.free.size() - candidate.free.size();
-  const FreeParameter& p = model.free[base];
-  const double x = p.ToCoordinate(fit.values[base]), tiny = 1e-3;
-  const double range = p.ToCoordinate(p.high) - p.ToCoordinate(p.low);
-  return x - p.ToCoordinate(p.low) < tiny * range || p.ToCoordinate(p.high) - x < tiny * range;
+  int nil = 0;
+  for (int k = 0; k < candidate.mains; ++k) {
+    const FreeParameter& p = model.free[base + static_cast<size_t>(k)];
+    const double x = p.ToCoordinate(fit.values[base + static_cast<size_t>(k)]);
+    const double low = p.ToCoordinate(p.low), high = p.ToCoordinate(p.high);
+    if (high - x < kTiny * (high - low)) return true;
+    nil += x - low < kTiny * (high - low);
+  }
+  return nil == candidate.mains;
 }
 
-/// A screened candidate and, for the best, its fit to the whole record.
+/// A screened candidate and, for the best, its form with options and its fit to the whole record.
 struct FullTrial : Trial {
+  Candidate form;
   FitResult fit;
 };
 
@@ -65,6 +76,7 @@ class Search {
       Exchange();
       DropSuperfluous();
     }
+    TryFormula();
     RankEffects();
     out_.cancelled = cancelled_;
     return std::move(out_);
@@ -86,30 +98,54 @@ class Search {
     std::vector<double> start = fit.values;
     for (size_t i = 0; i < out_.declared.free.size(); ++i) start[i] = model.free[i].start;
     const FitResult most = FitNear(coarse_, model, start, {}, {.max_steps = 12, .robust = 2.5});
-    if (!most.ok) return points;
-    for (size_t i = 0; i < start.size(); ++i) {
-      const FreeParameter& p = model.free[i];
-      const double apart = p.ToCoordinate(most.values[i]) - p.ToCoordinate(fit.values[i]);
-      if (p.logarithmic && std::abs(apart) > kElsewhere) {
-        points.push_back(most.values);
-        break;
-      }
+    if (most.ok && AreApart(model, most.values, fit.values, kElsewhere)) {
+      points.push_back(most.values);
     }
     return points;
+  }
+
+  /// A strong effect may have bent the baseline's volumes so far that its own numbers have no way
+  /// back from there: hydraulic effects start from the declared volumes too.
+  bool AddDeclaredPoint(const FreeModel& model, std::vector<std::vector<double>>* points) const {
+    constexpr double kFar = 0.2;
+    std::vector<double> declared = points->front();
+    for (size_t i = 0; i < out_.declared.free.size(); ++i) {
+      const std::string& name = model.free[i].name;
+      if (name.ends_with("_volume_m3")) declared[i] = model.free[i].start;
+    }
+    for (const auto& point : *points) {
+      if (!AreApart(model, declared, point, kFar)) return false;
+    }
+    points->push_back(std::move(declared));
+    return true;
+  }
+
+  static bool AreApart(const FreeModel& model, const std::vector<double>& a,
+                       const std::vector<double>& b, double least) {
+    for (size_t i = 0; i < a.size(); ++i) {
+      const FreeParameter& p = model.free[i];
+      if (p.logarithmic && std::abs(p.ToCoordinate(a[i]) - p.ToCoordinate(b[i])) > least) {
+        return true;
+      }
+    }
+    return false;
   }
 
   /// Screens candidates on top of `model` and fits the best `full_fits` effects
   /// in full.
   std::vector<FullTrial> Try(const FreeModel& model, const FitResult& fit,
                              const std::vector<Candidate>& list, int full_fits, double* reference) {
-    const ScreeningOptions screening{
-        options_.threads, options_.coarse_fits,
-        model.params.effects.size() == out_.declared.params.effects.size()};
+    ScreeningOptions screening{options_.threads, options_.coarse_fits,
+                               model.params.effects.size() == out_.declared.params.effects.size()};
+    std::vector<std::vector<double>> points = Points(model, fit);
+    if (screening.thorough && AddDeclaredPoint(model, &points)) {
+      screening.hydraulic_from = points.size() - 1;
+    }
     std::vector<Trial> found = ScreenCandidates(
-        coarse_, model, Points(model, fit), list, screening,
-        [&](double part) { return Tick(0.15 * part); }, reference);
+        coarse_, model, points, list, screening, [&](double part) { return Tick(0.15 * part); },
+        reference);
     std::vector<FullTrial> trials;
-    for (Trial& trial : found) trials.push_back({std::move(trial), {}});
+    for (Trial& trial : found) trials.push_back({std::move(trial), *trial.candidate, {}});
     std::vector<int> chosen;
     for (int i = 0; i < static_cast<int>(trials.size()); ++i) {
       if (!trials[i].coarse.ok || static_cast<int>(chosen.size()) >= full_fits) continue;
@@ -123,13 +159,14 @@ class Search {
     InParallel(static_cast<int>(chosen.size()), options_.threads, [&](int k) {
       if (!Tick(0.15 + 0.15 * done++ / static_cast<double>(chosen.size()))) return;
       FullTrial& trial = trials[chosen[k]];
-      trial.fit = FitNear(problem_, WithCandidate(model, *trial.candidate), trial.coarse.values, {},
-                          {.first_own = 0, .max_steps = 1});
+      trial.coarse = ShapeForm(coarse_, model, trial.coarse, &trial.form);
+      const FreeModel whole = WithCandidate(model, trial.form);
+      trial.fit =
+          FitNear(problem_, whole, trial.coarse.values, {}, {.first_own = 0, .max_steps = 1});
       if (!trial.fit.ok) return;
       const int count = static_cast<int>(trial.fit.values.size());
-      trial.fit =
-          FitNear(problem_, WithCandidate(model, *trial.candidate), trial.fit.values,
-                  trial.fit.jacobian, {.first_own = count, .max_steps = 6, .final_jacobian = true});
+      trial.fit = FitNear(problem_, whole, trial.fit.values, trial.fit.jacobian,
+                          {.first_own = count, .max_steps = 6, .final_jacobian = true});
     });
     return trials;
   }
@@ -161,7 +198,7 @@ class Search {
     if (e.estimation_gain < options_.min_gain && e.best_channel_gain < options_.min_channel_gain) {
       return "gain too small";
     }
-    if (OnBound(model, trial.fit, *trial.candidate)) return "value not plausible";
+    if (OnBound(model, trial.fit, trial.form)) return kNotPlausible;
     const double least =
         out_.effects.empty() ? options_.min_first_removed : options_.min_excess_removed;
     if (e.excess_removed < least && e.best_channel_gain < 0.5) {
@@ -182,7 +219,7 @@ class Search {
     for (size_t i = 0; i < trials.size(); ++i) {
       if (!trials[i].fit.ok) continue;
       CandidateRecord& record = out_.candidates[places[i]];
-      const FreeModel model = WithCandidate(out_.corrected, *trials[i].candidate);
+      const FreeModel model = WithCandidate(out_.corrected, trials[i].form);
       record.verdict = Verdict(trials[i], record.evidence, model);
       if (!record.verdict.empty()) continue;
       record.verdict = "another explains more";
@@ -191,18 +228,37 @@ class Search {
         best = static_cast<int>(i);
       }
     }
-    if (best < 0) return false;
+    if (best < 0 || Overruled(trials, places, best)) return false;
     CandidateRecord& chosen = out_.candidates[places[best]];
     chosen.verdict = "accepted";
-    AcceptedEffect accepted{*trials[best].candidate, chosen.evidence, {}};
+    AcceptedEffect accepted{trials[best].form, chosen.evidence, {}};
+    chosen.variant = VariantName(trials[best].form);
     for (size_t i = 0; i < trials.size(); ++i) {
       if (!trials[i].fit.ok || trials[i].candidate->effect == chosen.effect) continue;
       NoteConfusable(trials[best].fit, trials[i], &accepted);
     }
-    out_.corrected = WithCandidate(out_.corrected, *trials[best].candidate);
+    out_.corrected = WithCandidate(out_.corrected, trials[best].form);
     out_.after = trials[best].fit;
     out_.effects.push_back(std::move(accepted));
     return true;
+  }
+
+  /// True if one whose numbers are not plausible explains far more than the best plausible one: the
+  /// truth is then of a form that the catalogue lacks, and no lesser effect is bent to stand for
+  /// it.
+  bool Overruled(const std::vector<FullTrial>& trials, const std::vector<size_t>& places,
+                 int best) {
+    constexpr double kFar = 0.4;  // ln of the mean square
+    const int channels = problem_.num_channels();
+    const double mine = MeanLogSquare(trials[best].fit.residual, channels);
+    for (size_t i = 0; i < trials.size(); ++i) {
+      if (!trials[i].fit.ok || out_.candidates[places[i]].verdict != kNotPlausible) continue;
+      if (MeanLogSquare(trials[i].fit.residual, channels) > mine - kFar) continue;
+      out_.candidates[places[best]].verdict =
+          trials[i].candidate->effect + " explains far more, with numbers that are not plausible";
+      return true;
+    }
+    return false;
   }
 
   /// Others whose residual is within the margin and whose evidence is not far
@@ -254,16 +310,16 @@ class Search {
       for (FullTrial& trial : trials) {
         if (!trial.fit.ok) continue;
         const Evidence e = Compare(problem_, out_.after, trial.fit);
-        const FreeModel whole = WithCandidate(model, *trial.candidate);
-        if (e.delta_bic < options_.min_delta_bic || OnBound(whole, trial.fit, *trial.candidate)) {
+        const FreeModel whole = WithCandidate(model, trial.form);
+        if (e.delta_bic < options_.min_delta_bic || OnBound(whole, trial.fit, trial.form)) {
           continue;
         }
-        AcceptedEffect replaced{*trial.candidate, Compare(problem_, rest, trial.fit), {old}};
+        AcceptedEffect replaced{trial.form, Compare(problem_, rest, trial.fit), {old}};
         for (CandidateRecord& r : out_.candidates) {
           if (r.effect == old && r.verdict == "accepted") r.verdict = "exchanged";
         }
-        out_.candidates.push_back({trial.candidate->effect, VariantName(*trial.candidate), 0, 0, 0,
-                                   true, replaced.evidence, "accepted"});
+        out_.candidates.push_back({trial.candidate->effect, VariantName(trial.form), 0, 0, 0, true,
+                                   replaced.evidence, "accepted"});
         out_.effects.erase(out_.effects.begin() + static_cast<long>(i));
         out_.effects.push_back(std::move(replaced));
         out_.corrected = whole, out_.after = trial.fit;
@@ -294,6 +350,49 @@ class Search {
       out_.corrected = model, out_.after = rest;
       i = 0;
     }
+  }
+
+  /// A force by formula for what the load cell still shows.
+  void TryFormula() {
+    constexpr double kNoise = 1.1, kMostForce_N = 1e5;
+    const int load = problem_.FindOutput("load_cell_N");
+    if (cancelled_ || load < 0 || out_.after.channel_ms[static_cast<size_t>(load)] < kNoise) return;
+    const FoundFormula found = SearchForceFormula(problem_, out_.corrected, out_.after,
+                                                  {.threshold = options_.min_delta_bic});
+    if (found.empty()) return;
+    const Candidate candidate = FormulaCandidate(found, kMostForce_N);
+    const FreeModel whole = WithCandidate(out_.corrected, candidate);
+    std::vector<double> start = out_.after.values;
+    start.insert(start.end(), candidate.starts[0].begin(), candidate.starts[0].end());
+    const FitResult with = FitNear(problem_, whole, start, out_.after.jacobian,
+                                   {.first_own = static_cast<int>(out_.after.values.size()),
+                                    .max_steps = 8,
+                                    .final_jacobian = true});
+    if (!with.ok) return;
+    CandidateRecord record{"unlisted",
+                           found.text,
+                           0,
+                           found.gain,
+                           found.gain,
+                           true,
+                           Compare(problem_, out_.after, with),
+                           "accepted"};
+    const Evidence& e = record.evidence;
+    const double load_gain = 1 - std::sqrt(with.channel_ms[static_cast<size_t>(load)] /
+                                           out_.after.channel_ms[static_cast<size_t>(load)]);
+    if (e.delta_bic < options_.min_delta_bic) {
+      record.verdict = "not significant";
+    } else if (e.cross_validation_gain <= 0) {
+      record.verdict = "no gain in cross-validation";
+    } else if (load_gain <
+                   (out_.effects.empty() ? options_.min_channel_gain : options_.min_formula_gain) ||
+               e.excess_removed < options_.min_first_removed) {
+      record.verdict = "explains too little of what is left";
+    }
+    out_.candidates.push_back(record);
+    if (record.verdict != "accepted") return;
+    out_.effects.push_back({candidate, e, {}});
+    out_.corrected = whole, out_.after = with, out_.formula = found;
   }
 
   void RankEffects() {

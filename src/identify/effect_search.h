@@ -13,6 +13,7 @@
 #include "base/result.h"
 #include "identify/effect_variants.h"
 #include "identify/evidence.h"
+#include "identify/formula_search.h"
 #include "identify/search_fit.h"
 
 namespace phs::identify::search {
@@ -43,15 +44,19 @@ struct SearchOptions {
   double min_delta_bic = 12;        ///< in units of 2 ln(likelihood)
   double min_gain = 0.012;          ///< of the pooled residual rms …
   double min_channel_gain = 0.03;   ///< … or of one channel
-  double min_first_removed = 0.03;  ///< of what exceeds the noise, by the first effect
+  double min_first_removed = 0.3;   ///< of what exceeds the noise, by the first effect
   double min_excess_removed = 0.4;  ///< of a second effect: share of what exceeds the noise
-  double margin = 0.02;             ///< residual rms within this: cannot be told apart
+  /// A formula beside listed effects must take this much of the load cell's residual rms: less may
+  /// be no more than the form of the listed ones not being quite right.
+  double min_formula_gain = 0.4;
+  double margin = 0.02;  ///< residual rms within this: cannot be told apart
 };
 
 struct Identification {
   FreeModel declared, corrected;
   FitResult before, after;
   std::vector<AcceptedEffect> effects;  ///< strongest first
+  FoundFormula formula;                 ///< of the effect `unlisted`, if accepted
   std::vector<CandidateRecord> candidates;
   bool cancelled = false;
 };

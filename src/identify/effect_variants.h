@@ -11,15 +11,28 @@
 
 namespace phs::identify::search {
 
+/// Numbers of an effect that may be freed on top of its core: another physical form of it.
+struct EffectOption {
+  std::vector<FreeParameter> free;
+  std::vector<std::vector<double>> starts;
+};
+
 struct Candidate {
   std::string effect;
   hydraulics::EffectParams params;          ///< with fixed values set
   std::vector<FreeParameter> free;          ///< names with "effects." prefix
   std::vector<std::vector<double>> starts;  ///< one value per free parameter
+  std::vector<EffectOption> options;        ///< what its form may take on beyond that
+  int mains = 1;                            ///< the first so many numbers are its amounts
+  bool hydraulic = false;                   ///< can have bent the baseline's volumes
+  bool has_onset = false;                   ///< far from linear in its own numbers
 };
 
 /// All candidates for a model of these lines, leaving out effects already in it.
 std::vector<Candidate> ListCandidates(const hydraulics::PhsParams& params, effects::RigKind kind);
+
+/// The candidate with one of its options free as well (taken off the list of its options).
+Candidate WithOption(const Candidate& candidate, size_t option);
 
 /// The model with the candidate switched on, its parameters free after those of the model.
 FreeModel WithCandidate(const FreeModel& model, const Candidate& candidate);

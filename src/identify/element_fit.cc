@@ -179,6 +179,25 @@ double ElementProblem::Independent(const Eigen::VectorXd& residual) const {
   return sum;
 }
 
+/// Rows in blocks that disagree with each other as records do: whole records where there are many,
+/// else stretches of them.
+std::vector<int> ElementProblem::Blocks(int* count) const {
+  const int records = static_cast<int>(first_row_.size()) - 1;
+  const int parts = std::max(1, (30 + records - 1) / std::max(1, records));
+  std::vector<int> out(static_cast<size_t>(num_rows_), 0);
+  *count = 0;
+  for (int r = 0; r < records; ++r) {
+    const long begin = first_row_[static_cast<size_t>(r)];
+    const long rows = first_row_[static_cast<size_t>(r) + 1] - begin;
+    if (rows == 0) continue;
+    for (long k = 0; k < rows; ++k) {
+      out[static_cast<size_t>(begin + k)] = *count + static_cast<int>(k * parts / rows);
+    }
+    *count += parts;
+  }
+  return out;
+}
+
 ElementFit ElementProblem::Fit(const FreeModel& model, const std::vector<double>& start,
                                int max_steps) const {
   ElementFit fit;
@@ -211,8 +230,14 @@ ElementFit ElementProblem::Fit(const FreeModel& model, const std::vector<double>
   normal.diagonal().array() += 1e-12 * (normal.trace() + 1e-300);
   const Eigen::MatrixXd inverse = normal.ldlt().solve(Eigen::MatrixXd::Identity(count, count));
   const double inflate = fit.mean_square * num_rows_ / std::max(1.0, fit.independent);
+  double quantile = 0;
+  int blocks = 0;
+  const std::vector<int> block = Blocks(&blocks);
+  const Eigen::VectorXd clustered =
+      search::ClusteredDeviation(fit.jacobian, fit.residual, block, blocks, &quantile);
   for (Eigen::Index i = 0; i < count; ++i) {
-    fit.half_95.push_back(1.96 * std::sqrt(std::max(0.0, inverse(i, i) * inflate)));
+    const double even = 1.96 * std::sqrt(std::max(0.0, inverse(i, i) * inflate));
+    fit.half_95.push_back(clustered.size() > 0 ? std::max(even, quantile * clustered[i]) : even);
   }
   fit.ok = true;
   return fit;

@@ -56,6 +56,7 @@ class ElementProblem {
   Status SetWeights(const hydraulics::PhsParams& params, double scale_N);
   /// Samples worth as much as the rows of this residual, run by run.
   double Independent(const Eigen::VectorXd& residual) const;
+  std::vector<int> Blocks(int* count) const;
 
  private:
   const ElementData* data_ = nullptr;

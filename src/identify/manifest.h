@@ -54,8 +54,8 @@ struct Manifest {
   std::map<std::string, std::string> columns;  ///< our channel -> column of the file
   std::map<std::string, double> factors;       ///< our channel -> factor
   std::vector<std::string> free;
-  double low_pass_Hz = 0;       ///< 0: none
-  double compare_below_Hz = 0;  ///< 0: all frequencies
+  double low_pass_Hz = 0;                     ///< 0: none
+  double compare_below_Hz = 0;                ///< 0: all frequencies
   std::optional<effects::RigSignals> signal;  ///< then no run is read
   int setup = 0;                              ///< of a step table; 0: by the model's name
   effects::RigOptions options;

@@ -97,7 +97,8 @@ Json Localise(const FitData& data, const Channels& predicted, const FitResult& f
           {"residual_over_noise", over}};
 }
 
-Json Unexplained(const FitData& data, const Channels& after, const FitResult& fit) {
+Json Unexplained(const FitData& data, const Channels& after, const Identification& found) {
+  const FitResult& fit = found.after;
   const Json localised = Localise(data, after, fit);
   const size_t c = WorstChannel(fit);
   const std::vector<double> r = Finite(Residual(data, after, c, data.validation));
@@ -107,7 +108,7 @@ Json Unexplained(const FitData& data, const Channels& after, const FitResult& fi
           {"whiteness_p", WhitenessP(r)},
           {"residual_over_noise", std::sqrt(fit.channel_ms[c])},
           {"depends_on", localised["depends_on"]},
-          {"formula", nullptr}};
+          {"formula", found.formula.empty() ? Json(nullptr) : Json(found.formula.text)}};
 }
 
 Json Parameters(const FreeModel& model, const FitResult& fit, size_t begin, size_t end,
@@ -135,6 +136,7 @@ Json EffectList(const Identification& found) {
                                             begin + effect.candidate.free.size(), false)},
                   {"evidence", ToJson(effect.evidence)},
                   {"confusable_with", effect.confusable_with}};
+    if (effect.candidate.effect == "unlisted") entry["formula"] = found.formula.text;
     if (!effect.candidate.params.targets.empty()) entry["on"] = effect.candidate.params.targets;
     out.push_back(std::move(entry));
   }

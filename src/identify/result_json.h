@@ -21,7 +21,7 @@ Json ScoreBoth(const FitData& data, const Channels& before, const Channels& afte
 /// Where the residual of the declared model lives: channel and variables it depends on.
 Json Localise(const FitData& data, const Channels& predicted, const FitResult& fit);
 /// What the corrected model leaves.
-Json Unexplained(const FitData& data, const Channels& after, const FitResult& fit);
+Json Unexplained(const FitData& data, const Channels& after, const Identification& found);
 /// Values and intervals of the free numbers [begin, end).
 Json Parameters(const FreeModel& model, const FitResult& fit, size_t begin, size_t end,
                 bool whole_name);

@@ -83,6 +83,7 @@ Result<Clock> ReadClock(const Table& table, const Manifest& manifest, RigRun* ru
       ++missing;
     } else if (!clock.time.empty() && t == clock.time.back()) {
       ++doubled;
+      run->row_time.push_back(t);
     } else if (!clock.time.empty() && t < clock.time.back()) {
       const std::string line = static_cast<size_t>(i) < table.line.size()
                                    ? ":" + std::to_string(table.line[static_cast<size_t>(i)])
@@ -92,6 +93,7 @@ Result<Clock> ReadClock(const Table& table, const Manifest& manifest, RigRun* ru
     } else {
       clock.rows.push_back(i);
       clock.time.push_back(t);
+      run->row_time.push_back(t);
     }
   }
   const size_t n = clock.time.size();

@@ -38,7 +38,8 @@ struct RigRun {
   std::string source;
   double t0_s = 0, step_s = 0;
   int num_samples = 0;
-  std::vector<double> file_time;         ///< clock of the file's rows [s]
+  std::vector<double> file_time;         ///< clock of the file's rows, each time once [s]
+  std::vector<double> row_time;          ///< the same for every row that has a time [s]
   std::vector<Channel> inputs;           ///< driven motion, as RigModel::input_names()
   std::vector<Channel> outputs;          ///< as RigModel::output_names(); may be absent
   Channel speed, pressure, temperature;  ///< element rig: optional side channels

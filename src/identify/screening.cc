@@ -32,43 +32,75 @@ void Keep(const Eigen::VectorXd& residual, int channels, size_t point,
   best->point = point;
 }
 
-/// Tries every start of one candidate on top of one point by a predicted Gauss–Newton step.
-void ScreenByStep(const Linear& at, size_t point, const FreeModel& model,
-                  const std::vector<double>& values, Trial* best) {
-  const int base = static_cast<int>(at.model.free.size());
+/// One start of a candidate on one point, after one Gauss–Newton step.
+struct Probe {
+  size_t point = 0;
+  std::vector<double> values;
+  double square = 1e300;
+};
+
+/// Tries one start of a candidate on top of one point by one step of all numbers: with the residual
+/// as predicted or, `really`, as the model gives it there. `afresh`: the model's own columns too,
+/// where the effect changes what its numbers do.
+Probe ProbeStart(const Linear& at, size_t point, const FreeModel& model,
+                 const std::vector<double>& values, bool really, bool afresh, Trial* best) {
+  const int base = afresh ? 0 : static_cast<int>(at.model.free.size());
+  Probe probe{point, values, 1e300};
   Eigen::VectorXd r;
   Eigen::MatrixXd own;
-  if (!at.problem.Linearise(model, values, base, &r, &own)) return;
+  if (!at.problem.Linearise(model, values, base, &r, &own)) return probe;
   Eigen::MatrixXd j(r.size(), base + own.cols());
-  j << at.jacobian, own;
+  j << at.jacobian.leftCols(base), own;
   const Eigen::VectorXd step = BoundedStep(model, values, r, j, 1e-6, kReach);
-  std::vector<double> moved = values;
-  for (size_t i = 0; i < moved.size(); ++i) {
+  for (size_t i = 0; i < probe.values.size(); ++i) {
     const FreeParameter& p = model.free[i];
     const double by = step[static_cast<Eigen::Index>(i)];
-    if (by != 0) moved[i] = p.FromCoordinate(p.ToCoordinate(moved[i]) + by);
+    if (by != 0) probe.values[i] = p.FromCoordinate(p.ToCoordinate(values[i]) + by);
   }
-  Keep(r + j * step, at.problem.num_channels(), point, moved, best);
+  const Eigen::VectorXd after =
+      really ? at.problem.Residual(model, probe.values) : Eigen::VectorXd(r + j * step);
+  if (after.size() == 0) return probe;
+  probe.square = after.squaredNorm();
+  Keep(after, at.problem.num_channels(), point, probe.values, best);
+  return probe;
 }
 
-/// The same by a short fit: for effects whose onset makes one step a poor guide.
-void ScreenByFit(const Linear& at, size_t point, const FreeModel& model,
-                 const std::vector<double>& values, Trial* best) {
-  const FitResult fit = FitNear(
-      at.problem, model, values, at.jacobian,
-      {.first_own = static_cast<int>(at.model.free.size()), .max_steps = 4, .tolerance = 1e-3});
-  if (fit.ok) Keep(fit.residual, at.problem.num_channels(), point, fit.values, best);
+/// Short fits from the best probes: for effects whose onset makes one step a poor guide.
+void FitProbes(const std::vector<Linear>& linear, const FreeModel& model, std::vector<Probe> probes,
+               size_t afresh_from, Trial* best) {
+  constexpr size_t kFits = 2;
+  std::stable_sort(probes.begin(), probes.end(),
+                   [](const Probe& a, const Probe& b) { return a.square < b.square; });
+  for (size_t i = 0; i < std::min(kFits, probes.size()); ++i) {
+    if (probes[i].square > 1e299) break;
+    const Linear& at = linear[probes[i].point];
+    const bool afresh = probes[i].point >= afresh_from;
+    const int base = static_cast<int>(at.model.free.size());
+    const FitResult fit =
+        FitNear(at.problem, model, probes[i].values, at.jacobian,
+                {.first_own = afresh ? 0 : base, .max_steps = afresh ? 8 : 4, .tolerance = 1e-3});
+    if (fit.ok) {
+      Keep(fit.residual, at.problem.num_channels(), probes[i].point, fit.values, best);
+    }
+  }
 }
 
-void Screen(const Linear& at, size_t point, const Candidate& candidate, bool thorough,
-            Trial* best) {
+void Screen(const std::vector<Linear>& linear, const Candidate& candidate,
+            const ScreeningOptions& options, Trial* best) {
   best->candidate = &candidate;
-  const FreeModel model = WithCandidate(at.model, candidate);
-  for (const auto& start : candidate.starts) {
-    std::vector<double> values = at.values;
-    values.insert(values.end(), start.begin(), start.end());
-    (thorough ? ScreenByFit : ScreenByStep)(at, point, model, values, best);
+  const bool thorough = options.thorough && candidate.has_onset;
+  const FreeModel model = WithCandidate(linear.front().model, candidate);
+  std::vector<Probe> probes;
+  for (size_t k = 0; k < linear.size(); ++k) {
+    if (k >= options.hydraulic_from && !candidate.hydraulic) continue;
+    for (const auto& start : candidate.starts) {
+      std::vector<double> values = linear[k].values;
+      values.insert(values.end(), start.begin(), start.end());
+      const bool afresh = thorough && k >= options.hydraulic_from;
+      probes.push_back(ProbeStart(linear[k], k, model, values, thorough, afresh, best));
+    }
   }
+  if (thorough) FitProbes(linear, model, std::move(probes), options.hydraulic_from, best);
 }
 
 /// In turn the best by mean log square and the best by sum of squares: a rare
@@ -132,9 +164,7 @@ std::vector<Trial> ScreenCandidates(const FitProblem& coarse, const FreeModel& m
   std::atomic<int> done{0};
   InParallel(static_cast<int>(list.size()), options.threads, [&](int i) {
     if (!tick(0.6 * done++ / static_cast<double>(list.size()))) return;
-    for (size_t k = 0; k < linear.size(); ++k) {
-      Screen(linear[k], k, list[i], options.thorough, &trials[i]);
-    }
+    Screen(linear, list[i], options, &trials[i]);
   });
   std::erase_if(trials, [](const Trial& t) { return t.candidate == nullptr || t.start.empty(); });
   SortByPromise(&trials);

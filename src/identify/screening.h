@@ -1,8 +1,8 @@
 // Looking through many candidates with few runs of the model.
 //
 // On a coarse record (about 50 Hz) every variant of every effect, from each of its starts, is
-// judged by one predicted Gauss–Newton step of all numbers together (while the model is fast: by a
-// short fit); the promising are fitted on
+// judged by one predicted Gauss–Newton step of all numbers together (on the declared model, effects
+// with an onset by short fits from the best of their starts); the promising are fitted on
 // the coarse record, and the best of these are then fitted to the whole record by the search.
 #pragma once
 
@@ -28,7 +28,9 @@ struct Trial {
 struct ScreeningOptions {
   int threads = 2;
   int coarse_fits = 16;
-  bool thorough = false;  ///< judge every start by a short fit, not by one predicted step
+  bool thorough = false;  ///< judge effects with an onset by short fits, not by a predicted step
+  /// Points from here on are tried by hydraulic effects only.
+  size_t hydraulic_from = 1000;
 };
 
 /// Judges `list` on top of `model` at each of `points` (values of its free numbers; the first is

@@ -136,6 +136,7 @@ Result<FitData> ReadFitData(const Manifest& manifest) {
   data.estimation = {run.estimation.begin, run.estimation.end};
   data.validation = {run.validation.begin, run.validation.end};
   for (int i = 0; i < run.num_samples; ++i) data.time_s.push_back(run.Time(i));
+  data.row_time_s = run.row_time;
   data.findings = run.findings;
   std::vector<char> rest;
   for (Channel& input : run.inputs) {

@@ -22,7 +22,8 @@ struct MeasuredChannel {
 struct FitData {
   effects::RigKind kind = effects::RigKind::kQuarter;
   std::string source;
-  std::vector<double> time_s;
+  std::vector<double> time_s;      ///< uniform
+  std::vector<double> row_time_s;  ///< of the file's rows; empty: as time_s
   double step_s = 0;
   std::array<double, 2> estimation = {0, 0}, validation = {0, 0};  ///< [s]
   std::vector<MeasuredChannel> inputs;                             ///< as measured

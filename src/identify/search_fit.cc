@@ -107,6 +107,52 @@ Status FitProblem::SetWeights(const PhsParams& params) {
   return {};
 }
 
+int FitProblem::FindOutput(const std::string& name) const {
+  for (size_t c = 0; c < data_->outputs.size(); ++c) {
+    if (data_->outputs[c].name == name) return static_cast<int>(c);
+  }
+  return -1;
+}
+
+Result<std::vector<hydraulics::ForcePlace>> FitProblem::Places(const PhsParams& params) const {
+  constexpr double kRamp = 2e-4;  // [m/s]
+  PhsParams bare = params;        // pressures themselves, without the errors of their sensors
+  std::erase_if(bare.effects, [](const auto& e) { return e.name.starts_with("sensor_"); });
+  Result<RigModel> rig = RigModel::Create(data_->kind, bare);
+  if (!rig.ok()) return rig.error();
+  RigPrediction prediction;
+  if (Status s = rig.value().Run(short_, &prediction); !s.ok()) return s.error();
+  const auto& cylinder = params.cylinders.front();
+  const auto rest = [&](const std::string& line) {
+    const int l = params.FindLine(line);
+    return l >= 0 ? params.lines[static_cast<size_t>(l)].static_pressure_Pa : 0;
+  };
+  const double bore = rest(cylinder.bore_line), rod = rest(cylinder.rod_line);
+  std::vector<hydraulics::ForcePlace> out;
+  for (const int row : rows_) {
+    const auto i = static_cast<size_t>(row);
+    hydraulics::ForcePlace at;
+    at.time = short_.t0_s + row * short_.step_s;
+    at.piston = prediction.channels[0][i];
+    at.speed = short_.speed_m_s[0][i];
+    at.direction = std::clamp(at.speed / kRamp, -1.0, 1.0);
+    at.bore_rise = prediction.channels[2][i] - bore;
+    at.rod_rise = prediction.channels[3][i] - rod;
+    at.temperature = rig.value().system().Ambient(at.time) - params.temperature_K;
+    out.push_back(at);
+  }
+  return out;
+}
+
+Eigen::VectorXd FitProblem::Weighted(int output, const std::vector<double>& on_rows) const {
+  Eigen::VectorXd out(samples());
+  for (int k = 0; k < samples(); ++k) {
+    const auto i = static_cast<size_t>(k);
+    out[k] = weight_[static_cast<size_t>(output)][i] * on_rows[i];
+  }
+  return out;
+}
+
 PhsParams FitProblem::Params(const FreeModel& model, const std::vector<double>& values) const {
   PhsParams params = model.params;
   for (size_t i = 0; i < model.free.size(); ++i) {
@@ -196,6 +242,29 @@ class RigCost final : public ceres::CostFunction {
 
 }  // namespace
 
+Eigen::VectorXd ClusteredDeviation(const Eigen::MatrixXd& jacobian, const Eigen::VectorXd& residual,
+                                   const std::vector<int>& block_of_row, int blocks,
+                                   double* quantile) {
+  const auto count = jacobian.cols();
+  const double freedom = static_cast<double>(blocks - count);
+  if (freedom < 3) return {};
+  // Columns of one length, so that the small numbers of one do not drown in the others'.
+  const Eigen::VectorXd scale = jacobian.colwise().norm().transpose().cwiseMax(1e-300);
+  Eigen::MatrixXd scores = Eigen::MatrixXd::Zero(blocks, count);
+  for (Eigen::Index i = 0; i < residual.size(); ++i) {
+    scores.row(block_of_row[static_cast<size_t>(i)]) += residual[i] * jacobian.row(i);
+  }
+  scores *= scale.cwiseInverse().asDiagonal();
+  Eigen::MatrixXd normal = scale.cwiseInverse().asDiagonal() * (jacobian.transpose() * jacobian) *
+                           scale.cwiseInverse().asDiagonal();
+  normal.diagonal().array() += 1e-12;
+  const Eigen::MatrixXd half = normal.ldlt().solve(scores.transpose());
+  // Student's 97.5 % quantile: Cornish and Fisher's first term in 1/freedom.
+  *quantile = 1.96 + (std::pow(1.96, 3) + 1.96) / (4 * freedom);
+  const double finite = std::sqrt(blocks / freedom);
+  return finite * half.rowwise().norm().cwiseQuotient(scale);
+}
+
 void SetIntervals(const FitProblem& problem, FitResult* result) {
   const int n = problem.samples(), channels = problem.num_channels();
   const auto count = result->jacobian.cols();
@@ -210,8 +279,19 @@ void SetIntervals(const FitProblem& problem, FitResult* result) {
   normal.diagonal().array() += 1e-12 * (normal.trace() + 1e-300);
   const Eigen::MatrixXd inverse = normal.ldlt().solve(Eigen::MatrixXd::Identity(count, count));
   const double inflate = mean * n * channels / std::max(1.0, independent);
+  // The larger of two: noise of one colour, and blocks of the record that disagree.
+  constexpr int kBlocks = 40;
+  std::vector<int> block(static_cast<size_t>(n) * static_cast<size_t>(channels));
+  for (size_t i = 0; i < block.size(); ++i) {
+    block[i] = static_cast<int>(static_cast<long>(i % static_cast<size_t>(n)) * kBlocks / n);
+  }
+  double quantile = 0;
+  const Eigen::VectorXd clustered =
+      ClusteredDeviation(result->jacobian, result->residual, block, kBlocks, &quantile);
   for (int i = 0; i < count; ++i) {
-    result->half_95.push_back(1.96 * std::sqrt(std::max(0.0, inverse(i, i) * inflate)));
+    const double even = 1.96 * std::sqrt(std::max(0.0, inverse(i, i) * inflate));
+    result->half_95.push_back(clustered.size() > 0 ? std::max(even, quantile * clustered[i])
+                                                   : even);
   }
 }
 

@@ -72,6 +72,13 @@ class FitProblem {
   FitResult Fit(const FreeModel& model, const std::vector<double>& start, int max_steps) const;
   /// Measured channels as predicted on the whole time axis.
   Result<std::vector<std::vector<double>>> Predict(const hydraulics::PhsParams& params) const;
+  /// Index of a measured output; -1 if it was not measured.
+  int FindOutput(const std::string& name) const;
+  /// What a force of the (first) cylinder may depend on, on the rows of the residual, as the model
+  /// says it; direction by the ramp of the static law.
+  Result<std::vector<hydraulics::ForcePlace>> Places(const hydraulics::PhsParams& params) const;
+  /// A value of an output on the rows of the residual -> weighted; 0 where nothing was measured.
+  Eigen::VectorXd Weighted(int output, const std::vector<double>& on_rows) const;
   /// Sets weights anew with this model's sensitivity to speed.
   Status SetWeights(const hydraulics::PhsParams& params);
 
@@ -88,6 +95,15 @@ class FitProblem {
 /// Mean squares and half widths of the 95 % intervals from residual and Jacobian of a fit;
 /// correlated residuals widen them.
 void SetIntervals(const FitProblem& problem, FitResult* result);
+
+/// Standard deviations of least-squares estimates whose residuals are correlated and whose model is
+/// not quite right: (J'J)^-1 [sum_b g_b g_b'] (J'J)^-1 with g_b = J_b' r_b the score of block b,
+/// blocks far longer than the residual remembers (Liang and Zeger 1986, Biometrika 73, 13), times
+/// the root of B/(B - k). `block_of_row`: 0 … blocks-1. Times `*quantile`: half width of the 95 %
+/// interval (Student, B - k degrees of freedom). Empty if there are too few blocks.
+Eigen::VectorXd ClusteredDeviation(const Eigen::MatrixXd& jacobian, const Eigen::VectorXd& residual,
+                                   const std::vector<int>& block_of_row, int blocks,
+                                   double* quantile);
 
 /// Independent samples in a correlated residual of N samples: N / (1 + 2 sum rho_k), over the lags
 /// until rho falls below 0.05 (Bayley and Hammersley 1946).

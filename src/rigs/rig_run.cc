@@ -129,7 +129,7 @@ void AddComparison(const RigCase& c, const RigPrediction& predicted, RigOutcome*
         fmt::format("{:14} {:>10.4g} {:>8.4f} {:>10.3g} {:>10.4g} {:>8.2f} {:>10.1f} %\n", name,
                     s["rmse"].get<double>(), s["nrmse"].get<double>(), s["bias"].get<double>(),
                     s["max"].get<double>(), s["m_re_percent"].get<double>(),
-                    s["share_below_12_percent"].get<double>());
+                    100 * s["share_below_12_percent"].get<double>());
   }
 }
 

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <string>
 
 #include "../hydraulics/test_systems.h"
@@ -80,6 +81,51 @@ TEST_P(EnergyOf, WorkIsStoredPlusLost) {
                                << " lost " << b.lost << " scale " << b.scale;
     EXPECT_GE(b.least_power, -1e-9);
     EXPECT_GT(b.lost, 0);
+  }
+}
+
+/// The further forms of effects: with memory, other exponents, more branches.
+struct Form {
+  const char* effect;
+  std::map<std::string, double> values;
+};
+
+TEST(EnergyOfForms, WorkIsStoredPlusLost) {
+  const Form forms[] = {
+      {"hose_expansion",
+       {{"compliance_m3_per_Pa", 0}, {"creep_m3_per_Pa", 4e-13}, {"creep_time_s", 0.3}}},
+      {"hose_expansion",
+       {{"compliance_m3_per_Pa", 5e-13}, {"stiffening_Pa", 5e6}, {"stiffening_order", 3}}},
+      {"entrained_air", {{"air_fraction", 0.02}, {"saturation_Pa", 6e6}}},
+      {"entrained_air",
+       {{"air_fraction", 0.02},
+        {"saturation_Pa", 6e6},
+        {"dissolving_time_s", 0.4},
+        {"rod_ratio", 2}}},
+      {"entrained_air",
+       {{"air_fraction", 0.02},
+        {"saturation_Pa", 6e6},
+        {"dissolving_time_s", 0.4},
+        {"polytropic_exponent", 1.3}}},
+      {"gas_thermal", {{"heat_capacity_ratio", 5}, {"rod_ratio", 0.5}}},
+      {"gas_thermal", {{"heat_capacity_ratio", 5}, {"real_gas", 1}}},
+      {"piston_leakage", {{"exponent", 0.5}}},
+      {"external_leakage", {{"exponent", 1.7}, {"rod_ratio", 3}}},
+      {"mount_compliance", {{"hardening_1_per_m2", 3e6}, {"tension_ratio", 0.7}}},
+      {"bush_viscoelastic",
+       {{"second_N_per_m", 3e7}, {"second_relaxation_s", 0.05}, {"hardening_1_per_m2", 1e6}}},
+      {"presliding", {{"creeping", 1}, {"share", 0.6}}},
+      {"position_friction", {{"spot_share", 0.4}, {"wave_sine", 0.2}}},
+      {"viscous_friction", {{"exponent", 2}}},
+  };
+  for (const Form& form : forms) {
+    PhsParams params = Quarter();
+    params.effects.push_back({form.effect, {}, form.values});
+    const PhsSystem s = hydraulics::Make(params, &Catalogue());
+    const Balance b = Drive(s, 4.0, 16000);
+    EXPECT_LT(b.Error(), 2e-3) << form.effect << " work " << b.work << " stored " << b.stored
+                               << " lost " << b.lost << " scale " << b.scale;
+    EXPECT_GE(b.least_power, -1e-9) << form.effect;
   }
 }
 

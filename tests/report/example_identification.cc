@@ -53,7 +53,7 @@ Json Scores(double rmse, double nrmse) {
           {"bias", -0.1 * rmse},
           {"max", 4 * rmse},
           {"m_re_percent", 900 * nrmse},
-          {"share_below_12_percent", 97}};
+          {"share_below_12_percent", 0.97}};
 }
 
 }  // namespace

@@ -1,0 +1,57 @@
+#include "identify/effect_form.h"
+
+#include "identify/evidence.h"
+#include "identify/near_fit.h"
+
+namespace phs::identify::search {
+namespace {
+
+constexpr double kDeltaBic = 12, kGain = 0.01;  // what an option must bring
+constexpr int kMostOptions = 3;
+
+/// Best fit of `form` from any of the starts of its last `option`.
+FitResult FitOption(const FitProblem& coarse, const FreeModel& model, const FitResult& before,
+                    const Candidate& form, const EffectOption& option) {
+  const FreeModel whole = WithCandidate(model, form);
+  const int first = static_cast<int>(before.values.size());
+  FitResult best;
+  for (const std::vector<double>& start : option.starts) {
+    std::vector<double> values = before.values;
+    values.insert(values.end(), start.begin(), start.end());
+    FitResult fit = FitNear(coarse, whole, values, before.jacobian,
+                            {.first_own = first, .max_steps = 6, .tolerance = 1e-3});
+    if (fit.ok && (!best.ok || fit.residual.squaredNorm() < best.residual.squaredNorm())) {
+      best = std::move(fit);
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+FitResult ShapeForm(const FitProblem& coarse, const FreeModel& model, const FitResult& fit,
+                    Candidate* form) {
+  FitResult now = fit;
+  for (int round = 0; round < kMostOptions && !form->options.empty(); ++round) {
+    const FreeModel whole = WithCandidate(model, *form);
+    if (!coarse.Linearise(whole, now.values, 0, &now.residual, &now.jacobian)) return now;
+    SetIntervals(coarse, &now);
+    FitResult best;
+    size_t chosen = 0;
+    for (size_t k = 0; k < form->options.size(); ++k) {
+      FitResult with = FitOption(coarse, model, now, WithOption(*form, k), form->options[k]);
+      if (!with.ok) continue;
+      if (!best.ok || with.residual.squaredNorm() < best.residual.squaredNorm()) {
+        best = std::move(with), chosen = k;
+      }
+    }
+    if (!best.ok) return now;
+    const Evidence e = Compare(coarse, now, best);
+    if (e.delta_bic < kDeltaBic || e.estimation_gain < kGain) return now;
+    *form = WithOption(*form, chosen);
+    now = std::move(best);
+  }
+  return now;
+}
+
+}  // namespace phs::identify::search

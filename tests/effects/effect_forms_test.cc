@@ -1,0 +1,182 @@
+// The further forms of effects, each against its closed formula.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "../hydraulics/test_systems.h"
+#include "effects/catalogue.h"
+#include "hydraulics/friction.h"
+#include "hydraulics/pipe.h"
+
+namespace phs::effects {
+namespace {
+
+using hydraulics::Evaluation;
+using hydraulics::kAtmosphere;
+using hydraulics::PhsParams;
+using hydraulics::PhsSystem;
+
+PhsParams With(const std::string& effect, std::map<std::string, double> values) {
+  PhsParams params = hydraulics::Quarter();
+  params.friction.model = hydraulics::FrictionModel::kNone;
+  for (auto& l : params.lines) l.gas_volume_m3 = 0;
+  params.effects.push_back({effect, {}, std::move(values)});
+  return params;
+}
+
+struct Pressures {
+  double bore, rod, force, piston;
+};
+
+/// Piston put to x at once and held for `duration`.
+Pressures Hold(const PhsParams& params, double x, double duration, double h = 1e-3) {
+  const PhsSystem s = hydraulics::Make(params, &Catalogue());
+  std::vector<double> state(s.num_states(), 0.0), rate(state);
+  const double v = 0;
+  for (double t = 0; t < duration; t += h) {
+    s.CalcStateRate(t, h, &x, &v, state.data(), rate.data());
+    for (size_t k = 0; k < state.size(); ++k) state[k] += h * rate[k];
+  }
+  Evaluation e(s);
+  s.Calc(duration, &x, &v, state.data(), &e.out);
+  return {e.p_bore[0], e.p_rod[0], e.force[0], e.piston[0]};
+}
+
+TEST(EffectForms, ACreepingHoseGivesWayWithItsTime) {
+  const double C = 4e-13, tau = 0.5, x = 2e-4;
+  const PhsParams params = With("hose_expansion", {{"compliance_m3_per_Pa", 0},
+                                                   {"creep_m3_per_Pa", C},
+                                                   {"creep_time_s", tau},
+                                                   {"rod_ratio", 2}});
+  const auto& l = params.lines[0];
+  const double oil = l.oil_volume_m3 / l.bulk_modulus_Pa, area = params.cylinders[0].RodArea();
+  const double p0 = l.static_pressure_Pa;
+  EXPECT_NEAR(Hold(params, x, 0).rod - p0, area * x / oil, 1e-3 * area * x / oil);
+  // p falls to A x/(C_oil + C_c) with the time tau C_oil/(C_oil + C_c); rod lines have twice C.
+  const double end = area * x / (oil + 2 * C), time = tau * oil / (oil + 2 * C);
+  EXPECT_NEAR(Hold(params, x, 20 * tau).rod - p0, end, 1e-3 * end);
+  const double at = end + (area * x / oil - end) * std::exp(-1.0);
+  EXPECT_NEAR(Hold(params, x, time, 1e-4).rod - p0, at, 3e-3 * at);
+}
+
+TEST(EffectForms, AStiffeningHoseTakesUpItsVolume) {
+  // Order 3: C p_k/2 (a0^-2 - a^-2), a = 1 + p/p_k.
+  const double C = 8e-13, pk = 4e6, x = 4e-4;
+  const PhsParams params =
+      With("hose_expansion",
+           {{"compliance_m3_per_Pa", C}, {"stiffening_Pa", pk}, {"stiffening_order", 3}});
+  const auto& l = params.lines[0];
+  const double p = Hold(params, x, 0).rod, p0 = l.static_pressure_Pa;
+  const double hose = 0.5 * C * pk * (std::pow(1 + p0 / pk, -2) - std::pow(1 + p / pk, -2));
+  EXPECT_NEAR(hose + l.oil_volume_m3 / l.bulk_modulus_Pa * (p - p0),
+              x * params.cylinders[0].RodArea(), 1e-9);
+}
+
+TEST(EffectForms, AirDissolvesByHenrysLawAndLags) {
+  const double a = 0.02, ps = 8e6, x = 2e-4;
+  const PhsParams at_once = With("entrained_air", {{"air_fraction", a}, {"saturation_Pa", ps}});
+  const PhsParams lagging = With(
+      "entrained_air", {{"air_fraction", a}, {"saturation_Pa", ps}, {"dissolving_time_s", 0.2}});
+  const auto& l = at_once.lines[0];
+  const double p0 = l.static_pressure_Pa, V = a * l.oil_volume_m3 * kAtmosphere;
+  const auto free = [&](double p) { return 1 - (p - kAtmosphere) / (ps - kAtmosphere); };
+  const double pushed = x * at_once.cylinders[0].RodArea();
+  const double C = l.oil_volume_m3 / l.bulk_modulus_Pa;
+  const double p = Hold(at_once, x, 0).rod;
+  EXPECT_NEAR(V * (free(p0) / p0 - free(p) / p) + C * (p - p0), pushed, 1e-9);
+  const double first = Hold(lagging, x, 0).rod;
+  EXPECT_NEAR(V * free(p0) * (1 / p0 - 1 / first) + C * (first - p0), pushed, 1e-9);
+  EXPECT_NEAR(Hold(lagging, x, 10).rod, p, 1e-4 * p);
+  EXPECT_GT(first, 1.01 * p);
+}
+
+TEST(EffectForms, LeakThroughGapOrificeAndWideningGap) {
+  double slope;
+  for (double n : {0.5, 1.0, 1.7}) {
+    const hydraulics::GapFlow leak(2e-14, n);
+    EXPECT_NEAR(leak.Flow(0, 5e6, &slope), 2e-14 * 5e6, 1e-6 * 1e-7);
+    EXPECT_NEAR(slope, n * 2e-14, 1e-6 * 2e-14);
+    EXPECT_NEAR(leak.Flow(0, -2e7, &slope), -1e-7 * std::pow(4, n), 1e-6 * 1e-7);
+    EXPECT_NEAR(leak.Drop(0, 1e-7, &slope), 5e6, 1);
+  }
+}
+
+TEST(EffectForms, FillerKeepsTheGasNearTheTemperatureOfItsSurroundings) {
+  // Fast and with a long time constant: an exponent 1 + R/(c_v r), gas alone (V_oil stiff).
+  PhsParams params = With("gas_thermal", {{"thermal_time_s", 1e6}, {"heat_capacity_ratio", 4}});
+  for (auto& l : params.lines) l.gas_volume_m3 = 1e-5, l.oil_volume_m3 = 1e-6;
+  for (auto& l : params.lines) l.reservoir.volume_m3 = 1e-3;
+  const PhsSystem s = hydraulics::Make(params, &Catalogue());
+  const double x = 4e-4;
+  const double p0 = params.lines[0].static_pressure_Pa, h = 1e-4;
+  std::vector<double> state(s.num_states(), 0.0), rate(state);
+  double at = 0;
+  const double v = x / (1000 * h);
+  for (int i = 0; i < 1000; ++i, at += h * v) {
+    s.CalcStateRate(i * h, h, &at, &v, state.data(), rate.data());
+    for (size_t k = 0; k < state.size(); ++k) state[k] += h * rate[k];
+  }
+  Evaluation e(s);
+  s.Calc(0.1, &x, &v, state.data(), &e.out);
+  const double n = 1 + 296.797 / 742.2 / 4;
+  const double C = params.lines[0].oil_volume_m3 / params.lines[0].bulk_modulus_Pa;
+  const double gas = 1e-5 - x * params.cylinders[0].RodArea() + C * (e.p_rod[0] - p0);
+  EXPECT_NEAR(e.p_rod[0] / (p0 * std::pow(1e-5 / gas, n)), 1, 2e-3);
+}
+
+TEST(EffectForms, AMountHardensAndDiffersByDirection) {
+  const double k = 5e7, b = 4e6, r = 0.6;
+  const PhsParams params =
+      With("mount_compliance",
+           {{"stiffness_N_per_m", k}, {"hardening_1_per_m2", b}, {"tension_ratio", r}});
+  for (double x : {1e-3, -1e-3}) {
+    const Pressures at = Hold(params, x, 0.1);
+    const double u = x - at.piston, s = u > 0 ? r : 1;
+    EXPECT_NEAR(at.force, s * k * u * (1 + b * u * u), 1e-4 * std::abs(at.force));
+    EXPECT_GT(std::abs(u), 1e-5);
+  }
+}
+
+hydraulics::Friction Rubbing(const hydraulics::FrictionTerms& terms) {
+  hydraulics::FrictionParams params;
+  params.model = hydraulics::FrictionModel::kStatic;
+  params.curve = hydraulics::FrictionCurve::kCoulomb;
+  params.coulomb_extension_N = params.coulomb_retraction_N = 1000;
+  params.breakaway_extension_N = params.breakaway_retraction_N = 1000;
+  params.viscous_extension_Ns_per_m = params.viscous_retraction_Ns_per_m = 0;
+  return hydraulics::Friction(params, terms);
+}
+
+TEST(EffectForms, FrictionOverPlaceSpeedAndPressureDifference) {
+  hydraulics::FrictionTerms spot;
+  spot.spot_share = 0.5, spot.spot_centre_m = 1e-3, spot.spot_width_m = 2e-3;
+  spot.wave_sine = 0.1, spot.wave_length_m = 4e-3;
+  hydraulics::FrictionPlace place;
+  place.piston = 3e-3;
+  EXPECT_NEAR(Rubbing(spot).Level(1, 0.01, place), 1000 * (1 + 0.5 * std::exp(-1) - 0.1), 1e-6);
+  hydraulics::FrictionTerms slow;
+  slow.stribeck_extra_extension_N = 300, slow.stribeck_speed_m_s = 1e-2, slow.stribeck_exponent = 2;
+  EXPECT_NEAR(Rubbing(slow).Level(1, 2e-2, {}), 1000 + 300 * std::exp(-4), 1e-6);
+  hydraulics::FrictionTerms fast;
+  fast.viscous_extension_Ns_per_m = 1e4, fast.viscous_exponent = 2;
+  EXPECT_NEAR(Rubbing(fast).Calc(0.05, 0, {}).force, 1000 + 1e4 * 0.05 * 5, 0.01);
+  hydraulics::FrictionTerms pressed;
+  pressed.pressure_difference_N_per_Pa = 1e-4, pressed.static_difference_Pa = -2e5;
+  place.bore_rise = 3e6, place.rod_rise = 1e6;
+  EXPECT_NEAR(Rubbing(pressed).Level(-1, 0.01, place), 1000 + 1e-4 * (1.8e6 - 2e5), 1e-6);
+}
+
+TEST(EffectForms, TheCreepingBristleApproachesItsLevelExponentially) {
+  hydraulics::FrictionTerms terms;
+  terms.presliding = true, terms.presliding_creeps = true, terms.presliding_share = 0.4;
+  terms.presliding_stiffness_N_per_m = 1e7;
+  const hydraulics::Friction friction = Rubbing(terms);
+  const double end = 0.4 * 1000 / 1e7;
+  double z = -0.5 * end;
+  for (int i = 0; i < 10; ++i) z = friction.Advance(1e-3, 3e-3, z, {});
+  EXPECT_NEAR(z, end - 1.5 * end * std::exp(-3e-5 / end), 1e-12);
+  EXPECT_NEAR(friction.Calc(3e-3, z, {}).force, 1e7 * z + 600, 1e-6);
+}
+
+}  // namespace
+}  // namespace phs::effects
