@@ -34,41 +34,43 @@ inline std::vector<int> TargetLines(const hydraulics::EffectParams& effect,
 /// Laminar resistance at the model's static temperature, from its value at 20 °C.
 inline double AtModelTemperature(double laminar_20C, const hydraulics::PhsParams& params) {
   return laminar_20C * hydraulics::CalcViscosityRatio(params.temperature_K);
-  /// Conductance of a leak at the model's static temperature, from its value at 20 °C: viscous flow
-  /// (exponent 1 and above) follows the viscosity, an orifice (1/2) does not.
-  inline double LeakAtModelTemperature(const hydraulics::EffectParams& effect,
-                                       const hydraulics::PhsParams& params) {
-    const double viscous = std::clamp(2 * effect.values.at("exponent") - 1, 0.0, 1.0);
-    return effect.values.at("conductance_m3_per_Pas") *
-           std::pow(hydraulics::CalcViscosityRatio(params.temperature_K), -viscous);
-  }
+}
 
-  /// True if the line is one of rod chambers: cross lines as against diagonals.
-  inline bool IsRodLine(const hydraulics::PhsParams& params, int line) {
-    for (const auto& cylinder : params.cylinders) {
-      if (cylinder.rod_line == params.lines[static_cast<size_t>(line)].name) return true;
-    }
-    return false;
-  }
-  /// What an amount is multiplied by on this line: `rod_ratio` on lines of rod chambers, else 1.
-  inline double LineFactor(const hydraulics::EffectParams& effect,
-                           const hydraulics::PhsParams& params, int line) {
-    return IsRodLine(params, line) ? effect.values.at("rod_ratio") : 1;
-  }
+/// Conductance of a leak at the model's static temperature, from its value at 20 °C: viscous flow
+/// (exponent 1 and above) follows the viscosity, an orifice (1/2) does not.
+inline double LeakAtModelTemperature(const hydraulics::EffectParams& effect,
+                                     const hydraulics::PhsParams& params) {
+  const double viscous = std::clamp(2 * effect.values.at("exponent") - 1, 0.0, 1.0);
+  return effect.values.at("conductance_m3_per_Pas") *
+         std::pow(hydraulics::CalcViscosityRatio(params.temperature_K), -viscous);
+}
 
-  /// A part on a bench: one cylinder without lines.
-  inline bool IsBenchPart(const hydraulics::PhsParams& params) {
-    return params.cylinders.size() == 1 && params.lines.empty();
+/// True if the line is one of rod chambers: cross lines as against diagonals.
+inline bool IsRodLine(const hydraulics::PhsParams& params, int line) {
+  for (const auto& cylinder : params.cylinders) {
+    if (cylinder.rod_line == params.lines[static_cast<size_t>(line)].name) return true;
   }
-  inline Status NotABenchPart(const std::string& effect) {
-    return Error{"effects." + effect, "acts on a part on a bench only",
-                 "a model of one cylinder without lines (rig: element)", "take it out here"};
-  }
+  return false;
+}
+/// What an amount is multiplied by on this line: `rod_ratio` on lines of rod chambers, else 1.
+inline double LineFactor(const hydraulics::EffectParams& effect,
+                         const hydraulics::PhsParams& params, int line) {
+  return IsRodLine(params, line) ? effect.values.at("rod_ratio") : 1;
+}
 
-  /// Puts a spring in series with those already there: 1/k = 1/k1 + 1/k2.
-  inline void AddInSeries(hydraulics::MountTerms * mount, double stiffness) {
-    const double old = mount->stiffness_N_per_m;
-    mount->stiffness_N_per_m = old > 0 ? 1 / (1 / old + 1 / stiffness) : stiffness;
-  }
+/// A part on a bench: one cylinder without lines.
+inline bool IsBenchPart(const hydraulics::PhsParams& params) {
+  return params.cylinders.size() == 1 && params.lines.empty();
+}
+inline Status NotABenchPart(const std::string& effect) {
+  return Error{"effects." + effect, "acts on a part on a bench only",
+               "a model of one cylinder without lines (rig: element)", "take it out here"};
+}
+
+/// Puts a spring in series with those already there: 1/k = 1/k1 + 1/k2.
+inline void AddInSeries(hydraulics::MountTerms* mount, double stiffness) {
+  const double old = mount->stiffness_N_per_m;
+  mount->stiffness_N_per_m = old > 0 ? 1 / (1 / old + 1 / stiffness) : stiffness;
+}
 
 }  // namespace phs::effects
