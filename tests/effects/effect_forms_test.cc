@@ -144,6 +144,7 @@ hydraulics::Friction Rubbing(const hydraulics::FrictionTerms& terms) {
   params.coulomb_extension_N = params.coulomb_retraction_N = 1000;
   params.breakaway_extension_N = params.breakaway_retraction_N = 1000;
   params.viscous_extension_Ns_per_m = params.viscous_retraction_Ns_per_m = 0;
+  params.damping_Ns_per_m = 0;
   return hydraulics::Friction(params, terms);
 }
 

@@ -78,6 +78,53 @@ TEST(EffectSearchTest, FindsMountCompliance) {
   EXPECT_NEAR(found.after.values.back(), 4.1e7, 0.05 * 4.1e7);
 }
 
+TEST(EffectSearchTest, FindsAnOrificeLeakAndItsExponent) {
+  hydraulics::PhsParams truth = OffDeclared();
+  truth.effects.push_back(
+      {"piston_leakage", {}, {{"conductance_m3_per_Pas", 4e-14}, {"exponent", 0.5}}});
+  const FitData data = Record(truth);
+  const Identification found = Find(Declared(), data);
+  ASSERT_EQ(found.effects.size(), 1u);
+  EXPECT_EQ(found.effects[0].candidate.effect, "piston_leakage");
+  const auto params = found.corrected.params.effects[0];
+  const auto& free = found.corrected.free;
+  double exponent = params.values.at("exponent");
+  for (size_t i = 0; i < free.size(); ++i) {
+    if (free[i].name == "effects.piston_leakage.exponent") exponent = found.after.values[i];
+  }
+  EXPECT_NEAR(exponent, 0.5, 0.15);
+}
+
+TEST(EffectSearchTest, DescribesAForceThatNoEffectHolds) {
+  hydraulics::PhsParams truth = OffDeclared();
+  hydraulics::EffectParams cogging{"unlisted", {}, {{"c1_N", 250}}};
+  cogging.formula = "c1*sin(2*pi*x/0.0007[m])";
+  truth.effects.push_back(cogging);
+  const FitData data = Record(truth);
+  const Identification found = Find(Declared(), data);
+  ASSERT_EQ(found.effects.size(), 1u);
+  EXPECT_EQ(found.effects[0].candidate.effect, "unlisted");
+  EXPECT_THAT(found.formula.text, testing::HasSubstr("sin(2*pi*x/0.0007"));
+  for (double ms : found.after.channel_ms) EXPECT_LT(ms, 1.3);
+}
+
+TEST(ClusteredDeviation, IsThatOfTheBlocksWhereAResidualIsEvenInEach) {
+  // A mean over B blocks of even residuals r_b: deviation sqrt(sum r_b²)/B sqrt(B/(B-1)).
+  constexpr int kBlocks = 20, kRows = 50;
+  const Eigen::MatrixXd one = Eigen::MatrixXd::Ones(kBlocks * kRows, 1);
+  Eigen::VectorXd r(kBlocks * kRows);
+  std::vector<int> block;
+  for (int i = 0; i < kBlocks * kRows; ++i) {
+    block.push_back(i / kRows);
+    r[i] = i / kRows % 2 == 0 ? 3 : -3;
+  }
+  double quantile = 0;
+  const Eigen::VectorXd deviation = ClusteredDeviation(one, r, block, kBlocks, &quantile);
+  ASSERT_EQ(deviation.size(), 1);
+  EXPECT_NEAR(deviation[0], 3 / std::sqrt(20.0) * std::sqrt(20.0 / 19), 1e-9);
+  EXPECT_NEAR(quantile, 2.093, 0.01);  // Student, 19 degrees of freedom
+}
+
 TEST(EffectSearchTest, NamesAChannelOfSwappedSign) {
   FitData data = Record(Declared());
   for (double& y : data.outputs[1].values) y = -y;
