@@ -20,6 +20,9 @@ struct Linear {
   Eigen::MatrixXd jacobian;
 };
 
+/// Points from here on lie away from the best fit: an effect changes there what the model's own
+/// numbers do.
+constexpr size_t kElsewhere = 1;
 constexpr double kReach = 0.8;  // [ln] how far one predicted step of a logarithmic number may go
 
 /// Notes residual and values if they are the best of this candidate so far.
@@ -96,11 +99,11 @@ void Screen(const std::vector<Linear>& linear, const Candidate& candidate,
     for (const auto& start : candidate.starts) {
       std::vector<double> values = linear[k].values;
       values.insert(values.end(), start.begin(), start.end());
-      const bool afresh = thorough && k >= options.hydraulic_from;
+      const bool afresh = thorough && k >= kElsewhere;
       probes.push_back(ProbeStart(linear[k], k, model, values, thorough, afresh, best));
     }
   }
-  if (thorough) FitProbes(linear, model, std::move(probes), options.hydraulic_from, best);
+  if (thorough) FitProbes(linear, model, std::move(probes), kElsewhere, best);
 }
 
 /// In turn the best by mean log square and the best by sum of squares: a rare
