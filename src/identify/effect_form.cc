@@ -9,6 +9,20 @@ namespace {
 constexpr double kDeltaBic = 12, kGain = 0.01;  // what an option must bring
 constexpr int kMostOptions = 3;
 
+/// True if a number that came with the last option lies on a bound: then the option brings nothing,
+/// whatever the refit of the others gained.
+bool EndsOnBound(const Candidate& form, const FitResult& fit, size_t first) {
+  constexpr double kTiny = 1e-3;
+  const size_t base = fit.values.size() - form.free.size();
+  for (size_t i = first; i < fit.values.size(); ++i) {
+    const FreeParameter& p = form.free[i - base];
+    const double x = p.ToCoordinate(fit.values[i]);
+    const double low = p.ToCoordinate(p.low), high = p.ToCoordinate(p.high);
+    if (x - low < kTiny * (high - low) || high - x < kTiny * (high - low)) return true;
+  }
+  return false;
+}
+
 /// Best fit of `form` from any of the starts of its last `option`.
 FitResult FitOption(const FitProblem& coarse, const FreeModel& model, const FitResult& before,
                     const Candidate& form, const EffectOption& option) {
@@ -31,7 +45,9 @@ FitResult FitOption(const FitProblem& coarse, const FreeModel& model, const FitR
 
 FitResult ShapeForm(const FitProblem& coarse, const FreeModel& model, const FitResult& fit,
                     Candidate* form) {
-  FitResult now = fit;
+  // Settled first, so that no option is credited with what a few more steps bring.
+  FitResult now = FitNear(coarse, WithCandidate(model, *form), fit.values, {}, {.max_steps = 4});
+  if (!now.ok) now = fit;
   for (int round = 0; round < kMostOptions && !form->options.empty(); ++round) {
     const FreeModel whole = WithCandidate(model, *form);
     if (!coarse.Linearise(whole, now.values, 0, &now.residual, &now.jacobian)) return now;
@@ -40,7 +56,7 @@ FitResult ShapeForm(const FitProblem& coarse, const FreeModel& model, const FitR
     size_t chosen = 0;
     for (size_t k = 0; k < form->options.size(); ++k) {
       FitResult with = FitOption(coarse, model, now, WithOption(*form, k), form->options[k]);
-      if (!with.ok) continue;
+      if (!with.ok || EndsOnBound(WithOption(*form, k), with, now.values.size())) continue;
       if (!best.ok || with.residual.squaredNorm() < best.residual.squaredNorm()) {
         best = std::move(with), chosen = k;
       }
