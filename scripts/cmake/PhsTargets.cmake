@@ -49,6 +49,9 @@ function(phs_test_folder name)
   if(ARG_LABELS)
     set(labels LABELS "${ARG_LABELS}")
   endif()
+  if(PHS_SANITIZE)
+    target_compile_definitions(test_${name} PRIVATE PHS_SANITIZED)
+  endif()
   gtest_discover_tests(test_${name} TEST_PREFIX "${name}." DISCOVERY_TIMEOUT 60
                        # Property tests draw the same cases on every machine.
                        PROPERTIES ${labels} ENVIRONMENT "RC_PARAMS=seed=20260")

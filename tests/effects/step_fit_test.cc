@@ -47,7 +47,7 @@ TEST(StepFit, TableB1LeavingStepsOut) {
     EXPECT_LT(with.error_left_out, most) << setup;
     EXPECT_GT(without.error_left_out, 0.2) << setup;
     // The seals hold the piston against the net force of the fillings.
-    const auto& c = Declared(setup).cylinders[0];
+    const hydraulics::CylinderParams c = Declared(setup).cylinders[0];
     const double force =
         with.fit.static_rod_Pa * c.RodArea() - with.fit.static_bore_Pa * c.BoreArea();
     EXPECT_LT(std::abs(force), 2000) << setup;

@@ -15,6 +15,13 @@
 namespace phs::plugin {
 namespace {
 
+// A program built without the sanitizer's runtime cannot load a library that needs it.
+#ifdef PHS_SANITIZED
+#define PHS_SKIP_UNDER_SANITIZERS() GTEST_SKIP() << "built with sanitizers"
+#else
+#define PHS_SKIP_UNDER_SANITIZERS() static_cast<void>(0)
+#endif
+
 const char kPreload[] = "LD_PRELOAD=" PHS_BINARY_DIR "/plugin/libphs_mujoco.so ";
 
 struct Output {
@@ -41,6 +48,7 @@ std::vector<double> Numbers(const std::string& text) {
 }
 
 TEST(PreloadTest, AForeignProgramFollowsTheSameTrajectoryBitForBit) {
+  PHS_SKIP_UNDER_SANITIZERS();
   for (const char* bogie : {"phs", "rigid_link"}) {
     const Output foreign = Execute(std::string(kPreload) + PHS_BINARY_DIR + "/tests/foreign_host " +
                                    BogiePath(bogie) + " 3000");
@@ -63,6 +71,7 @@ TEST(PreloadTest, WithoutThePluginTheSameProgramFallsFreely) {
 }
 
 TEST(PreloadTest, AModelThatCannotBeAttachedIsRefusedWithTheReason) {
+  PHS_SKIP_UNDER_SANITIZERS();
   const Output out = Execute("PHS_OPTIONS=track=nowhere " + std::string(kPreload) + PHS_BINARY_DIR +
                              "/tests/foreign_host " + BogiePath("phs") + " 10");
   EXPECT_NE(out.status, 0);
@@ -70,6 +79,7 @@ TEST(PreloadTest, AModelThatCannotBeAttachedIsRefusedWithTheReason) {
 }
 
 TEST(PreloadTest, FailuresOfTheHydraulicsAreOptions) {
+  PHS_SKIP_UNDER_SANITIZERS();
   const std::string host =
       std::string(kPreload) + PHS_BINARY_DIR + "/tests/foreign_host " + BogiePath("phs");
   const Output whole = Execute(host + " 200");
@@ -85,6 +95,7 @@ TEST(PreloadTest, FailuresOfTheHydraulicsAreOptions) {
 }
 
 TEST(PreloadTest, DebiansOwnTestspeedRunsTheSteeredBogie) {
+  PHS_SKIP_UNDER_SANITIZERS();
   if (Execute("command -v mujoco-testspeed").status != 0)
     GTEST_SKIP() << "libmujoco-samples not installed";
   const std::string trace = ScratchFile("trace.csv");
