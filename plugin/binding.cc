@@ -75,7 +75,7 @@ Status Binding::LoadRail(mjModel* m, const AttachOptions& options) {
   auto track_path = FindData("track", "models/tracks",
                              Chosen(options.track, m, "phs_track", "straight"), {".yaml"});
   if (!track_path.ok()) return track_path.error();
-  auto track = rail::Track::Load(track_path.value());
+  auto track = rail::Track::Load(track_path.value(), false, options.track_errors);
   if (!track.ok()) return track.error();
   track_ = std::make_unique<rail::Track>(std::move(track).value());
 
@@ -100,6 +100,7 @@ Status Binding::LoadRail(mjModel* m, const AttachOptions& options) {
   auto rail = FindProfile("rail profile", Chosen(options.rail_profile, m, "phs_rail", "UIC60"));
   if (!rail.ok()) return rail.error();
   params.rail_profile = rail.value();
+  params.wear = options.wear;
   params.gauge = track_->gauge();
   params.gauge_height = track_->gauge_height();
   // Clearance between flange and gauge line as on 1435 mm with 1360 mm between the flange backs.

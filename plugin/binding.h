@@ -45,6 +45,8 @@ struct AttachOptions {
   double start_s_m = kUnset;        ///< arc length of the rearmost wheelset at the start
   effects::PhsChanges phs_changes;  ///< parameters and failures of every PHS
   RunningForces running;            ///< traction and braking
+  rail::TrackErrors track_errors;   ///< on top of the track file
+  rail::TreadWear wear;             ///< of every wheel
   static constexpr double kUnset = -1;
 };
 

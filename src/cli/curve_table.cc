@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 
@@ -96,23 +97,32 @@ std::string Cell(double value, int decimals) {
   return std::isfinite(value) ? fmt::format("{:.{}f}", value, decimals) : std::string("-");
 }
 
+/// Of a column headed by the names, at least `least`.
+size_t Width(const NamedSummaries& summaries, size_t least) {
+  for (const auto& [name, summary] : summaries) least = std::max(least, name.size() + 2);
+  return least;
+}
+
 }  // namespace
 
 std::string CurveTable(const NamedSummaries& summaries) {
   std::string text = fmt::format("{:<30}{:>6}", "steady curve (mean)", "unit");
-  for (const auto& [name, summary] : summaries) text += fmt::format("{:>13}", name);
+  const size_t wide = Width(summaries, 13), ratio = Width(summaries, 13) + 1;
+  for (const auto& [name, summary] : summaries) text += fmt::format("{:>{}}", name, wide);
   for (size_t i = 1; i < summaries.size(); ++i) {
-    text += fmt::format("{:>14}", "/" + summaries[i].first);
+    text += fmt::format("{:>{}}", "/" + summaries[i].first, ratio);
   }
-  text += '\n' + std::string(36 + 13 * summaries.size() + 14 * (summaries.size() - 1), '-') + '\n';
+  text +=
+      '\n' + std::string(36 + wide * summaries.size() + ratio * (summaries.size() - 1), '-') + '\n';
   for (const Row& row : Rows()) {
     text += fmt::format("{:<30}{:>6}", row.label, row.unit);
     const double first = row.value(summaries[0].second) * row.scale;
     for (const auto& [name, summary] : summaries) {
-      text += fmt::format("{:>13}", Cell(row.value(summary) * row.scale, row.decimals));
+      text += fmt::format("{:>{}}", Cell(row.value(summary) * row.scale, row.decimals), wide);
     }
     for (size_t i = 1; i < summaries.size() && row.ratio; ++i) {
-      text += fmt::format("{:>14}", Cell(first / (row.value(summaries[i].second) * row.scale), 3));
+      text += fmt::format("{:>{}}", Cell(first / (row.value(summaries[i].second) * row.scale), 3),
+                          ratio);
     }
     text += '\n';
   }
@@ -128,11 +138,12 @@ std::string CurveTable(const NamedSummaries& summaries) {
 std::string SteeringBudget(const NamedSummaries& summaries) {
   std::string text =
       "Yaw moments on the leading axle, steady curve [kN m] (sum = 0; creep steers it):\n";
-  text += fmt::format("{:<14}{:>12}{:>14}{:>14}{:>14}\n", "", "wheel-rail", "PHS pressure",
+  const size_t wide = Width(summaries, 14);
+  text += fmt::format("{:<{}}{:>12}{:>14}{:>14}{:>14}\n", "", wide, "wheel-rail", "PHS pressure",
                       "PHS friction", "suspension");
   for (const auto& [name, summary] : summaries) {
     const std::string base = "/budget/" + Foremost(summary) + "/";
-    text += fmt::format("{:<14}{:>12}{:>14}{:>14}{:>14}\n", name,
+    text += fmt::format("{:<{}}{:>12}{:>14}{:>14}{:>14}\n", name, wide,
                         Cell(At(summary, base + "creep_Nm") / 1e3, 3),
                         Cell(At(summary, base + "phs_pressure_Nm") / 1e3, 3),
                         Cell(At(summary, base + "phs_friction_Nm") / 1e3, 3),

@@ -1,6 +1,7 @@
 // phs simulate, phs compare: runs on a track.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <future>
 #include <memory>
@@ -34,7 +35,8 @@ using vehicle::Simulation;
 struct CurveOptions {
   CommonOptions common;
   std::string scenario;
-  std::vector<std::string> bogies;
+  std::vector<std::string> bogies;  ///< BOGIE or BOGIE@PHS_MODEL
+  std::string phs;                  ///< PHS model of every bogie that names none itself
   bool csv = false;
   double timestep_s = 0;
   std::vector<int> radii_m;  ///< several curves instead of the scenario's own
@@ -50,21 +52,30 @@ struct CurveRun {
   Json summary;
 };
 
-/// What a bogie is called in tables and results: of a file its name without folder and ending.
-std::string NameOf(const std::string& bogie) {
-  const std::filesystem::path path(bogie);
-  return path.extension() == ".xml" ? path.stem().string() : bogie;
+/// Names of all runs; one that comes again gets a number ("phs@model_2").
+std::vector<std::string> NamesOf(const std::vector<std::string>& asked) {
+  std::vector<std::string> names;
+  for (const std::string& bogie : asked) {
+    const std::string name = vehicle::BogieLabel(bogie);
+    std::string own = name;
+    for (int k = 2; std::find(names.begin(), names.end(), own) != names.end(); ++k) {
+      own = name + "_" + std::to_string(k);
+    }
+    names.push_back(own);
+  }
+  return names;
 }
 
 /// Creates all simulations first, so that bad input ends before any long work.
 Status CreateRuns(const CurveOptions& options, const Scenario& scenario,
                   std::vector<CurveRun>* runs) {
-  for (const std::string& bogie : options.bogies) {
+  const std::vector<std::string> names = NamesOf(options.bogies);
+  for (size_t i = 0; i < names.size(); ++i) {
     Scenario own = scenario;
-    own.bogie = bogie;
+    vehicle::UseBogie(options.bogies[i], &own);
     auto simulation = Simulation::Create(own);
     if (!simulation.ok()) return simulation.error();
-    runs->push_back({NameOf(bogie), std::move(simulation).value(), {}, {}});
+    runs->push_back({names[i], std::move(simulation).value(), {}, {}});
   }
   return {};
 }
@@ -155,6 +166,7 @@ int RunCurve(const CurveOptions& options, bool compare) {
   if (!loaded.ok()) return BadInput(loaded.error());
   Scenario scenario = std::move(loaded).value();
   if (options.timestep_s > 0) scenario.timestep_s = options.timestep_s;
+  if (!options.phs.empty()) scenario.phs = options.phs;
   CurveOptions chosen = options;
   if (chosen.bogies.empty()) chosen.bogies = {scenario.bogie};
   std::optional<ResultDir> dir;
@@ -216,12 +228,12 @@ Result<Json> CriticalSpeedsOf(const CurveOptions& options, const Scenario& base)
   const double count = static_cast<double>(options.bogies.size());
   for (const std::string& bogie : options.bogies) {
     Scenario own = base;
-    own.bogie = bogie;
+    vehicle::UseBogie(bogie, &own);
     const double before = static_cast<double>(all.size()) / count;
     auto speeds = analysis::FindCriticalSpeeds(
         own, [&](double share) { return progress(before + share / count); });
     if (!speeds.ok()) return speeds.error();
-    all[NameOf(bogie)] = analysis::CriticalSpeedsJson(speeds.value());
+    all[vehicle::BogieLabel(bogie)] = analysis::CriticalSpeedsJson(speeds.value());
   }
   return all;
 }
@@ -235,6 +247,7 @@ int RunOverRadii(const CurveOptions& options) {
   if (!loaded.ok()) return BadInput(loaded.error());
   Scenario base = std::move(loaded).value();
   if (options.timestep_s > 0) base.timestep_s = options.timestep_s;
+  if (!options.phs.empty()) base.phs = options.phs;
   std::vector<Scenario> curves;
   for (const int radius : options.radii_m) {
     auto curve = vehicle::ScenarioOfRadius(base, radius);
@@ -287,6 +300,9 @@ void AddCurveOptions(CLI::App* verb, CurveOptions* options) {
   verb->add_option("--check", options->limits,
                    "Limits (YAML) that the result must keep: else exit 1");
   verb->add_option("--junit", options->junit, "Write how runs and limits did as JUnit XML");
+  verb->add_option("--phs", options->phs,
+                   "PHS model, instead of the bogie's: a name or a YAML file (the model.yaml of an "
+                   "identification too)");
   verb->add_flag("--csv", options->csv, "Time series as CSV too");
   verb->add_option("--timestep", options->timestep_s, "Step in seconds, instead of the scenario's")
       ->check(CLI::PositiveNumber);
@@ -307,7 +323,8 @@ void AddCompare(CLI::App* app, Action* action) {
   auto options = std::make_shared<CurveOptions>();
   AddCurveOptions(verb, options.get());
   verb->add_option("--bogies", options->bogies,
-                   "Bogies, separated by commas; all = every one with a yardstick")
+                   "Bogies, separated by commas; all = every one with a yardstick; "
+                   "BOGIE@FILE = with the PHS model of FILE")
       ->delimiter(',')
       ->required();
   verb->add_option(

@@ -101,11 +101,19 @@ Status ApplyFailures(const std::vector<Failure>& failures, const std::string& sy
   return {};
 }
 
-Result<hydraulics::PhsSystem> LoadPhsSystem(const std::string& path, const PhsChanges& changes,
-                                            const std::string& system, int actuators) {
+Result<PhsParams> LoadChangedParams(const std::string& path, const PhsChanges& changes,
+                                    const std::string& system, int actuators) {
   auto params = hydraulics::LoadPhsParams(path);
   if (!params.ok()) return params.error();
   if (actuators >= 4 && IsQuarter(params.value())) params = SpreadOverBogie(params.value());
+  for (const EffectParams& effect : changes.effects) {
+    for (const EffectParams& present : params.value().effects) {
+      if (present.name != effect.name) continue;
+      return Error{"effects: " + effect.name, "is in PHS model " + params.value().name + " already",
+                   "each effect once", "phs_parameters: {effects." + effect.name + ".KEY: …}"};
+    }
+    params.value().effects.push_back(effect);
+  }
   for (const auto& [name, value] : changes.parameters) {
     if (Status s = hydraulics::SetParameter(&params.value(), name, value); !s.ok()) {
       return s.error();
@@ -114,6 +122,13 @@ Result<hydraulics::PhsSystem> LoadPhsSystem(const std::string& path, const PhsCh
   if (Status s = ApplyFailures(changes.failures, system, &params.value()); !s.ok()) {
     return s.error();
   }
+  return params;
+}
+
+Result<hydraulics::PhsSystem> LoadPhsSystem(const std::string& path, const PhsChanges& changes,
+                                            const std::string& system, int actuators) {
+  auto params = LoadChangedParams(path, changes, system, actuators);
+  if (!params.ok()) return params.error();
   return CreatePhsSystem(params.value());
 }
 

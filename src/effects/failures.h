@@ -52,10 +52,14 @@ Status ApplyFailures(const std::vector<Failure>& failures, const std::string& sy
 struct PhsChanges {
   std::map<std::string, double> parameters = {};  ///< by name: "friction.scale" (SetParameter)
   std::vector<Failure> failures = {};
+  std::vector<hydraulics::EffectParams> effects = {};  ///< beside those of the file
 };
 
 /// A model file with its effects, with changed parameters and the failures that concern `system`.
 /// A quarter model that is to serve four `actuators` or more is spread over them (bogie_spread.h).
+Result<hydraulics::PhsParams> LoadChangedParams(const std::string& path, const PhsChanges& changes,
+                                                const std::string& system, int actuators);
+/// The same compiled.
 Result<hydraulics::PhsSystem> LoadPhsSystem(const std::string& path, const PhsChanges& changes,
                                             const std::string& system, int actuators);
 

@@ -100,6 +100,16 @@ std::vector<ParameterInfo> ListParameters(const PhsParams& params) {
   return out;
 }
 
+/// "lines.KEY": the number KEY of every line at once, of a bogie whose lines are built alike.
+constexpr char kEveryLine[] = "lines.";
+
+static std::vector<std::string> NamesOfGroup(const PhsParams& params, const std::string& name) {
+  std::vector<std::string> names;
+  if (name.rfind(kEveryLine, 0) != 0) return names;
+  for (const LineParams& line : params.lines) names.push_back(line.name + name.substr(5));
+  return names;
+}
+
 /// "friction.coulomb_N", "friction.viscous_Ns_per_m": both directions at once. The excess of the
 /// breakaway level over the Coulomb level stays.
 static bool SetBothDirections(PhsParams* params, const std::string& name, double value) {
@@ -129,6 +139,9 @@ Result<double> GetParameter(const PhsParams& params, const std::string& name) {
   }
   if (name == "friction.coulomb_N") return copy.friction.coulomb_extension_N;
   if (name == "friction.viscous_Ns_per_m") return copy.friction.viscous_extension_Ns_per_m;
+  if (const auto names = NamesOfGroup(copy, name); !names.empty()) {
+    return GetParameter(params, names.front());
+  }
   const std::vector<Slot> slots = CollectSlots(&copy);
   for (const Slot& slot : slots) {
     if (slot.name == name) return *slot.value;
@@ -145,6 +158,12 @@ Status SetParameter(PhsParams* params, const std::string& name, double value) {
     return Error{name, "this effect is not switched on", "", "add it to the model's effects first"};
   }
   if (SetBothDirections(params, name, value)) return {};
+  if (const auto names = NamesOfGroup(*params, name); !names.empty()) {
+    for (const std::string& one : names) {
+      if (Status s = SetParameter(params, one, value); !s.ok()) return s;
+    }
+    return {};
+  }
   const std::vector<Slot> slots = CollectSlots(params);
   for (const Slot& slot : slots) {
     if (slot.name != name) continue;

@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "hydraulics/effects_yaml.h"
 #include "hydraulics/phs_params.h"
 
 namespace phs::hydraulics {
@@ -107,24 +108,6 @@ void ReadFriction(YamlMap map, FrictionParams* f) {
   number("stiffness_N_per_m", kPositive, &f->stiffness_N_per_m);
   number("damping_Ns_per_m", kNotNegative, &f->damping_Ns_per_m);
   number("breakaway_ratio", {.min = 0, .max = 0.99}, &f->breakaway_ratio);
-}
-
-void ReadEffects(YamlMap map, PhsParams* params) {
-  for (const std::string& name : map.Keys()) {
-    EffectParams effect;
-    effect.name = name;
-    YamlMap entry = map.Map(name);
-    for (const std::string& key : entry.Keys()) {
-      if (key == "targets") {
-        effect.targets = entry.Texts("targets");
-      } else if (key == "formula") {
-        effect.formula = entry.Text("formula");
-      } else {
-        effect.values[key] = entry.Number(key, {});
-      }
-    }
-    params->effects.push_back(std::move(effect));
-  }
 }
 
 class Writer {
@@ -251,6 +234,32 @@ void WriteEffects(Writer* w, const std::vector<EffectParams>& effects) {
 
 }  // namespace
 
+std::vector<EffectParams> ReadEffects(YamlMap map) {
+  std::vector<EffectParams> effects;
+  for (const std::string& name : map.Keys()) {
+    EffectParams effect;
+    effect.name = name;
+    YamlMap entry = map.Map(name);
+    for (const std::string& key : entry.Keys()) {
+      if (key == "targets") {
+        effect.targets = entry.Texts("targets");
+      } else if (key == "formula") {
+        effect.formula = entry.Text("formula");
+      } else {
+        effect.values[key] = entry.Number(key, {});
+      }
+    }
+    effects.push_back(std::move(effect));
+  }
+  return effects;
+}
+
+std::string EffectsToYaml(const std::vector<EffectParams>& effects) {
+  Writer w;
+  WriteEffects(&w, effects);
+  return w.out();
+}
+
 Result<PhsParams> ReadPhsParams(YamlMap& map) {
   PhsParams params;
   params.name = map.Text("name");
@@ -296,7 +305,7 @@ Result<PhsParams> ReadPhsParams(YamlMap& map) {
     params.element.pressure_area_m2 = e.Number("pressure_area_m2", {}, 0);
     params.element.offset_N = e.Number("offset_N", {}, 0);
   }
-  if (map.Has("effects")) ReadEffects(map.Map("effects"), &params);
+  if (map.Has("effects")) params.effects = ReadEffects(map.Map("effects"));
   if (Status s = map.Finish(); !s.ok()) return s.error();
   if (Status s = Validate(params); !s.ok()) {
     Error error = s.error();

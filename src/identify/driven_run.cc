@@ -70,7 +70,8 @@ std::vector<double> AtRows(const FitData& data, const std::vector<double>& y) {
   return out;
 }
 
-/// Columns of the data on the rows of the file: the smoothed motion and `outputs`.
+}  // namespace
+
 Status WriteChannels(const ResultDir& dir, const std::string& file, const FitData& data,
                      const Channels& outputs) {
   std::vector<std::string> names = {"t_s"};
@@ -84,7 +85,6 @@ Status WriteChannels(const ResultDir& dir, const std::string& file, const FitDat
   return WriteCsv(dir.File(file), names, columns);
 }
 
-/// What was fitted to, after all mending: what the report shows.
 Status WriteMeasured(const ResultDir& dir, const FitData& data) {
   Channels outputs;
   for (const MeasuredChannel& c : data.outputs) outputs.push_back(c.values);
@@ -101,26 +101,21 @@ Json Head(const Manifest& manifest, const FitData& data) {
           {"data_findings", FindingList(data.findings)}};
 }
 
-}  // namespace
-
-Result<IdentifyOutcome> IdentifyDriven(const Manifest& manifest, const SearchOptions& options,
-                                       const Progress& progress, const ResultDir& dir) {
-  Result<Case> loaded = LoadCase(manifest);
-  if (!loaded.ok()) return loaded.error();
-  const FitData& data = loaded.value().data;
-  Result<FitProblem> problem = FitProblem::Create(data, loaded.value().declared);
-  if (!problem.ok()) return problem.error();
-  Result<Identification> search =
-      Identify(&problem.value(), loaded.value().declared, options, progress);
+Result<IdentifyOutcome> SearchAndWrite(const Manifest& manifest, const PhsParams& declared,
+                                       FitProblem* problem, const SearchOptions& options,
+                                       const Progress& progress, const WriteModel& write_model,
+                                       const ResultDir& dir) {
+  const FitData& data = problem->data();
+  Result<Identification> search = Identify(problem, declared, options, progress);
   if (!search.ok()) return search.error();
   const Identification& found = search.value();
   IdentifyOutcome outcome;
   outcome.cancelled = found.cancelled;
   if (found.cancelled) return outcome;
-  PhsParams corrected = problem.value().Params(found.corrected, found.after.values);
+  const PhsParams corrected = problem->Params(found.corrected, found.after.values);
   Result<Channels> before =
-      problem.value().Predict(problem.value().Params(found.declared, found.before.values));
-  Result<Channels> after = problem.value().Predict(corrected);
+      problem->Predict(problem->Params(found.declared, found.before.values));
+  Result<Channels> after = problem->Predict(corrected);
   if (!before.ok()) return before.error();
   if (!after.ok()) return after.error();
   Json& result = outcome.result;
@@ -134,18 +129,30 @@ Result<IdentifyOutcome> IdentifyDriven(const Manifest& manifest, const SearchOpt
   result["next_test"] = NextTests(found);
   result["candidates"] = CandidateList(found);
   result["model"] = "model.yaml";
-  corrected.name += "_identified";
-  corrected.description =
-      "Identified from " + data.source + "; declared " + loaded.value().declared.name;
   for (const Status& s :
        {WriteMeasured(dir, data), WriteChannels(dir, "predicted.csv", data, after.value()),
-        WriteChannels(dir, "baseline.csv", data, before.value()),
-        WriteFileAtomically(dir.File("model.yaml"), hydraulics::ToYaml(corrected)),
+        WriteChannels(dir, "baseline.csv", data, before.value()), write_model(corrected),
         WriteFileAtomically(dir.File("result.json"), result.dump(1) + "\n")}) {
     if (!s.ok()) return s.error();
   }
   outcome.summary = Summary(result);
   return outcome;
+}
+
+Result<IdentifyOutcome> IdentifyDriven(const Manifest& manifest, const SearchOptions& options,
+                                       const Progress& progress, const ResultDir& dir) {
+  Result<Case> loaded = LoadCase(manifest);
+  if (!loaded.ok()) return loaded.error();
+  const FitData& data = loaded.value().data;
+  const PhsParams& declared = loaded.value().declared;
+  Result<FitProblem> problem = FitProblem::Create(data, declared);
+  if (!problem.ok()) return problem.error();
+  const auto write_model = [&](PhsParams corrected) {
+    corrected.name += "_identified";
+    corrected.description = "Identified from " + data.source + "; declared " + declared.name;
+    return WriteFileAtomically(dir.File("model.yaml"), hydraulics::ToYaml(corrected));
+  };
+  return SearchAndWrite(manifest, declared, &problem.value(), options, progress, write_model, dir);
 }
 
 }  // namespace phs::identify::search

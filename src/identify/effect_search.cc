@@ -53,7 +53,7 @@ class Search {
       : problem_(*problem), coarse_(*coarse), options_(options), progress_(progress) {}
 
   Result<Identification> Run(const hydraulics::PhsParams& declared) {
-    out_.declared = DeclaredModel(declared);
+    out_.declared = problem_.forward().Declared(declared);
     std::vector<double> start;
     for (const auto& p : out_.declared.free) start.push_back(p.start);
     out_.before = problem_.Fit(out_.declared, start, 15);
@@ -95,6 +95,7 @@ class Search {
   std::vector<std::vector<double>> Points(const FreeModel& model, const FitResult& fit) const {
     constexpr double kElsewhere = 0.03;
     std::vector<std::vector<double>> points = {fit.values};
+    if (!options_.thorough) return points;
     std::vector<double> start = fit.values;
     for (size_t i = 0; i < out_.declared.free.size(); ++i) start[i] = model.free[i].start;
     const FitResult most = FitNear(coarse_, model, start, {}, {.max_steps = 12, .robust = 2.5});
@@ -136,7 +137,8 @@ class Search {
   std::vector<FullTrial> Try(const FreeModel& model, const FitResult& fit,
                              const std::vector<Candidate>& list, int full_fits, double* reference) {
     ScreeningOptions screening{options_.threads, options_.coarse_fits,
-                               model.params.effects.size() == out_.declared.params.effects.size()};
+                               options_.thorough && model.params.effects.size() ==
+                                                        out_.declared.params.effects.size()};
     std::vector<std::vector<double>> points = Points(model, fit);
     if (screening.thorough && AddDeclaredPoint(model, &points)) {
       screening.hydraulic_from = points.size() - 1;
@@ -208,7 +210,7 @@ class Search {
   }
 
   bool AddOne(int round) {
-    const std::vector<Candidate> list = ListCandidates(out_.corrected.params, problem_.data().kind);
+    const std::vector<Candidate> list = problem_.forward().Candidates(out_.corrected.params);
     double reference = 0;
     std::vector<FullTrial> trials =
         Try(out_.corrected, out_.after, list, options_.full_fits, &reference);
@@ -302,7 +304,7 @@ class Search {
       FreeModel model;
       const FitResult rest = Without(i, &model);
       if (!rest.ok) continue;
-      std::vector<Candidate> list = ListCandidates(model.params, problem_.data().kind);
+      std::vector<Candidate> list = problem_.forward().Candidates(model.params);
       const std::string old = out_.effects[i].candidate.effect;
       std::erase_if(list, [&](const Candidate& c) { return c.effect == old; });
       double reference = 0;
@@ -417,7 +419,7 @@ Result<Identification> Identify(FitProblem* problem, const hydraulics::PhsParams
                                 const SearchOptions& options, const Progress& progress) {
   const FitData& data = problem->data();
   const int stride = std::max(1, static_cast<int>(options.coarse_step_s / data.step_s + 0.01));
-  Result<FitProblem> coarse = FitProblem::Create(data, declared, stride);
+  Result<FitProblem> coarse = problem->Thinned(declared, stride);
   if (!coarse.ok()) return coarse.error();
   return Search(problem, &coarse.value(), options, progress).Run(declared);
 }

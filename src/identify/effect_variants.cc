@@ -328,26 +328,7 @@ void AddOptions(const EffectInfo& info, const Recipe& recipe, Candidate* candida
 void AddVariants(const Recipe& recipe, const PhsParams& params, std::vector<Candidate>* out) {
   const EffectInfo* info = effects::Catalogue().Find(recipe.effect);
   if (info == nullptr) return;
-  Candidate candidate;
-  candidate.effect = recipe.effect;
-  candidate.params.name = recipe.effect;
-  for (const auto& p : info->parameters) candidate.params.values[p.name] = p.otherwise;
-  for (const auto& [name, value] : recipe.fixed) candidate.params.values[name] = value;
-  for (size_t i = 0; i < recipe.free.size(); ++i) {
-    double smallest = recipe.starts[0][i];
-    for (const auto& start : recipe.starts) smallest = std::min(smallest, start[i]);
-    candidate.free.push_back(FreeNumber(*info, recipe.free[i], smallest));
-  }
-  candidate.starts = recipe.starts;
-  // One of two directions (or sides, or parts of a wave) may have none of it.
-  const bool two = candidate.free.size() > 1 &&
-                   (info->name == "check_restriction" || info->name == "viscous_friction" ||
-                    info->name == "pressure_friction" ||
-                    candidate.free[1].name.find("_cosine") != std::string::npos);
-  candidate.mains = two ? 2 : 1;
-  candidate.hydraulic = info->family == "hydraulic";
-  candidate.has_onset = candidate.hydraulic || info->family == "mounting" ||
-                        info->name == "presliding" || info->name == "dwell_friction";
+  Candidate candidate = MakeCandidate(*info, recipe.free, recipe.starts, recipe.fixed);
   AddOptions(*info, recipe, &candidate);
   out->push_back(candidate);
   if (recipe.spread == Spread::kAll || params.lines.size() < 2) return;
@@ -361,6 +342,32 @@ void AddVariants(const Recipe& recipe, const PhsParams& params, std::vector<Cand
 }
 
 }  // namespace
+
+Candidate MakeCandidate(const EffectInfo& info, const std::vector<const char*>& free,
+                        const std::vector<std::vector<double>>& starts,
+                        const std::vector<std::pair<const char*, double>>& fixed) {
+  Candidate candidate;
+  candidate.effect = info.name;
+  candidate.params.name = info.name;
+  for (const auto& p : info.parameters) candidate.params.values[p.name] = p.otherwise;
+  for (const auto& [name, value] : fixed) candidate.params.values[name] = value;
+  for (size_t i = 0; i < free.size(); ++i) {
+    double smallest = starts[0][i];
+    for (const auto& start : starts) smallest = std::min(smallest, start[i]);
+    candidate.free.push_back(FreeNumber(info, free[i], smallest));
+  }
+  candidate.starts = starts;
+  // One of two directions (or sides, or parts of a wave) may have none of it.
+  const bool two = candidate.free.size() > 1 &&
+                   (info.name == "check_restriction" || info.name == "viscous_friction" ||
+                    info.name == "pressure_friction" ||
+                    candidate.free[1].name.find("_cosine") != std::string::npos);
+  candidate.mains = two ? 2 : 1;
+  candidate.hydraulic = info.family == "hydraulic";
+  candidate.has_onset = candidate.hydraulic || info.family == "mounting" ||
+                        info.name == "presliding" || info.name == "dwell_friction";
+  return candidate;
+}
 
 std::vector<Candidate> ListCandidates(const PhsParams& params, effects::RigKind kind) {
   std::vector<Candidate> out;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "hydraulics/extension.h"
 #include "hydraulics/phs_params.h"
 #include "identify/search_fit.h"
 
@@ -27,6 +28,12 @@ struct Candidate {
   bool hydraulic = false;                   ///< can have bent the baseline's volumes
   bool has_onset = false;                   ///< far from linear in its own numbers
 };
+
+/// One way of switching an effect on: its free numbers, values of these from which a fit starts, and
+/// numbers held at other than their default values.
+Candidate MakeCandidate(const hydraulics::EffectInfo& info, const std::vector<const char*>& free,
+                        const std::vector<std::vector<double>>& starts,
+                        const std::vector<std::pair<const char*, double>>& fixed = {});
 
 /// All candidates for a model of these lines, leaving out effects already in it.
 std::vector<Candidate> ListCandidates(const hydraulics::PhsParams& params, effects::RigKind kind);

@@ -1,5 +1,6 @@
 #include "identify/identify_run.h"
 
+#include "identify/bogie_run.h"
 #include "identify/driven_run.h"
 #include "identify/element_run.h"
 #include "identify/manifest.h"
@@ -8,11 +9,11 @@ namespace phs::identify::search {
 namespace {
 
 /// Rigs whose model is driven by a measured motion over time.
-bool IsDriven(const std::string& rig) { return rig != "steps" && rig != "bogie"; }
+bool IsDriven(const std::string& rig) { return rig != "steps"; }
 
 Error NoSuchRun(const Manifest& manifest) {
   return {manifest.path + ": rig", "rig " + manifest.rig + " has no such run",
-          "cylinder, quarter, full, element", ""};
+          "cylinder, quarter, full, element, bogie", ""};
 }
 
 }  // namespace
@@ -24,6 +25,9 @@ Result<IdentifyOutcome> RunIdentify(const std::string& manifest_path, const Sear
   if (manifest.value().rig == "element") {
     return element::RunElementIdentify(manifest.value(), {.threads = options.threads}, progress,
                                        dir);
+  }
+  if (manifest.value().rig == "bogie") {
+    return IdentifyBogie(manifest.value(), options, progress, dir);
   }
   if (IsDriven(manifest.value().rig)) {
     return IdentifyDriven(manifest.value(), options, progress, dir);

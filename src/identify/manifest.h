@@ -14,6 +14,7 @@
 //                                         from the ending: _mm, _ms, _bar, _MPa, _kPa, _kN, …
 //   factors: {force_N: 35.15}             on top of that, for a channel given in another quantity
 //   free: [L1.gas_volume_m3, …]           free parameters of the baseline, instead of the usual
+//   candidates: [cant_error, …]           effects to look for, instead of all (bogie)
 //   compare_below_Hz: 40                  element bench: model and measurement are compared below
 //                                         this frequency, both filtered alike (band_limit.h)
 //   low_pass_Hz: 20                       all channels, forwards and backwards (no lag)
@@ -54,6 +55,7 @@ struct Manifest {
   std::map<std::string, std::string> columns;  ///< our channel -> column of the file
   std::map<std::string, double> factors;       ///< our channel -> factor
   std::vector<std::string> free;
+  std::vector<std::string> candidates;        ///< empty: all
   double low_pass_Hz = 0;                     ///< 0: none
   double compare_below_Hz = 0;                ///< 0: all frequencies
   std::optional<effects::RigSignals> signal;  ///< then no run is read

@@ -10,7 +10,6 @@
 namespace phs::identify::search {
 
 using Json = nlohmann::ordered_json;
-using Channels = std::vector<std::vector<double>>;  ///< [measured output][sample]
 
 /// Errors of one predicted set of channels over a window, by name of channel.
 Json ScoreChannels(const FitData& data, const Channels& predicted,

@@ -52,6 +52,30 @@ Status CheckExcitation(const FitData& data) {
   return {};
 }
 
+/// Samples at which the driving motion is bridged over more than a few samples: what the model is
+/// driven with there is not what happened.
+std::vector<char> LostInput(const std::vector<Channel>& inputs) {
+  constexpr size_t kShort = 4;
+  std::vector<char> lost(inputs.front().y.size(), 0);
+  for (const Channel& input : inputs) {
+    for (size_t i = 0; i < lost.size();) {
+      size_t end = i;
+      while (end < lost.size() && input.bad[end]) ++end;
+      if (end - i > kShort) std::fill(lost.begin() + i, lost.begin() + end, 1);
+      i = end + 1;
+    }
+  }
+  return lost;
+}
+
+std::string Words(const std::vector<DataFinding>& findings) {
+  std::vector<std::string> words;
+  for (const DataFinding& f : findings) words.push_back(f.channel + " " + f.text);
+  return JoinWords(words);
+}
+
+}  // namespace
+
 Status CheckWindows(const RigRun& run) {
   for (const auto& [name, window] :
        {std::pair{"estimation", run.estimation}, std::pair{"validation", run.validation}}) {
@@ -92,30 +116,6 @@ void TakeOutput(Channel* channel, const RigRun& run, const std::vector<char>& in
   }
   data->outputs.push_back(std::move(out));
 }
-
-/// Samples at which the driving motion is bridged over more than a few samples: what the model is
-/// driven with there is not what happened.
-std::vector<char> LostInput(const std::vector<Channel>& inputs) {
-  constexpr size_t kShort = 4;
-  std::vector<char> lost(inputs.front().y.size(), 0);
-  for (const Channel& input : inputs) {
-    for (size_t i = 0; i < lost.size();) {
-      size_t end = i;
-      while (end < lost.size() && input.bad[end]) ++end;
-      if (end - i > kShort) std::fill(lost.begin() + i, lost.begin() + end, 1);
-      i = end + 1;
-    }
-  }
-  return lost;
-}
-
-std::string Words(const std::vector<DataFinding>& findings) {
-  std::vector<std::string> words;
-  for (const DataFinding& f : findings) words.push_back(f.channel + " " + f.text);
-  return JoinWords(words);
-}
-
-}  // namespace
 
 Result<FitData> ReadFitData(const Manifest& manifest) {
   Result<effects::RigKind> kind = effects::ParseRigKind(manifest.rig);

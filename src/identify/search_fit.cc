@@ -8,11 +8,10 @@
 #include <cmath>
 #include <thread>
 
+#include "identify/rig_forward.h"
+
 namespace phs::identify::search {
 
-using effects::RigModel;
-using effects::RigMotion;
-using effects::RigPrediction;
 using hydraulics::PhsParams;
 
 double FreeParameter::ToCoordinate(double value) const {
@@ -41,67 +40,41 @@ FreeModel DeclaredModel(const PhsParams& declared) {
 }
 
 Result<FitProblem> FitProblem::Create(const FitData& data, const PhsParams& declared, int stride) {
+  auto rig = RigForward::Create(data, declared, stride);
+  if (!rig.ok()) return rig.error();
+  return Create(data, rig.value(), declared, stride);
+}
+
+Result<FitProblem> FitProblem::Create(const FitData& data,
+                                      std::shared_ptr<const ForwardModel> forward,
+                                      const PhsParams& declared, int stride) {
   FitProblem problem;
   problem.data_ = &data;
   problem.stride_ = stride;
-  problem.full_.t0_s = problem.short_.t0_s = data.time_s.front();
-  problem.full_.step_s = data.step_s;
-  problem.short_.step_s = data.step_s * stride;
-  auto thin = [&](const std::vector<double>& y) {
-    std::vector<double> out;
-    for (size_t i = 0; i < y.size() && data.time_s[i] < data.estimation[1]; i += stride) {
-      out.push_back(y[i]);
-    }
-    return out;
-  };
-  for (const SmoothMotion& motion : data.motion) {
-    problem.full_.position_m.push_back(motion.position);
-    problem.full_.speed_m_s.push_back(motion.speed);
-    problem.short_.position_m.push_back(thin(motion.position));
-    problem.short_.speed_m_s.push_back(thin(motion.speed));
-  }
-  problem.full_.pressure_Pa = data.pressure_Pa;
-  problem.short_.pressure_Pa = thin(data.pressure_Pa);
-  const int rows = problem.short_.num_samples();
-  for (int k = 0; k < rows; ++k) {
-    if (data.time_s[static_cast<size_t>(k) * stride] >= data.estimation[0]) {
-      problem.rows_.push_back(k);
-    }
-  }
-  Result<RigModel> model = RigModel::Create(data.kind, declared);
-  if (!model.ok()) return model.error();
-  const auto& names = model.value().output_names();
-  for (const MeasuredChannel& channel : data.outputs) {
-    problem.output_index_.push_back(
-        static_cast<int>(std::find(names.begin(), names.end(), channel.name) - names.begin()));
+  problem.forward_ = std::move(forward);
+  for (size_t k = 0; k * stride < data.time_s.size(); ++k) {
+    const double t = data.time_s[k * stride];
+    if (t >= data.estimation[1]) break;
+    if (t >= data.estimation[0]) problem.rows_.push_back(static_cast<int>(k));
   }
   if (Status s = problem.SetWeights(declared); !s.ok()) return s.error();
   return problem;
 }
 
+Result<FitProblem> FitProblem::Thinned(const PhsParams& declared, int stride) const {
+  return Create(*data_, forward_->Thinned(stride), declared, stride);
+}
+
 Status FitProblem::SetWeights(const PhsParams& params) {
-  Result<RigModel> model = RigModel::Create(data_->kind, params);
-  if (!model.ok()) return model.status();
-  RigPrediction fast, slow;
-  RigMotion shifted = short_;
-  for (const double sign : {1.0, -1.0}) {
-    for (size_t a = 0; a < shifted.speed_m_s.size(); ++a) {
-      for (size_t i = 0; i < shifted.speed_m_s[a].size(); ++i) {
-        shifted.speed_m_s[a][i] =
-            short_.speed_m_s[a][i] + sign * data_->motion[a].speed_deviation[i * stride_];
-      }
-    }
-    if (Status s = model.value().Run(shifted, sign > 0 ? &fast : &slow); !s.ok()) return s;
-  }
-  weight_.assign(output_index_.size(), std::vector<double>(rows_.size(), 0.0));
-  for (size_t c = 0; c < output_index_.size(); ++c) {
+  Channels uncertain;
+  if (Status s = forward_->Uncertainty(params, &uncertain); !s.ok()) return s;
+  weight_.assign(data_->outputs.size(), std::vector<double>(rows_.size(), 0.0));
+  for (size_t c = 0; c < weight_.size(); ++c) {
     const MeasuredChannel& channel = data_->outputs[c];
-    const auto o = static_cast<size_t>(output_index_[c]);
     for (size_t k = 0; k < rows_.size(); ++k) {
       const auto i = static_cast<size_t>(rows_[k]);
       if (!std::isfinite(channel.values[i * stride_])) continue;
-      const double input = 0.5 * (fast.channels[o][i] - slow.channels[o][i]);
-      weight_[c][k] = 1 / std::hypot(channel.noise, input);
+      weight_[c][k] = 1 / std::hypot(channel.noise, uncertain[c][i]);
     }
   }
   return {};
@@ -115,33 +88,7 @@ int FitProblem::FindOutput(const std::string& name) const {
 }
 
 Result<std::vector<hydraulics::ForcePlace>> FitProblem::Places(const PhsParams& params) const {
-  constexpr double kRamp = 2e-4;  // [m/s]
-  PhsParams bare = params;        // pressures themselves, without the errors of their sensors
-  std::erase_if(bare.effects, [](const auto& e) { return e.name.starts_with("sensor_"); });
-  Result<RigModel> rig = RigModel::Create(data_->kind, bare);
-  if (!rig.ok()) return rig.error();
-  RigPrediction prediction;
-  if (Status s = rig.value().Run(short_, &prediction); !s.ok()) return s.error();
-  const auto& cylinder = params.cylinders.front();
-  const auto rest = [&](const std::string& line) {
-    const int l = params.FindLine(line);
-    return l >= 0 ? params.lines[static_cast<size_t>(l)].static_pressure_Pa : 0;
-  };
-  const double bore = rest(cylinder.bore_line), rod = rest(cylinder.rod_line);
-  std::vector<hydraulics::ForcePlace> out;
-  for (const int row : rows_) {
-    const auto i = static_cast<size_t>(row);
-    hydraulics::ForcePlace at;
-    at.time = short_.t0_s + row * short_.step_s;
-    at.piston = prediction.channels[0][i];
-    at.speed = short_.speed_m_s[0][i];
-    at.direction = std::clamp(at.speed / kRamp, -1.0, 1.0);
-    at.bore_rise = prediction.channels[2][i] - bore;
-    at.rod_rise = prediction.channels[3][i] - rod;
-    at.temperature = rig.value().system().Ambient(at.time) - params.temperature_K;
-    out.push_back(at);
-  }
-  return out;
+  return forward_->Places(params, rows_);
 }
 
 Eigen::VectorXd FitProblem::Weighted(int output, const std::vector<double>& on_rows) const {
@@ -163,17 +110,17 @@ PhsParams FitProblem::Params(const FreeModel& model, const std::vector<double>& 
 
 Eigen::VectorXd FitProblem::Residual(const FreeModel& model,
                                      const std::vector<double>& values) const {
-  Result<RigModel> rig = RigModel::Create(data_->kind, Params(model, values));
-  RigPrediction prediction;
-  if (!rig.ok() || !rig.value().Run(short_, &prediction).ok()) return {};
+  Channels predicted;
+  if (!forward_->Run(Params(model, values), ForwardModel::Span::kEstimation, &predicted).ok()) {
+    return {};
+  }
   const int n = samples();
   Eigen::VectorXd out(n * num_channels());
   for (int c = 0; c < num_channels(); ++c) {
     const std::vector<double>& measured = data_->outputs[c].values;
-    const std::vector<double>& predicted = prediction.channels[output_index_[c]];
     for (int k = 0; k < n; ++k) {
       const double w = weight_[c][k];
-      out[c * n + k] = w > 0 ? w * (measured[rows_[k] * stride_] - predicted[rows_[k]]) : 0.0;
+      out[c * n + k] = w > 0 ? w * (measured[rows_[k] * stride_] - predicted[c][rows_[k]]) : 0.0;
     }
   }
   if (!out.allFinite()) return {};
@@ -326,13 +273,9 @@ FitResult FitProblem::Fit(const FreeModel& model, const std::vector<double>& sta
   return result;
 }
 
-Result<std::vector<std::vector<double>>> FitProblem::Predict(const PhsParams& params) const {
-  Result<RigModel> rig = RigModel::Create(data_->kind, params);
-  if (!rig.ok()) return rig.error();
-  RigPrediction prediction;
-  if (Status s = rig.value().Run(full_, &prediction); !s.ok()) return s.error();
-  std::vector<std::vector<double>> out;
-  for (int index : output_index_) out.push_back(std::move(prediction.channels[index]));
+Result<Channels> FitProblem::Predict(const PhsParams& params) const {
+  Channels out;
+  if (Status s = forward_->Run(params, ForwardModel::Span::kWhole, &out); !s.ok()) return s.error();
   return out;
 }
 

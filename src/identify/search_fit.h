@@ -1,9 +1,9 @@
 // Fit of a rig model's numbers to measured channels.
 //
 // Minimised: sum over channels c and samples i of the estimation window of
-//   w_ci² (y_ci - model_ci(theta))²,   1/w_ci² = noise_c² + (d y_c/d v sigma_v,i)²
-// The second term is the effect of the remaining uncertainty of the driving speed: where friction
-// is steep (near standstill) a sample says little. Each number is fitted as its logarithm (wide
+//   w_ci² (y_ci - model_ci(theta))²,   1/w_ci² = noise_c² + u_ci²
+// u is the model's own uncertainty (forward_model.h): of a rig, what the remaining uncertainty of
+// the driving speed does to the output. Each number is fitted as its logarithm (wide
 // positive range) or on a linear scale, inside bounds; Ceres, Levenberg–Marquardt, numeric
 // derivatives.
 #pragma once
@@ -14,8 +14,8 @@
 #include <vector>
 
 #include "base/result.h"
-#include "effects/rig_model.h"
 #include "hydraulics/phs_params.h"
+#include "identify/forward_model.h"
 #include "identify/search_data.h"
 
 namespace phs::identify::search {
@@ -38,7 +38,7 @@ struct FreeModel {
   std::vector<FreeParameter> free;
 };
 
-/// V_oil and V_g0 of every line and the friction scale, within factors 0.4 … 2.5 of the declared.
+/// Of a rig: V_oil and V_g0 of every line and the friction scale, within factors 0.4 … 2.5 of the declared.
 FreeModel DeclaredModel(const hydraulics::PhsParams& declared);
 
 struct FitResult {
@@ -58,8 +58,14 @@ class FitProblem {
   /// problem that steps over the record in strides of so many samples (for looking around).
   static Result<FitProblem> Create(const FitData& data, const hydraulics::PhsParams& declared,
                                    int stride = 1);
+  /// The same with another model than a rig.
+  static Result<FitProblem> Create(const FitData& data, std::shared_ptr<const ForwardModel> forward,
+                                   const hydraulics::PhsParams& declared, int stride = 1);
+  /// The coarse problem of this one.
+  Result<FitProblem> Thinned(const hydraulics::PhsParams& declared, int stride) const;
 
-  int num_channels() const { return static_cast<int>(output_index_.size()); }
+  int num_channels() const { return static_cast<int>(data_->outputs.size()); }
+  const ForwardModel& forward() const { return *forward_; }
   int samples() const { return static_cast<int>(rows_.size()); }
   const FitData& data() const { return *data_; }
 
@@ -85,10 +91,8 @@ class FitProblem {
  private:
   const FitData* data_ = nullptr;
   int stride_ = 1;
-  effects::RigMotion full_;                  ///< whole record
-  effects::RigMotion short_;                 ///< to the end of the estimation window, in strides
-  std::vector<int> rows_;                    ///< rows of `short_` in the estimation window
-  std::vector<int> output_index_;            ///< of each measured channel in the model's outputs
+  std::shared_ptr<const ForwardModel> forward_;
+  std::vector<int> rows_;                    ///< rows of the estimation span in its window
   std::vector<std::vector<double>> weight_;  ///< [channel][row], 0 = missing
 };
 

@@ -115,6 +115,15 @@ void Profile::Incline(double angle) {
   if (turned.ok()) *this = std::move(turned).value();
 }
 
+void Profile::Lower(const std::function<double(double)>& depth) {
+  std::vector<double> z;
+  for (size_t i = 0; i < outline_y_.size(); ++i) {
+    z.push_back(outline_z_[i] - depth(outline_y_[i]));
+  }
+  auto lowered = FromPoints(name_, outline_y_, z);
+  if (lowered.ok()) *this = std::move(lowered).value();
+}
+
 void Profile::PutTopAtZero() {
   double top = std::numeric_limits<double>::infinity();
   for (double y = min_y(); y <= max_y(); y += step_ / 4) top = std::min(top, At(y).z);

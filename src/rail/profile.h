@@ -6,6 +6,7 @@
 #pragma once
 
 #include <algorithm>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,8 @@ class Profile {
 
   /// Turns the section about its origin: > 0 inclines a rail towards the track (top moves inward).
   void Incline(double angle);
+  /// Takes `depth(y)` [m] off the surface: z becomes z - depth.
+  void Lower(const std::function<double(double)>& depth);
   /// Moves the section so that its highest point (smallest z) has z = 0.
   void PutTopAtZero();
   /// y of the inner side at depth z below the top. NaN if the profile does not reach so deep.

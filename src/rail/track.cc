@@ -58,9 +58,10 @@ Irregularity MakeIrregularity(const IrregularityLayout& layout, bool mirrored) {
 
 }  // namespace
 
-Result<Track> Track::Load(const std::string& path, bool mirror) {
+Result<Track> Track::Load(const std::string& path, bool mirror, const TrackErrors& errors) {
   auto layout = ReadTrackLayout(path, mirror);
   if (!layout.ok()) return layout.error();
+  if (Status s = ApplyErrors(errors, &layout.value()); !s.ok()) return s.error();
   auto alignment = Alignment::Create(layout.value().alignment);
   if (!alignment.ok()) return alignment.error();
   auto impl = std::make_unique<Impl>(std::move(alignment).value());

@@ -51,12 +51,22 @@ struct TrackSection {
   double curvature = 0;  ///< of a curve [1/m]
 };
 
+/// How the track as it lies differs from the track as designed.
+struct TrackErrors {
+  double cant_m = 0;      ///< more superelevation in every curve, in proportion on its transitions,
+                          ///< > 0 raises the outer rail, -0.1 … 0.1
+  double widening_m = 0;  ///< wider gauge everywhere, -0.02 … 0.05
+  bool any() const { return cant_m != 0 || widening_m != 0; }
+};
+
 /// Immutable after loading; all queries are const, allocation-free and thread-safe.
 class Track {
  public:
   /// Reads models/tracks/*.yaml (format: docs/tracks.md). Errors name file, line and key. `mirror`
-  /// swaps left and right: every curve turns the other way, to the last bit.
-  static Result<Track> Load(const std::string& path, bool mirror = false);
+  /// swaps left and right: every curve turns the other way, to the last bit. `errors` come on top of
+  /// the file.
+  static Result<Track> Load(const std::string& path, bool mirror = false,
+                            const TrackErrors& errors = {});
   Track(Track&&) noexcept;
   Track& operator=(Track&&) noexcept;
   ~Track();

@@ -195,6 +195,25 @@ Result<TrackLayout> ReadOwnLayout(YamlMap& map) {
 
 }  // namespace
 
+Status ApplyErrors(const TrackErrors& errors, TrackLayout* layout) {
+  if (!errors.any()) return {};
+  if (!(std::abs(errors.cant_m) <= 0.1)) {
+    return Error{"cant error", "is out of range", "-0.1 … 0.1 m", ""};
+  }
+  if (!(errors.widening_m >= -0.02 && errors.widening_m <= 0.05)) {
+    return Error{"gauge error", "is out of range", "-0.02 … 0.05 m", ""};
+  }
+  for (TrackSegment& segment : layout->alignment.segments) {
+    segment.widening_begin += errors.widening_m;
+    segment.widening_end += errors.widening_m;
+    if (segment.kind != SegmentKind::kCurve) continue;
+    const double outer = segment.curvature_begin > 0 ? errors.cant_m : -errors.cant_m;
+    segment.cant_begin += outer;
+    segment.cant_end += outer;
+  }
+  return JoinTransitions(&layout->alignment.segments);
+}
+
 Result<TrackLayout> ReadTrackLayout(const std::string& path, bool mirror) {
   Result<YamlMap> loaded = YamlMap::Load(path);
   if (!loaded.ok()) return loaded.error();

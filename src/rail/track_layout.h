@@ -35,4 +35,8 @@ struct TrackLayout {
 /// Reads a track file, following `mirror_of`. `mirror` swaps left and right.
 Result<TrackLayout> ReadTrackLayout(const std::string& path, bool mirror);
 
+/// Puts `errors` on top of the design: cant of the curves and what their transitions take from it,
+/// gauge of every segment.
+Status ApplyErrors(const TrackErrors& errors, TrackLayout* layout);
+
 }  // namespace phs::rail

@@ -181,6 +181,8 @@ Result<WheelRail> WheelRail::Create(const WheelRailParams& params) {
   }
   auto wheel = LoadProfile(params.wheel_profile, ProfileKind::kWheel);
   if (!wheel.ok()) return wheel.error();
+  if (Status s = phs::rail::Validate(params.wear); !s.ok()) return s.error();
+  WearTread(params.wear, &wheel.value());
   auto rail = LoadProfile(params.rail_profile, ProfileKind::kRail);
   if (!rail.ok()) return rail.error();
   rail.value().Incline(params.rail_cant);

@@ -15,6 +15,7 @@
 #include "rail/creep_law.h"
 #include "rail/frames.h"
 #include "rail/track.h"
+#include "rail/tread_wear.h"
 
 namespace phs::rail {
 
@@ -41,6 +42,7 @@ struct WheelRailParams {
   std::optional<LinearContactParams> linear;  ///< takes the place of the profiles
   std::string wheel_profile;                  ///< path: .prw, or a plain y,z table
   std::string rail_profile;                   ///< path: .prr, or a plain y,z table
+  TreadWear wear;                             ///< of the wheel profile
   double gauge = 1.067;                       ///< [m]
   double gauge_height = 0.014;                ///< depth of the gauge points below the rail top [m]
   double rail_cant = 0;  ///< inclination of the rail section, > 0 towards the track [rad]

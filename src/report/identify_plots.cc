@@ -234,6 +234,14 @@ void AddLoops(const IdentifyResults& results, ReportPage* page) {
 
 void AddResidualMaps(const IdentifyResults& results, ReportPage* page) {
   bool any = false;
+  if (!results.place.empty()) {
+    page->BeginGrid(2);
+    for (const ChannelData& channel : results.channels) {
+      AddMeanPlot(results, channel, "distance [m]", results.place, 1, page);
+    }
+    page->EndGrid();
+    return;
+  }
   for (const ChannelData& channel : results.channels) {
     if (results.displacement.empty()) break;
     HeatMap before = MapOf(results, channel, false);

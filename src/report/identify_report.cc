@@ -6,7 +6,8 @@ namespace phs::report {
 namespace {
 
 std::string Subtitle(const IdentifyResults& results) {
-  std::string text = results.all.value("rig", "") + " rig";
+  std::string text = results.all.value("rig", "");
+  text += text == "bogie" ? " on its track" : " rig";
   for (const char* key : {"declared", "data"}) {
     const auto found = results.all.find(key);
     if (found == results.all.end() || !found->is_string()) continue;
@@ -39,8 +40,10 @@ Status WriteIdentifyReport(const IdentifyReportInput& input, const std::string& 
   if (!results.time.empty()) {
     page.Section("Over time");
     AddTimePlots(results, &page);
-    page.Section("Loops");
-    AddLoops(results, &page);
+    if (results.place.empty()) {
+      page.Section("Loops");
+      AddLoops(results, &page);
+    }
     page.Section("Where the residual lives");
     AddResidualMaps(results, &page);
   }

@@ -81,14 +81,18 @@ Status ReadData(const IdentifyReportInput& input, IdentifyResults* results) {
   const int t = data.Find("t_s");
   if (t < 0) return {};  // a table of steps has no clock: nothing to plot over time
   results->time = data.columns[t];
-  const int x = FindAny(data, {"actuator_m", "actuator1_m", "x_m", "piston_m", "piston1_m"});
+  const int place = data.Find("s_m");
+  const int x = place >= 0 ? -1
+                           : FindAny(data, {"actuator_m", "actuator1_m", "x_m", "piston_m",
+                                            "piston1_m"});
+  if (place >= 0) results->place = data.columns[place];
   if (x >= 0) {
     results->displacement = data.columns[x];
     results->speed = RateOf(results->time, results->displacement);
   }
   for (int column = 0; column < data.num_columns(); ++column) {
     const std::string& name = data.names[column];
-    if (column == t || column == x || predicted.value().Find(name) < 0) continue;
+    if (column == t || column == x || column == place || predicted.value().Find(name) < 0) continue;
     if (name.starts_with("actuator") || name == "x_m" || name == "v_m_s") continue;
     const ReadableName readable = Readable(name);
     results->channels.push_back({.name = name,

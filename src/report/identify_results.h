@@ -27,6 +27,7 @@ struct IdentifyResults {
   nlohmann::ordered_json all;
   std::vector<double> time;          ///< [s]; empty if there are no data to plot
   std::vector<double> displacement;  ///< of the (first) actuator [m]; empty if there is none
+  std::vector<double> place;         ///< of a vehicle along its track [m]; empty on a rig
   std::vector<double> speed;         ///< its rate [m/s]
   std::vector<ChannelData> channels;
   std::vector<Band> windows;  ///< estimation and validation

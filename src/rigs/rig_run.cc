@@ -8,6 +8,7 @@
 
 #include "base/table.h"
 #include "effects/catalogue.h"
+#include "identify/bogie_run.h"
 #include "identify/channel_scores.h"
 #include "identify/element_run.h"
 #include "rigs/rig_motion.h"
@@ -154,8 +155,13 @@ void AddExtremes(const RigModel& model, const RigPrediction& predicted, bool pri
 Result<RigOutcome> RunRig(const Manifest& manifest, const ResultDir& dir) {
   if (manifest.rig == "steps") return RunSteps(manifest, dir);
   if (manifest.rig == "bogie") {
-    return Error{manifest.path + ": rig", "a bogie is no hydraulic rig",
-                 "cylinder, quarter, full, element, steps", "use phs simulate"};
+    if (manifest.signal) {
+      return Error{manifest.path + ": signal", "a bogie runs on its track, not by signals", "data:",
+                   "without a measurement: phs simulate"};
+    }
+    Result<identify::search::IdentifyOutcome> run = identify::search::RunBogieRig(manifest, dir);
+    if (!run.ok()) return run.error();
+    return RigOutcome{run.value().result, run.value().summary, dir.File("measured.csv")};
   }
   if (manifest.rig == "element" && !manifest.signal) {  // several records, band limit: its own rows
     Result<identify::search::IdentifyOutcome> run = identify::element::RunElementRig(manifest, dir);

@@ -2,7 +2,6 @@
 
 #include <atomic>
 #include <cmath>
-#include <filesystem>
 #include <future>
 
 #include "vehicle/compose.h"
@@ -13,14 +12,20 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Result<RadiusRow> RunOne(const Scenario& scenario) {
+/// One bogie, as asked for, in one curve.
+struct RadiusCase {
+  Scenario scenario;
+  std::string bogie;
+};
+
+Result<RadiusRow> RunOne(const RadiusCase& asked) {
+  const Scenario& scenario = asked.scenario;
   auto simulation = Simulation::Create(scenario);
   if (!simulation.ok()) return simulation.error();
   auto outcome = simulation.value().Run();
   if (!outcome.ok()) return outcome.error();
   RadiusRow row;
-  const std::filesystem::path file(scenario.bogie);
-  row.bogie = file.extension() == ".xml" ? file.stem().string() : scenario.bogie;
+  row.bogie = BogieLabel(asked.bogie);
   row.yardstick = YardstickOf(scenario.bogie);
   row.speed_m_s = scenario.speed_m_s;
   row.summary = Summarise(simulation.value(), outcome.value());
@@ -111,11 +116,11 @@ Result<Scenario> ScenarioOfRadius(const Scenario& base, int radius_m) {
 Result<std::vector<RadiusRow>> RunRadii(const std::vector<Scenario>& curves,
                                         const std::vector<std::string>& bogies,
                                         const Progress& progress) {
-  std::vector<Scenario> all;
+  std::vector<RadiusCase> all;
   for (const Scenario& curve : curves) {
     for (const std::string& bogie : bogies) {
-      all.push_back(curve);
-      all.back().bogie = bogie;
+      all.push_back({curve, bogie});
+      UseBogie(bogie, &all.back().scenario);
     }
   }
   std::vector<RadiusRow> rows;

@@ -4,7 +4,9 @@
 
 #include "base/data_path.h"
 #include "base/yaml.h"
+#include "hydraulics/effects_yaml.h"
 #include "rail/creep_law.h"
+#include "vehicle/running_effects.h"
 
 namespace phs::vehicle {
 
@@ -99,9 +101,31 @@ Result<Scenario> LoadScenario(const std::string& name_or_path) {
       s.phs_changes.parameters[name] = changes.Number(name, {});
     }
   }
+  if (map.Has("effects")) {
+    for (const auto& effect : hydraulics::ReadEffects(map.Map("effects"))) {
+      if (Status added = AddEffect(effect, &s); !added.ok()) {
+        const Error& e = added.error();
+        map.Fail("effects", e.where + ": " + e.what, e.allowed, e.mend);
+      }
+    }
+  }
   if (map.Has("joints")) ReadJoints(map.Map("joints"), &s);
   if (Status status = map.Finish(); !status.ok()) return status.error();
   return s;
+}
+
+void UseBogie(const std::string& asked, Scenario* scenario) {
+  const size_t at = asked.find('@');
+  scenario->bogie = asked.substr(0, at);
+  if (at != std::string::npos) scenario->phs = asked.substr(at + 1);
+}
+
+std::string BogieLabel(const std::string& asked) {
+  Scenario own;
+  UseBogie(asked, &own);
+  const std::filesystem::path bogie(own.bogie), phs(own.phs);
+  const std::string name = bogie.extension() == ".xml" ? bogie.stem().string() : own.bogie;
+  return own.phs.empty() ? name : name + "@" + phs.stem().string();
 }
 
 }  // namespace phs::vehicle

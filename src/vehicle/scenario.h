@@ -8,6 +8,8 @@
 #include "effects/failures.h"
 #include "plugin/running_forces.h"
 #include "rail/creep_conditions.h"
+#include "rail/track.h"
+#include "rail/tread_wear.h"
 
 namespace phs::vehicle {
 
@@ -27,7 +29,11 @@ struct Scenario {
   double start_s_m = 1;   ///< arc length of the rearmost wheelset at the start
   double record_interval_s = 0.01;
   plugin::RunningForces running;    ///< traction and braking; inactive: the drives hold the speed
-  effects::PhsChanges phs_changes;  ///< parameters and failures of the PHS
+  effects::PhsChanges phs_changes;  ///< parameters, effects and failures of the PHS
+  rail::TrackErrors track_errors;   ///< on top of the track file
+  rail::TreadWear wear;             ///< of every wheel
+  /// As written; what they do is already in the fields above (running_effects.h).
+  std::vector<hydraulics::EffectParams> effects;
   /// Springs and dampers of single joints of the vehicle, instead of the file's.
   struct JointChange {
     std::string joint;
@@ -39,5 +45,15 @@ struct Scenario {
 
 /// Errors name file:line and key.
 Result<Scenario> LoadScenario(const std::string& name_or_path);
+/// The same form: reading it back gives an equal scenario. Paths are made absolute.
+std::string ToYaml(const Scenario& scenario);
+
+
+/// Puts a bogie into a scenario: "phs", a path, or "phs@out/model.yaml" for one with another PHS
+/// model than its own.
+void UseBogie(const std::string& asked, Scenario* scenario);
+/// What such a bogie is called in tables and results: files by their name without folder and
+/// ending ("phs@model").
+std::string BogieLabel(const std::string& asked);
 
 }  // namespace phs::vehicle

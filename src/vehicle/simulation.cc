@@ -117,6 +117,8 @@ Result<Simulation> Simulation::Create(const Scenario& scenario) {
   options.start_s_m = scenario.start_s_m;
   options.phs_changes = scenario.phs_changes;
   options.running = scenario.running;
+  options.track_errors = scenario.track_errors;
+  options.wear = scenario.wear;
   try {
     if (Status s = plugin::Attach(sim.model_.get(), options); !s.ok()) return s.error();
     sim.data_.reset(mj_makeData(sim.model_.get()));

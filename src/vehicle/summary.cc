@@ -271,6 +271,12 @@ Json DescribeScenario(const Scenario& s) {
   if (!s.phs_changes.parameters.empty()) {
     described["phs_parameters"] = s.phs_changes.parameters;
   }
+  for (const hydraulics::EffectParams& effect : s.effects) {
+    Json& own = described["effects"][effect.name] = Json::object();
+    if (!effect.targets.empty()) own["targets"] = effect.targets;
+    if (!effect.formula.empty()) own["formula"] = effect.formula;
+    for (const auto& [key, value] : effect.values) own[key] = value;
+  }
   for (const Scenario::JointChange& change : s.joints) {
     Json& joint = described["joints"][change.joint];
     if (change.stiffness >= 0) joint["stiffness"] = change.stiffness;

@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 #include <string>
 
 namespace {
@@ -300,6 +301,55 @@ TEST_F(ProgramTest, LoadsSayWhichPartGivesFirst) {
   const Output rigid = Phs("loads --bogie rigid_link");
   EXPECT_EQ(rigid.code, 3);
   EXPECT_THAT(rigid.text, HasSubstr("has no PHS"));
+}
+
+/// What `identify` writes on a quarter rig serves every door as it is.
+TEST_F(ProgramTest, ModelOfAQuarterRigRunsInTheBogie) {
+  std::ifstream declared(PHS_SOURCE_DIR "/models/phs/quarter_setup2.yaml");
+  std::stringstream text;
+  text << declared.rdbuf();
+  const std::string model =
+      Write("model.yaml", text.str() +
+                              "effects:\n  piston_leakage: {conductance_m3_per_Pas: 1.0e-11}\n"
+                              "  viscous_friction: {extension_Ns_per_m: 1.0e5}\n"
+                              "  sensor_gain: {load: 1.02}\n");
+  const std::string scenario = Scenario("track: curve_r300\nstart_s_m: 75\n");
+  const Output own = Phs("simulate " + scenario + " --quiet --format json --out " + Path("own"));
+  const Output same = Phs("simulate " + scenario +
+                          " --phs quarter_setup2 --quiet --format json --out " + Path("same"));
+  const Output with =
+      Phs("simulate " + scenario + " --phs " + model + " --quiet --format json --out " + Path("with"));
+  ASSERT_EQ(own.code, 0) << own.text;
+  ASSERT_EQ(same.code, 0) << same.text;
+  ASSERT_EQ(with.code, 0) << with.text;
+  // The declared quarter rig spread over four cylinders is the bogie's own model.
+  const auto figure = [](const Output& out) {
+    const size_t at = out.text.find("T_gamma_total_J");
+    return out.text.substr(at, 40);
+  };
+  EXPECT_EQ(figure(own), figure(same));
+  EXPECT_NE(figure(own), figure(with));
+  const Output compared = Phs("compare " + scenario + " --quiet --bogies phs,phs@" + model +
+                              ",rigid_link --out " + Path("compared"));
+  EXPECT_EQ(compared.code, 0) << compared.text;
+  EXPECT_THAT(compared.text, HasSubstr("phs@model"));
+  EXPECT_TRUE(fs::exists(Path("compared/report.html")));
+  EXPECT_EQ(Phs("simulate " + Scenario("track: curve_r300\nphs: " + model + "\n") + " --quiet").code,
+            0);
+  const std::string rig = Write("rig.yaml", "rig: quarter\nmodel: " + model +
+                                                "\nsignal:\n  duration_s: 2\n  sample_s: 0.01\n"
+                                                "  actuator_m: {kind: sine, amplitude_m: 1.0e-3, "
+                                                "frequency_Hz: 1}\n");
+  const Output run = Phs("rig " + rig + " --quiet --out " + Path("rig"));
+  EXPECT_EQ(run.code, 0) << run.text;
+  // The plugin: an effect without a state of its own (states beyond the file's need carriers).
+  const std::string plain =
+      Write("plain.yaml",
+            text.str() + "effects:\n  viscous_friction: {extension_Ns_per_m: 1.0e5}\n");
+  const Output plugin =
+      Execute("LD_PRELOAD=" PHS_BINARY_DIR "/plugin/libphs_mujoco.so PHS_OPTIONS='phs=" + plain +
+              "' " PHS_BINARY_DIR "/tests/foreign_host " PHS_SOURCE_DIR "/bogie_xml/phs.xml 20");
+  EXPECT_EQ(plugin.code, 0) << plugin.text;
 }
 
 }  // namespace

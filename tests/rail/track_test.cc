@@ -272,5 +272,32 @@ TEST(TrackModels, CantDeficiencyAtLineSpeedIsModerateInEveryCurve) {
   }
 }
 
+TEST(Track, ErrorsComeOnTopOfTheDesign) {
+  const std::string path = Written(kSimple);
+  const Track design = Loaded(path);
+  auto off = Track::Load(path, false, {0.02, 0.005});
+  ASSERT_TRUE(off.ok()) << off.error().Line();
+  const double e = design.cant_base(), arc = 150, transition = 70;
+  // Right-hand curve: the left rail is raised, more by the error; half of it half way up the ramp.
+  EXPECT_NEAR(off.value().FrameAt(arc).cant, -std::asin(0.07 / e), 1e-12);
+  EXPECT_NEAR(off.value().FrameAt(transition).cant, -std::asin(0.035 / e), 1e-5);
+  EXPECT_EQ(off.value().FrameAt(20).cant, 0);
+  EXPECT_NEAR(Track::Load(path, false, {-0.02, 0}).value().FrameAt(arc).cant,
+              -std::asin(0.03 / e), 1e-12);
+  for (const double s : {20.0, arc}) {
+    EXPECT_NEAR(off.value().Rail(Side::kLeft, s).lateral - design.Rail(Side::kLeft, s).lateral,
+                0.0025, 1e-12);
+    EXPECT_NEAR(off.value().Rail(Side::kRight, s).lateral - design.Rail(Side::kRight, s).lateral,
+                -0.0025, 1e-12);
+  }
+  auto mirrored = Track::Load(path, true, {0.02, 0.005});
+  ASSERT_TRUE(mirrored.ok());
+  EXPECT_EQ(mirrored.value().FrameAt(arc).cant, -off.value().FrameAt(arc).cant);
+  EXPECT_EQ(mirrored.value().FrameAt(arc).curvature, design.FrameAt(arc).curvature * -1);
+  for (const auto& wrong : {rail::TrackErrors{0.2, 0}, rail::TrackErrors{0, 0.1}}) {
+    EXPECT_FALSE(Track::Load(path, false, wrong).ok());
+  }
+}
+
 }  // namespace
 }  // namespace phs::rail

@@ -1,0 +1,216 @@
+#include "identify/bogie_forward.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "base/data_path.h"
+#include "base/words.h"
+#include "identify/bogie_candidates.h"
+#include "vehicle/compose.h"
+#include "vehicle/running_effects.h"
+
+namespace phs::identify::search {
+namespace {
+
+using hydraulics::EffectParams;
+using hydraulics::PhsParams;
+using vehicle::RunOutcome;
+using vehicle::Scenario;
+using vehicle::Simulation;
+
+constexpr int kCylinders = 4;  // a quarter model is spread over them
+
+Status CheckFree(const PhsParams& phs, const std::vector<std::string>& free) {
+  for (const std::string& name : free) {
+    if (auto value = hydraulics::GetParameter(phs, name); !value.ok()) {
+      Error e = value.error();
+      return Error{"free: " + name, e.what, e.allowed, e.mend};
+    } else if (!(value.value() > 0)) {
+      return Error{"free: " + name, "is not positive in the declared model", "numbers > 0", ""};
+    }
+  }
+  return {};
+}
+
+bool IsEffectOf(const PhsParams& params, const std::string& name) {
+  return std::any_of(params.effects.begin(), params.effects.end(),
+                     [&](const EffectParams& e) { return e.name == name; });
+}
+
+}  // namespace
+
+Result<BogieModel> LoadBogieModel(const std::string& scenario, const std::vector<std::string>& free,
+                                  const std::vector<std::string>& candidates) {
+  auto loaded = vehicle::LoadScenario(scenario);
+  if (!loaded.ok()) return loaded.error();
+  BogieModel model;
+  model.scenario = std::move(loaded).value();
+  Scenario& s = model.scenario;
+  if (s.vehicle != "bogie") {
+    return Error{s.name + ": vehicle", "a locomotive has several PHS", "vehicle: bogie",
+                 "identify one bogie at a time"};
+  }
+  if (s.phs.empty()) s.phs = vehicle::PhsModelOf(s.bogie);
+  if (s.phs.empty()) return Error{s.name + ": bogie", "bogie " + s.bogie + " has no PHS", "", ""};
+  auto path = FindData("PHS model", "models/phs", s.phs, {".yaml"});
+  if (!path.ok()) return path.error();
+  auto phs = effects::LoadChangedParams(path.value(), s.phs_changes, "", kCylinders);
+  if (!phs.ok()) return phs.error();
+  model.phs = std::move(phs).value();
+  for (const EffectParams& effect : s.effects) {  // those of wheel and track: not tried again
+    if (vehicle::FindRunningEffect(effect.name) != nullptr) model.phs.effects.push_back(effect);
+  }
+  model.free = free;
+  if (free.empty()) model.free = {"friction.scale", "lines.gas_volume_m3", "lines.oil_volume_m3"};
+  if (Status st = CheckFree(model.phs, model.free); !st.ok()) return st.error();
+  for (const std::string& name : candidates) {
+    const std::vector<std::string> known = BogieCandidateNames();
+    if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+    return Error{"candidates: " + name, "is no effect that a bogie is searched for",
+                 JoinWords(known), DidYouMean(name, known)};
+  }
+  model.candidates = candidates;
+  Scenario instant = s;
+  instant.duration_s = s.timestep_s;
+  auto simulation = Simulation::Create(instant);
+  if (!simulation.ok()) return simulation.error();
+  auto run = simulation.value().Run();
+  if (!run.ok()) return run.error();
+  for (const auto& channel : run.value().channels) {
+    model.observed.push_back(channel.name), model.unit.push_back(channel.unit);
+  }
+  model.start_m = run.value().columns[static_cast<size_t>(run.value().Find("s_m"))].front();
+  model.friction = simulation.value().binding().friction();
+  model.track_length_m = simulation.value().binding().track().length();
+  return model;
+}
+
+Result<Scenario> ScenarioWith(const BogieModel& model, const PhsParams& params) {
+  Scenario s = model.scenario;
+  for (const std::string& name : model.free) {
+    auto value = hydraulics::GetParameter(params, name);
+    if (!value.ok()) return value.error();
+    s.phs_changes.parameters[name] = value.value();
+  }
+  for (const EffectParams& effect : params.effects) {
+    if (IsEffectOf(model.phs, effect.name)) continue;
+    if (Status st = vehicle::AddEffect(effect, &s); !st.ok()) return st.error();
+  }
+  return s;
+}
+
+std::string RunChannelOf(const BogieModel& model, const std::string& column) {
+  const auto known = [&](const std::string& name) {
+    return std::find(model.observed.begin(), model.observed.end(), name) != model.observed.end();
+  };
+  if (known(column)) return column;
+  const auto between = [&](const std::string& begin, const std::string& end) -> std::string {
+    if (!column.starts_with(begin) || !column.ends_with(end)) return "";
+    if (column.size() <= begin.size() + end.size()) return "";
+    return column.substr(begin.size(), column.size() - begin.size() - end.size());
+  };
+  std::string name;
+  if (const std::string id = between("piston", "_m"); !id.empty()) {
+    name = "cylinder_" + id + "_piston_m";
+  } else if (const std::string of = between("load", "_N"); !of.empty()) {
+    name = "cylinder_" + of + "_force_N";
+  } else if (const std::string line = between("p", "_Pa"); !line.empty()) {
+    name = "line_" + line + "_pressure_Pa";
+  }
+  return known(name) ? name : "";
+}
+
+BogieForward::BogieForward(const FitData& data, BogieModel model, int stride)
+    : data_(data), model_(std::move(model)), stride_(stride) {}
+
+size_t BogieForward::Rows(Span span) const {
+  if (span == Span::kWhole) return data_.time_s.size();
+  const auto end =
+      std::lower_bound(data_.time_s.begin(), data_.time_s.end(), data_.estimation[1]);
+  const auto samples = static_cast<size_t>(end - data_.time_s.begin());
+  return (samples + static_cast<size_t>(stride_) - 1) / static_cast<size_t>(stride_);
+}
+
+Status BogieForward::RunScenario(Scenario scenario, Span span, Channels* out) const {
+  const size_t rows = Rows(span), stride = span == Span::kWhole ? 1 : static_cast<size_t>(stride_);
+  const std::vector<double>& place = data_.motion.front().position;
+  const double last = *std::max_element(
+      place.begin(), place.begin() + static_cast<long>((rows - 1) * stride) + 1);
+  scenario.duration_s = (last - model_.start_m) / scenario.speed_m_s * 1.02 + 0.3;
+  scenario.record_interval_s =
+      std::clamp(0.5 * data_.step_s, scenario.timestep_s, scenario.record_interval_s);
+  auto simulation = Simulation::Create(scenario);
+  if (!simulation.ok()) return simulation.status();
+  auto done = simulation.value().Run();
+  if (!done.ok()) return done.status();
+  const RunOutcome& run = done.value();
+  if (run.status != "ok") return Error{scenario.name, run.status + ": " + run.reason, "", ""};
+  const std::vector<double>& s = run.columns[static_cast<size_t>(run.Find("s_m"))];
+  out->assign(data_.outputs.size(), std::vector<double>(rows));
+  std::vector<const std::vector<double>*> column;
+  for (const MeasuredChannel& channel : data_.outputs) {
+    column.push_back(
+        &run.columns[static_cast<size_t>(run.Find(RunChannelOf(model_, channel.name)))]);
+  }
+  for (size_t k = 0; k < rows; ++k) {
+    const double at = std::clamp(place[k * stride], s.front(), s.back());
+    const auto above = std::upper_bound(s.begin() + 1, s.end() - 1, at);
+    const auto i = static_cast<size_t>(above - s.begin());
+    const double part = (at - s[i - 1]) / (s[i] - s[i - 1]);
+    for (size_t c = 0; c < column.size(); ++c) {
+      (*out)[c][k] = (1 - part) * (*column[c])[i - 1] + part * (*column[c])[i];
+    }
+  }
+  return {};
+}
+
+Status BogieForward::Run(const PhsParams& params, Span span, Channels* out) const {
+  auto scenario = ScenarioWith(model_, params);
+  if (!scenario.ok()) return scenario.status();
+  return RunScenario(std::move(scenario).value(), span, out);
+}
+
+Status BogieForward::Uncertainty(const PhsParams& params, Channels* deviation) const {
+  auto scenario = ScenarioWith(model_, params);
+  if (!scenario.ok()) return scenario.status();
+  Channels own;
+  if (Status s = RunScenario(scenario.value(), Span::kEstimation, &own); !s.ok()) return s;
+  scenario.value().creep = scenario.value().creep == "polach" ? "fastsim" : "polach";
+  if (Status s = RunScenario(scenario.value(), Span::kEstimation, deviation); !s.ok()) return s;
+  for (size_t c = 0; c < own.size(); ++c) {
+    double square = 0;
+    for (size_t k = 0; k < own[c].size(); ++k) {
+      square += std::pow((*deviation)[c][k] - own[c][k], 2) / static_cast<double>(own[c].size());
+    }
+    (*deviation)[c].assign(own[c].size(), std::sqrt(square));
+  }
+  return {};
+}
+
+FreeModel BogieForward::Declared(const PhsParams& declared) const {
+  FreeModel model{declared, {}};
+  for (const std::string& name : model_.free) {
+    const double value = hydraulics::GetParameter(declared, name).value();
+    model.free.push_back({name, value, 0.4 * value, 2.5 * value, true, 1});
+  }
+  return model;
+}
+
+std::vector<Candidate> BogieForward::Candidates(const PhsParams& params) const {
+  std::vector<Candidate> out;
+  for (Candidate& c : ListBogieCandidates(params, model_.friction)) {
+    const auto& asked = model_.candidates;
+    if (!asked.empty() && std::find(asked.begin(), asked.end(), c.effect) == asked.end()) continue;
+    out.push_back(std::move(c));
+  }
+  return out;
+}
+
+std::shared_ptr<const ForwardModel> BogieForward::Thinned(int stride) const {
+  return std::make_shared<BogieForward>(data_, model_, stride);
+}
+
+}  // namespace phs::identify::search

@@ -1,0 +1,115 @@
+#include "identify/bogie_run.h"
+
+#include <fmt/format.h>
+
+#include "identify/bogie_data.h"
+#include "identify/bogie_forward.h"
+#include "identify/driven_run.h"
+#include "vehicle/running_effects.h"
+
+namespace phs::identify::search {
+namespace {
+
+using hydraulics::PhsParams;
+
+struct BogieCase {
+  BogieModel model;
+  FitData data;
+};
+
+/// Data and declared model, checked against each other.
+Result<BogieCase> LoadBogieCase(const Manifest& manifest) {
+  auto model = LoadBogieModel(manifest.model, manifest.free, manifest.candidates);
+  if (!model.ok()) return model.error();
+  BogieCase c{std::move(model).value(), {}};
+  auto data = ReadBogieData(manifest, &c.model);
+  if (!data.ok()) return data.error();
+  c.data = std::move(data).value();
+  return c;
+}
+
+/// Slow model, and a measurement that has more in it than any model of the track's geometry: fewer
+/// runs, and an effect must show by more than on a rig.
+SearchOptions ForBogie(const SearchOptions& asked, double step_s) {
+  SearchOptions options = asked;
+  options.thorough = false;
+  options.coarse_step_s = 2 * step_s;
+  options.coarse_fits = std::min(asked.coarse_fits, 6);
+  options.full_fits = std::min(asked.full_fits, 4);
+  options.min_gain = std::max(asked.min_gain, 0.03);
+  options.min_channel_gain = std::max(asked.min_channel_gain, 0.08);
+  options.min_first_removed = std::max(asked.min_first_removed, 0.15);
+  return options;
+}
+
+/// The scenario and the PHS model as two files.
+Status WriteBogieModel(const ResultDir& dir, const BogieCase& c, const PhsParams& corrected) {
+  auto scenario = ScenarioWith(c.model, corrected);
+  if (!scenario.ok()) return scenario.status();
+  PhsParams phs = corrected;
+  std::erase_if(phs.effects,
+                [](const auto& e) { return vehicle::FindRunningEffect(e.name) != nullptr; });
+  phs.name += "_identified";
+  phs.description = "Identified from " + c.data.source + "; declared " + c.model.phs.name;
+  const std::string head = "# Identified from " + c.data.source + ", declared " +
+                           c.model.scenario.name + ". phs.yaml: its PHS alone.\n";
+  for (const Status& s :
+       {WriteFileAtomically(dir.File("model.yaml"), head + vehicle::ToYaml(scenario.value())),
+        WriteFileAtomically(dir.File("phs.yaml"), hydraulics::ToYaml(phs))}) {
+    if (!s.ok()) return s;
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<IdentifyOutcome> IdentifyBogie(const Manifest& manifest, const SearchOptions& options,
+                                      const Progress& progress, const ResultDir& dir) {
+  auto loaded = LoadBogieCase(manifest);
+  if (!loaded.ok()) return loaded.error();
+  const BogieCase& c = loaded.value();
+  const auto forward = std::make_shared<const BogieForward>(c.data, c.model);
+  auto problem = FitProblem::Create(c.data, forward, c.model.phs);
+  if (!problem.ok()) return problem.error();
+  const auto write = [&](const PhsParams& corrected) { return WriteBogieModel(dir, c, corrected); };
+  return SearchAndWrite(manifest, c.model.phs, &problem.value(), ForBogie(options, c.data.step_s),
+                        progress, write, dir);
+}
+
+Result<IdentifyOutcome> RunBogieRig(const Manifest& manifest, const ResultDir& dir) {
+  auto loaded = LoadBogieCase(manifest);
+  if (!loaded.ok()) return loaded.error();
+  const BogieCase& c = loaded.value();
+  Channels predicted;
+  const BogieForward forward(c.data, c.model);
+  if (Status s = forward.Run(c.model.phs, ForwardModel::Span::kWhole, &predicted); !s.ok()) {
+    return s.error();
+  }
+  IdentifyOutcome outcome;
+  Json& result = outcome.result;
+  result = Head(manifest, c.data);
+  if (manifest.runs.front().estimation.empty()) {
+    result.erase("estimation");
+  } else {
+    result["channels_estimation"] = ScoreChannels(c.data, predicted, c.data.estimation);
+  }
+  result["channels"] = ScoreChannels(c.data, predicted, c.data.validation);
+  for (const DataFinding& f : c.data.findings) {
+    outcome.summary += "data: " + f.channel + " " + f.text + "\n";
+  }
+  outcome.summary +=
+      fmt::format("{:28} {:>10} {:>8} {:>10} {:>10}\n", "channel", "RMSE", "NRMSE", "bias", "largest");
+  for (const auto& [name, s] : result["channels"].items()) {
+    outcome.summary += fmt::format("{:28} {:>10.4g} {:>8.4f} {:>10.3g} {:>10.4g}\n", name,
+                                   s["rmse"].get<double>(), s["nrmse"].get<double>(),
+                                   s["bias"].get<double>(), s["max"].get<double>());
+  }
+  for (const Status& s :
+       {WriteMeasured(dir, c.data), WriteChannels(dir, "predicted.csv", c.data, predicted),
+        WriteFileAtomically(dir.File("result.json"), result.dump(1) + "\n")}) {
+    if (!s.ok()) return s.error();
+  }
+  return outcome;
+}
+
+}  // namespace phs::identify::search

@@ -1,0 +1,128 @@
+#include "identify/rig_forward.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "identify/effect_variants.h"
+
+namespace phs::identify::search {
+
+using effects::RigModel;
+using effects::RigMotion;
+using effects::RigPrediction;
+using hydraulics::PhsParams;
+
+Result<std::shared_ptr<const ForwardModel>> RigForward::Create(const FitData& data,
+                                                               const PhsParams& declared,
+                                                               int stride) {
+  Result<RigModel> model = RigModel::Create(data.kind, declared);
+  if (!model.ok()) return model.error();
+  const auto& names = model.value().output_names();
+  std::vector<int> index;
+  for (const MeasuredChannel& channel : data.outputs) {
+    index.push_back(
+        static_cast<int>(std::find(names.begin(), names.end(), channel.name) - names.begin()));
+  }
+  return std::shared_ptr<const ForwardModel>(new RigForward(data, std::move(index), stride));
+}
+
+RigForward::RigForward(const FitData& data, std::vector<int> output_index, int stride)
+    : data_(data), stride_(stride), output_index_(std::move(output_index)) {
+  full_.t0_s = short_.t0_s = data.time_s.front();
+  full_.step_s = data.step_s;
+  short_.step_s = data.step_s * stride;
+  auto thin = [&](const std::vector<double>& y) {
+    std::vector<double> out;
+    for (size_t i = 0; i < y.size() && data.time_s[i] < data.estimation[1]; i += stride) {
+      out.push_back(y[i]);
+    }
+    return out;
+  };
+  for (const SmoothMotion& motion : data.motion) {
+    full_.position_m.push_back(motion.position);
+    full_.speed_m_s.push_back(motion.speed);
+    short_.position_m.push_back(thin(motion.position));
+    short_.speed_m_s.push_back(thin(motion.speed));
+  }
+  full_.pressure_Pa = data.pressure_Pa;
+  short_.pressure_Pa = thin(data.pressure_Pa);
+}
+
+Status RigForward::RunMotion(const PhsParams& params, const RigMotion& motion,
+                             Channels* out) const {
+  Result<RigModel> rig = RigModel::Create(data_.kind, params);
+  if (!rig.ok()) return rig.status();
+  RigPrediction prediction;
+  if (Status s = rig.value().Run(motion, &prediction); !s.ok()) return s;
+  out->clear();
+  for (const int index : output_index_) out->push_back(std::move(prediction.channels[index]));
+  return {};
+}
+
+Status RigForward::Run(const PhsParams& params, Span span, Channels* out) const {
+  return RunMotion(params, span == Span::kWhole ? full_ : short_, out);
+}
+
+Status RigForward::Uncertainty(const PhsParams& params, Channels* deviation) const {
+  Channels fast, slow;
+  RigMotion shifted = short_;
+  for (const double sign : {1.0, -1.0}) {
+    for (size_t a = 0; a < shifted.speed_m_s.size(); ++a) {
+      for (size_t i = 0; i < shifted.speed_m_s[a].size(); ++i) {
+        shifted.speed_m_s[a][i] =
+            short_.speed_m_s[a][i] + sign * data_.motion[a].speed_deviation[i * stride_];
+      }
+    }
+    if (Status s = RunMotion(params, shifted, sign > 0 ? &fast : &slow); !s.ok()) return s;
+  }
+  *deviation = std::move(fast);
+  for (size_t c = 0; c < deviation->size(); ++c) {
+    for (size_t i = 0; i < (*deviation)[c].size(); ++i) {
+      (*deviation)[c][i] = 0.5 * ((*deviation)[c][i] - slow[c][i]);
+    }
+  }
+  return {};
+}
+
+Result<std::vector<hydraulics::ForcePlace>> RigForward::Places(const PhsParams& params,
+                                                               const std::vector<int>& rows) const {
+  constexpr double kRamp = 2e-4;  // [m/s]
+  PhsParams bare = params;        // pressures themselves, without the errors of their sensors
+  std::erase_if(bare.effects, [](const auto& e) { return e.name.starts_with("sensor_"); });
+  Result<RigModel> rig = RigModel::Create(data_.kind, bare);
+  if (!rig.ok()) return rig.error();
+  RigPrediction prediction;
+  if (Status s = rig.value().Run(short_, &prediction); !s.ok()) return s.error();
+  const auto& cylinder = params.cylinders.front();
+  const auto rest = [&](const std::string& line) {
+    const int l = params.FindLine(line);
+    return l >= 0 ? params.lines[static_cast<size_t>(l)].static_pressure_Pa : 0;
+  };
+  const double bore = rest(cylinder.bore_line), rod = rest(cylinder.rod_line);
+  std::vector<hydraulics::ForcePlace> out;
+  for (const int row : rows) {
+    const auto i = static_cast<size_t>(row);
+    hydraulics::ForcePlace at;
+    at.time = short_.t0_s + row * short_.step_s;
+    at.piston = prediction.channels[0][i];
+    at.speed = short_.speed_m_s[0][i];
+    at.direction = std::clamp(at.speed / kRamp, -1.0, 1.0);
+    at.bore_rise = prediction.channels[2][i] - bore;
+    at.rod_rise = prediction.channels[3][i] - rod;
+    at.temperature = rig.value().system().Ambient(at.time) - params.temperature_K;
+    out.push_back(at);
+  }
+  return out;
+}
+
+FreeModel RigForward::Declared(const PhsParams& declared) const { return DeclaredModel(declared); }
+
+std::vector<Candidate> RigForward::Candidates(const PhsParams& params) const {
+  return ListCandidates(params, data_.kind);
+}
+
+std::shared_ptr<const ForwardModel> RigForward::Thinned(int stride) const {
+  return std::shared_ptr<const ForwardModel>(new RigForward(data_, output_index_, stride));
+}
+
+}  // namespace phs::identify::search

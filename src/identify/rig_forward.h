@@ -1,0 +1,39 @@
+// A rig driven by measured motion as a fit sees it.
+#pragma once
+
+#include "effects/rig_model.h"
+#include "identify/forward_model.h"
+#include "identify/search_data.h"
+
+namespace phs::identify::search {
+
+class RigForward final : public ForwardModel {
+ public:
+  /// `data` must outlive it. Error: the declared model does not fit the rig.
+  static Result<std::shared_ptr<const ForwardModel>> Create(const FitData& data,
+                                                            const hydraulics::PhsParams& declared,
+                                                            int stride = 1);
+
+  Status Run(const hydraulics::PhsParams& params, Span span, Channels* out) const override;
+  /// Through what remains uncertain of the driving speed: where friction is steep (near standstill)
+  /// a sample says little.
+  Status Uncertainty(const hydraulics::PhsParams& params, Channels* deviation) const override;
+  Result<std::vector<hydraulics::ForcePlace>> Places(const hydraulics::PhsParams& params,
+                                                     const std::vector<int>& rows) const override;
+  FreeModel Declared(const hydraulics::PhsParams& declared) const override;
+  std::vector<Candidate> Candidates(const hydraulics::PhsParams& params) const override;
+  std::shared_ptr<const ForwardModel> Thinned(int stride) const override;
+
+ private:
+  RigForward(const FitData& data, std::vector<int> output_index, int stride);
+  Status RunMotion(const hydraulics::PhsParams& params, const effects::RigMotion& motion,
+                   Channels* out) const;
+
+  const FitData& data_;
+  int stride_ = 1;
+  effects::RigMotion full_;        ///< whole record
+  effects::RigMotion short_;       ///< to the end of the estimation window, in strides
+  std::vector<int> output_index_;  ///< of each measured channel in the model's outputs
+};
+
+}  // namespace phs::identify::search

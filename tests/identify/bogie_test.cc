@@ -1,0 +1,174 @@
+// `rig: bogie`: hidden effects of track, wheel and seals in a measured curve are named, and nothing
+// is named where nothing is hidden. The measurement: bogie_measurement.h.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include "identify/bogie_data.h"
+#include "identify/bogie_run.h"
+#include "tests/base/scratch_dir.h"
+#include "tests/identify/bogie_measurement.h"
+#include "vehicle/scenario.h"
+
+namespace phs::identify::search {
+namespace {
+
+using nlohmann::ordered_json;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+constexpr char kTrack[] = R"(name: short_curve
+segments:
+  - {kind: tangent, length_m: 20}
+  - {kind: transition, length_m: 30}
+  - {kind: curve, hand: left, radius_m: 200, length_m: 40, cant_m: 0.05}
+  - {kind: transition, length_m: 30}
+  - {kind: tangent, length_m: 15}
+irregularity: {psd: errib176_low, seed: 5, begin_s_m: 5, end_s_m: 135, fade_m: 5, scale: SCALE}
+)";
+
+class BogieTest : public testing::Test {
+ protected:
+  void Write(const std::string& name, const std::string& text) const {
+    std::ofstream(scratch_.File(name)) << text;
+  }
+  std::string Track(const std::string& name, const std::string& scale) const {
+    std::string text = kTrack;
+    text.replace(text.find("SCALE"), 5, scale);
+    Write(name, text);
+    return scratch_.File(name);
+  }
+  /// Declared scenario and a measured run of the truth, which differs by `effects` and by what
+  /// always differs.
+  void Measure(const std::string& effects, const std::string& hydraulics) const {
+    const std::string common = "speed_km_h: 45\nfriction: 0.35\nbogie: phs\n";
+    Write("declared.yaml", "track: " + Track("design.yaml", "0.12") + "\n" + common);
+    Write("truth.yaml", "track: " + Track("real.yaml", "0.15") + "\n" + common +
+                            "creep: fastsim\ntimestep_s: 0.0005\n" + hydraulics + effects);
+    const auto truth = vehicle::LoadScenario(scratch_.File("truth.yaml"));
+    ASSERT_TRUE(truth.ok()) << truth.error().Line();
+    ASSERT_TRUE(MeasureBogie(truth.value(), BogieSensors(true), 0.02, 9, scratch_.File("run.csv")));
+  }
+  Manifest ManifestWith(const std::string& candidates) const {
+    Write("manifest.yaml", "rig: bogie\nmodel: " + scratch_.File("declared.yaml") +
+                               "\ndata: run.csv\nestimation: [0.4, 5.4]\nvalidation: [5.4, 10]\n"
+                               "free: [friction.scale]\ncandidates: [" +
+                               candidates + "]\n");
+    return LoadManifest(scratch_.File("manifest.yaml")).value();
+  }
+  ordered_json Identified(const std::string& candidates) const {
+    auto dir = ResultDir::Create(scratch_.File("out"), true);
+    SearchOptions options;
+    options.max_effects = 1, options.coarse_fits = 2, options.full_fits = 1;
+    const auto outcome =
+        IdentifyBogie(ManifestWith(candidates), options, nullptr, dir.value());
+    EXPECT_TRUE(outcome.ok()) << outcome.error().Line();
+    EXPECT_TRUE(dir.value().Commit().ok());
+    return outcome.value().result;
+  }
+  static std::vector<std::string> Names(const ordered_json& result) {
+    std::vector<std::string> names;
+    for (const auto& effect : result["effects"]) names.push_back(effect["name"]);
+    return names;
+  }
+  ScratchDir scratch_;
+};
+
+constexpr char kOff[] = "phs_parameters: {friction.scale: 1.15, lines.gas_volume_m3: 14.5e-6}\n";
+constexpr char kCandidates[] = "cant_error, wheel_rail_friction, viscous_friction";
+
+TEST_F(BogieTest, CantErrorIsNamedAndTheModelRunsAsItIs) {
+  Measure("effects: {cant_error: {cant_m: -0.015}}\n", kOff);
+  const ordered_json result = Identified("cant_error, viscous_friction");
+  ASSERT_THAT(Names(result), ElementsAre("cant_error")) << result["candidates"].dump(1);
+  const ordered_json& cant = result["effects"][0]["parameters"]["cant_m"];
+  EXPECT_NEAR(cant["value"].get<double>(), -0.015, 0.003);
+  for (const auto& [name, c] : result["channels"].items()) {
+    if (name.find("_Q_N") == std::string::npos) continue;
+    EXPECT_LT(c["after"]["rmse"].get<double>(), 0.8 * c["before"]["rmse"].get<double>()) << name;
+  }
+  // model.yaml is a scenario: read as the next declared model it predicts the same to the bit.
+  const auto corrected = vehicle::LoadScenario(scratch_.File("out/model.yaml"));
+  ASSERT_TRUE(corrected.ok()) << corrected.error().Line();
+  EXPECT_EQ(corrected.value().track_errors.cant_m, cant["value"].get<double>());
+  Manifest again = ManifestWith("cant_error");
+  again.model = scratch_.File("out/model.yaml");
+  auto dir = ResultDir::Create(scratch_.File("again"), true);
+  const auto rig = RunBogieRig(again, dir.value());
+  ASSERT_TRUE(rig.ok()) << rig.error().Line();
+  for (const auto& [name, c] : result["channels"].items()) {
+    EXPECT_EQ(rig.value().result["channels"][name]["rmse"], c["after"]["rmse"]) << name;
+  }
+  EXPECT_TRUE(hydraulics::LoadPhsParams(scratch_.File("out/phs.yaml")).ok());
+}
+
+TEST_F(BogieTest, PoorDataEndWithAClearWord) {
+  Measure("", kOff);
+  const auto refusal = [&](const std::string& data) {
+    Write("run.csv", data);
+    auto dir = ResultDir::Create(scratch_.File("out"), true);
+    const auto outcome = IdentifyBogie(ManifestWith(kCandidates), {}, nullptr, dir.value());
+    return outcome.ok() ? std::string("accepted") : outcome.error().Line();
+  };
+  const auto rows = [](int n, const std::string& header, auto row) {
+    std::string text = header + "\n";
+    for (int i = 0; i < n; ++i) text += std::to_string(0.02 * i) + "," + row(i) + "\n";
+    return text;
+  };
+  EXPECT_THAT(refusal(rows(500, "t_s,piston1_m", [](int) { return "0.001"; })),
+              HasSubstr("does not say where the vehicle is"));
+  EXPECT_THAT(refusal(rows(700, "t_s,speed_m_s,piston1_m", [](int i) {
+                return "12.5," + std::to_string(1e-3 * std::sin(1e4 * i * i));
+              })),
+              HasSubstr("a record inside the track"));
+  EXPECT_THAT(refusal(rows(500, "t_s,s_m,piston1_m",
+                           [](int i) { return std::to_string(4.2 + 1e-4 * i) + ",0"; })),
+              HasSubstr("the vehicle moves"));
+  EXPECT_THAT(refusal(rows(500, "t_s,s_m,piston1_m",
+                           [](int i) { return std::to_string(4.2 + 0.25 * i) + ",0"; })),
+              HasSubstr("no output channel"));
+  EXPECT_THAT(refusal(rows(500, "t_s,s_m,piston1_m",
+                           [](int i) { return std::to_string(4.2 + 0.025 * i) + ",0"; })),
+              HasSubstr("curvature does not change"));
+}
+
+/// Half a minute each: with PHS_LONG_TESTS set.
+class BogieLongTest : public BogieTest {
+ protected:
+  void SetUp() override {
+    if (std::getenv("PHS_LONG_TESTS") == nullptr) GTEST_SKIP() << "PHS_LONG_TESTS is not set";
+  }
+};
+
+TEST_F(BogieLongTest, NothingIsNamedWhereNothingIsHidden) {
+  Measure("", kOff);
+  const ordered_json result = Identified(kCandidates);
+  EXPECT_THAT(Names(result), ElementsAre()) << result["effects"].dump(1);
+}
+
+TEST_F(BogieLongTest, SlipperyRailIsNamed) {
+  Measure("effects: {wheel_rail_friction: {coefficient: 0.1}}\n", kOff);
+  const ordered_json result = Identified(kCandidates);
+  ASSERT_THAT(Names(result), ElementsAre("wheel_rail_friction")) << result["candidates"].dump(1);
+  EXPECT_NEAR(result["effects"][0]["parameters"]["coefficient"]["value"].get<double>(), 0.1, 0.03);
+}
+
+TEST_F(BogieLongTest, DraggingSealsAreNamed) {
+  Measure("effects: {viscous_friction: {extension_Ns_per_m: 1.6e5, retraction_Ns_per_m: 1.3e5}}\n",
+          kOff);
+  const ordered_json result = Identified(kCandidates);
+  EXPECT_THAT(Names(result), ElementsAre("viscous_friction")) << result["candidates"].dump(1);
+}
+
+TEST_F(BogieLongTest, WornTreadIsNamed) {
+  Measure("effects: {tread_wear: {depth_m: 0.0006, half_width_m: 0.026, centre_m: 0.002}}\n", kOff);
+  const ordered_json result = Identified("cant_error, tread_wear, viscous_friction");
+  ASSERT_THAT(Names(result), ElementsAre("tread_wear")) << result["candidates"].dump(1);
+  EXPECT_NEAR(result["effects"][0]["parameters"]["depth_m"]["value"].get<double>(), 6e-4, 2e-4);
+}
+
+}  // namespace
+}  // namespace phs::identify::search
