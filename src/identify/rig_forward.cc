@@ -15,7 +15,7 @@ using hydraulics::PhsParams;
 Result<std::shared_ptr<const ForwardModel>> RigForward::Create(const FitData& data,
                                                                const PhsParams& declared,
                                                                int stride) {
-  Result<RigModel> model = RigModel::Create(data.kind, declared);
+  Result<RigModel> model = RigModel::Create(data.kind, declared, data.options);
   if (!model.ok()) return model.error();
   const auto& names = model.value().output_names();
   std::vector<int> index;
@@ -50,7 +50,7 @@ RigForward::RigForward(const FitData& data, std::vector<int> output_index, int s
 
 Status RigForward::RunMotion(const PhsParams& params, const RigMotion& motion,
                              Channels* out) const {
-  Result<RigModel> rig = RigModel::Create(data_.kind, params);
+  Result<RigModel> rig = RigModel::Create(data_.kind, params, data_.options);
   if (!rig.ok()) return rig.status();
   RigPrediction prediction;
   if (Status s = rig.value().Run(motion, &prediction); !s.ok()) return s;
@@ -89,7 +89,7 @@ Result<std::vector<hydraulics::ForcePlace>> RigForward::Places(const PhsParams& 
   constexpr double kRamp = 2e-4;  // [m/s]
   PhsParams bare = params;        // pressures themselves, without the errors of their sensors
   std::erase_if(bare.effects, [](const auto& e) { return e.name.starts_with("sensor_"); });
-  Result<RigModel> rig = RigModel::Create(data_.kind, bare);
+  Result<RigModel> rig = RigModel::Create(data_.kind, bare, data_.options);
   if (!rig.ok()) return rig.error();
   RigPrediction prediction;
   if (Status s = rig.value().Run(short_, &prediction); !s.ok()) return s.error();

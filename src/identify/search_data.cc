@@ -122,7 +122,8 @@ Result<FitData> ReadFitData(const Manifest& manifest) {
   if (!kind.ok()) return kind.error();
   Result<hydraulics::PhsParams> params = effects::FindPhsParams(manifest.model);
   if (!params.ok()) return params.error();
-  Result<effects::RigModel> model = effects::RigModel::Create(kind.value(), params.value());
+  Result<effects::RigModel> model =
+      effects::RigModel::Create(kind.value(), params.value(), manifest.options);
   if (!model.ok()) return model.error();
   Result<RigRun> read = ReadRigRun(manifest.runs.front(), manifest, model.value().input_names(),
                                    model.value().output_names());
@@ -131,6 +132,7 @@ Result<FitData> ReadFitData(const Manifest& manifest) {
   if (Status s = CheckWindows(run); !s.ok()) return s.error();
   FitData data;
   data.kind = kind.value();
+  data.options = manifest.options;
   data.source = run.source;
   data.step_s = run.step_s;
   data.estimation = {run.estimation.begin, run.estimation.end};

@@ -21,6 +21,7 @@ struct MeasuredChannel {
 
 struct FitData {
   effects::RigKind kind = effects::RigKind::kQuarter;
+  effects::RigOptions options;  ///< steps per sample, beam of the full rig
   std::string source;
   std::vector<double> time_s;      ///< uniform
   std::vector<double> row_time_s;  ///< of the file's rows; empty: as time_s
