@@ -1,5 +1,5 @@
-// What a step costs: MuJoCo's own, with the callbacks, by bogie and creep law. Ratios in one run are
-// what counts; machines differ.
+// What a step costs: MuJoCo's own, with the callbacks, by bogie and creep law. Ratios in one run
+// are what counts; machines differ.
 #include <benchmark/benchmark.h>
 
 #include "plugin/registry.h"

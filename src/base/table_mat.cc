@@ -107,7 +107,8 @@ Status CheckLengths(const Table& table) {
 }
 
 /// Versions 5 and 7.3 begin with 128 bytes of text, version and byte order ("IM" or "MI"). What has
-/// no such header matio would take for version 4, whose sizes cannot be checked before it allocates.
+/// no such header matio would take for version 4, whose sizes cannot be checked before it
+/// allocates.
 bool HasHeader(const std::string& path) {
   std::array<char, 128> header{};
   std::ifstream file(path, std::ios::binary);

@@ -21,11 +21,11 @@ constexpr double kBeyond = 2.0;          // [m] a record may begin before the ru
 
 /// Channels that say where and how fast the vehicle is: they drive, they are not explained.
 bool Drives(const std::string& channel) {
-  static const std::vector<std::string> names = {"t_s",   "s_m",   "speed_m_s", "curvature_1_m",
+  static const std::vector<std::string> names = {"t_s",      "s_m", "speed_m_s", "curvature_1_m",
                                                  "cant_rad", "x_m", "y_m",       "heading_rad"};
   return std::any_of(names.begin(), names.end(), [&](const std::string& name) {
-    return channel == name ||
-           ((name == "x_m" || name == "y_m" || name == "heading_rad") && channel.ends_with("_" + name));
+    return channel == name || ((name == "x_m" || name == "y_m" || name == "heading_rad") &&
+                               channel.ends_with("_" + name));
   });
 }
 
@@ -55,15 +55,15 @@ Status NameUnknown(const Manifest& manifest, const std::vector<std::string>& kno
   if (!table.ok()) return table.status();
   for (const std::string& column : table.value().names) {
     if (column == "t_s" || Drives(column)) continue;
-    const bool used =
-        std::any_of(run->outputs.begin(), run->outputs.end(),
-                    [&](const Channel& c) { return c.column == column; }) ||
-        std::any_of(manifest.columns.begin(), manifest.columns.end(),
-                    [&](const auto& named) { return named.second == column; });
+    const bool used = std::any_of(run->outputs.begin(), run->outputs.end(),
+                                  [&](const Channel& c) { return c.column == column; }) ||
+                      std::any_of(manifest.columns.begin(), manifest.columns.end(),
+                                  [&](const auto& named) { return named.second == column; });
     if (used) continue;
     const std::string nearest = NearestWord(column, known);
-    run->findings.push_back({column, "is no channel of this bogie: left out" +
-                                         (nearest.empty() ? "" : " (did you mean " + nearest + "?)")});
+    run->findings.push_back(
+        {column, "is no channel of this bogie: left out" +
+                     (nearest.empty() ? "" : " (did you mean " + nearest + "?)")});
   }
   return {};
 }

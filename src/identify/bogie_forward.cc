@@ -128,8 +128,7 @@ BogieForward::BogieForward(const FitData& data, BogieModel model, int stride)
 
 size_t BogieForward::Rows(Span span) const {
   if (span == Span::kWhole) return data_.time_s.size();
-  const auto end =
-      std::lower_bound(data_.time_s.begin(), data_.time_s.end(), data_.estimation[1]);
+  const auto end = std::lower_bound(data_.time_s.begin(), data_.time_s.end(), data_.estimation[1]);
   const auto samples = static_cast<size_t>(end - data_.time_s.begin());
   return (samples + static_cast<size_t>(stride_) - 1) / static_cast<size_t>(stride_);
 }
@@ -137,8 +136,8 @@ size_t BogieForward::Rows(Span span) const {
 Status BogieForward::RunScenario(Scenario scenario, Span span, Channels* out) const {
   const size_t rows = Rows(span), stride = span == Span::kWhole ? 1 : static_cast<size_t>(stride_);
   const std::vector<double>& place = data_.motion.front().position;
-  const double last = *std::max_element(
-      place.begin(), place.begin() + static_cast<long>((rows - 1) * stride) + 1);
+  const double last =
+      *std::max_element(place.begin(), place.begin() + static_cast<long>((rows - 1) * stride) + 1);
   scenario.duration_s = (last - model_.start_m) / scenario.speed_m_s * 1.02 + 0.3;
   scenario.record_interval_s =
       std::clamp(0.5 * data_.step_s, scenario.timestep_s, scenario.record_interval_s);

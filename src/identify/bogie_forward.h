@@ -7,9 +7,9 @@
 // search serves both. Nothing measured drives the run but the track, the speed and the place: the
 // whole run is predicted.
 //
-// Place, not time, joins run and measurement: output(t_i) is that of the simulated vehicle where its
-// leading wheelset has come as far along the track as the measured one had at t_i. A speed that is
-// not quite held so moves no curve; what it does to the forces is not followed.
+// Place, not time, joins run and measurement: output(t_i) is that of the simulated vehicle where
+// its leading wheelset has come as far along the track as the measured one had at t_i. A speed that
+// is not quite held so moves no curve; what it does to the forces is not followed.
 #pragma once
 
 #include <string>
@@ -26,18 +26,18 @@ namespace phs::identify::search {
 /// What is declared of a bogie on a track.
 struct BogieModel {
   vehicle::Scenario scenario;
-  hydraulics::PhsParams phs;             ///< the scenario's, with its own changes
-  std::vector<std::string> free;         ///< free numbers of the baseline
-  std::vector<std::string> candidates;   ///< effects to look for; empty: all
-  std::vector<std::string> observed;     ///< every channel that a run records
-  std::vector<std::string> unit;         ///< of each
-  double start_m = 0;                    ///< place of the leading wheelset when a run starts
-  double friction = 0;                   ///< of wheel on rail
+  hydraulics::PhsParams phs;            ///< the scenario's, with its own changes
+  std::vector<std::string> free;        ///< free numbers of the baseline
+  std::vector<std::string> candidates;  ///< effects to look for; empty: all
+  std::vector<std::string> observed;    ///< every channel that a run records
+  std::vector<std::string> unit;        ///< of each
+  double start_m = 0;                   ///< place of the leading wheelset when a run starts
+  double friction = 0;                  ///< of wheel on rail
   double track_length_m = 0;
 };
 
-/// Loads scenario and PHS and looks at one instant of the run. Errors: what the files say wrongly, a
-/// bogie without PHS, free numbers that it does not have.
+/// Loads scenario and PHS and looks at one instant of the run. Errors: what the files say wrongly,
+/// a bogie without PHS, free numbers that it does not have.
 Result<BogieModel> LoadBogieModel(const std::string& scenario, const std::vector<std::string>& free,
                                   const std::vector<std::string>& candidates);
 

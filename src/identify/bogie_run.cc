@@ -97,12 +97,12 @@ Result<IdentifyOutcome> RunBogieRig(const Manifest& manifest, const ResultDir& d
   for (const DataFinding& f : c.data.findings) {
     outcome.summary += "data: " + f.channel + " " + f.text + "\n";
   }
-  outcome.summary +=
-      fmt::format("{:28} {:>10} {:>8} {:>10} {:>10}\n", "channel", "RMSE", "NRMSE", "bias", "largest");
+  outcome.summary += fmt::format("{:28} {:>10} {:>8} {:>10} {:>10}\n", "channel", "RMSE", "NRMSE",
+                                 "bias", "largest");
   for (const auto& [name, s] : result["channels"].items()) {
-    outcome.summary += fmt::format("{:28} {:>10.4g} {:>8.4f} {:>10.3g} {:>10.4g}\n", name,
-                                   s["rmse"].get<double>(), s["nrmse"].get<double>(),
-                                   s["bias"].get<double>(), s["max"].get<double>());
+    outcome.summary +=
+        fmt::format("{:28} {:>10.4g} {:>8.4f} {:>10.3g} {:>10.4g}\n", name, s["rmse"].get<double>(),
+                    s["nrmse"].get<double>(), s["bias"].get<double>(), s["max"].get<double>());
   }
   for (const Status& s :
        {WriteMeasured(dir, c.data), WriteChannels(dir, "predicted.csv", c.data, predicted),

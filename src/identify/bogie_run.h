@@ -6,8 +6,8 @@
 
 namespace phs::identify::search {
 
-/// Identification; see RunIdentify. Beside its files: model.yaml is the corrected scenario, phs.yaml
-/// the PHS model in it.
+/// Identification; see RunIdentify. Beside its files: model.yaml is the corrected scenario,
+/// phs.yaml the PHS model in it.
 Result<IdentifyOutcome> IdentifyBogie(const Manifest& manifest, const SearchOptions& options,
                                       const Progress& progress, const ResultDir& dir);
 

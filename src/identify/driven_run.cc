@@ -113,8 +113,7 @@ Result<IdentifyOutcome> SearchAndWrite(const Manifest& manifest, const PhsParams
   outcome.cancelled = found.cancelled;
   if (found.cancelled) return outcome;
   const PhsParams corrected = problem->Params(found.corrected, found.after.values);
-  Result<Channels> before =
-      problem->Predict(problem->Params(found.declared, found.before.values));
+  Result<Channels> before = problem->Predict(problem->Params(found.declared, found.before.values));
   Result<Channels> after = problem->Predict(corrected);
   if (!before.ok()) return before.error();
   if (!after.ok()) return after.error();

@@ -136,9 +136,9 @@ class Search {
   /// in full.
   std::vector<FullTrial> Try(const FreeModel& model, const FitResult& fit,
                              const std::vector<Candidate>& list, int full_fits, double* reference) {
-    ScreeningOptions screening{options_.threads, options_.coarse_fits,
-                               options_.thorough && model.params.effects.size() ==
-                                                        out_.declared.params.effects.size()};
+    ScreeningOptions screening{
+        options_.threads, options_.coarse_fits,
+        options_.thorough && model.params.effects.size() == out_.declared.params.effects.size()};
     std::vector<std::vector<double>> points = Points(model, fit);
     if (screening.thorough && AddDeclaredPoint(model, &points)) {
       screening.hydraulic_from = points.size() - 1;

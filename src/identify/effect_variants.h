@@ -29,8 +29,8 @@ struct Candidate {
   bool has_onset = false;                   ///< far from linear in its own numbers
 };
 
-/// One way of switching an effect on: its free numbers, values of these from which a fit starts, and
-/// numbers held at other than their default values.
+/// One way of switching an effect on: its free numbers, values of these from which a fit starts,
+/// and numbers held at other than their default values.
 Candidate MakeCandidate(const hydraulics::EffectInfo& info, const std::vector<const char*>& free,
                         const std::vector<std::vector<double>>& starts,
                         const std::vector<std::pair<const char*, double>>& fixed = {});

@@ -38,7 +38,8 @@ struct FreeModel {
   std::vector<FreeParameter> free;
 };
 
-/// Of a rig: V_oil and V_g0 of every line and the friction scale, within factors 0.4 … 2.5 of the declared.
+/// Of a rig: V_oil and V_g0 of every line and the friction scale, within factors 0.4 … 2.5 of the
+/// declared.
 FreeModel DeclaredModel(const hydraulics::PhsParams& declared);
 
 struct FitResult {

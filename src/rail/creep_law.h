@@ -88,8 +88,8 @@ struct CreepLawParams {
 };
 
 Result<std::unique_ptr<CreepLaw>> CreateCreepLaw(const CreepLawParams& params);
-/// Reads "METHOD" or "METHOD:N": N strips and N slices of FASTSIM's grid, 4 … 200, for `fastsim` and
-/// `kalker_table`. Error names what is allowed; `params` is then as before.
+/// Reads "METHOD" or "METHOD:N": N strips and N slices of FASTSIM's grid, 4 … 200, for `fastsim`
+/// and `kalker_table`. Error names what is allowed; `params` is then as before.
 Status ChooseCreepLaw(const std::string& text, CreepLawParams* params);
 /// The methods by name, for messages and --help.
 const std::vector<std::string>& CreepLawNames();

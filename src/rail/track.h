@@ -63,8 +63,8 @@ struct TrackErrors {
 class Track {
  public:
   /// Reads models/tracks/*.yaml (format: docs/tracks.md). Errors name file, line and key. `mirror`
-  /// swaps left and right: every curve turns the other way, to the last bit. `errors` come on top of
-  /// the file.
+  /// swaps left and right: every curve turns the other way, to the last bit. `errors` come on top
+  /// of the file.
   static Result<Track> Load(const std::string& path, bool mirror = false,
                             const TrackErrors& errors = {});
   Track(Track&&) noexcept;

@@ -82,9 +82,9 @@ Status ReadData(const IdentifyReportInput& input, IdentifyResults* results) {
   if (t < 0) return {};  // a table of steps has no clock: nothing to plot over time
   results->time = data.columns[t];
   const int place = data.Find("s_m");
-  const int x = place >= 0 ? -1
-                           : FindAny(data, {"actuator_m", "actuator1_m", "x_m", "piston_m",
-                                            "piston1_m"});
+  const int x = place >= 0
+                    ? -1
+                    : FindAny(data, {"actuator_m", "actuator1_m", "x_m", "piston_m", "piston1_m"});
   if (place >= 0) results->place = data.columns[place];
   if (x >= 0) {
     results->displacement = data.columns[x];

@@ -156,8 +156,8 @@ Result<RigOutcome> RunRig(const Manifest& manifest, const ResultDir& dir) {
   if (manifest.rig == "steps") return RunSteps(manifest, dir);
   if (manifest.rig == "bogie") {
     if (manifest.signal) {
-      return Error{manifest.path + ": signal", "a bogie runs on its track, not by signals", "data:",
-                   "without a measurement: phs simulate"};
+      return Error{manifest.path + ": signal", "a bogie runs on its track, not by signals",
+                   "data:", "without a measurement: phs simulate"};
     }
     Result<identify::search::IdentifyOutcome> run = identify::search::RunBogieRig(manifest, dir);
     if (!run.ok()) return run.error();

@@ -49,8 +49,8 @@ Result<Analysed> MeasureModes(const vehicle::Simulation& simulation) {
   const analysis::AxleModeOptions options;
   const auto modes = analysis::MeasureAxleModes(simulation, options);
   if (!modes.ok()) return modes.error();
-  return Analysed{.numbers = analysis::AxleModesJson(simulation.scenario().bogie, modes.value(),
-                                                     options)};
+  return Analysed{.numbers =
+                      analysis::AxleModesJson(simulation.scenario().bogie, modes.value(), options)};
 }
 
 Result<Analysed> LayLoads(const vehicle::Simulation& simulation) {

@@ -22,8 +22,8 @@ enum class Claim {
 
 struct Check {
   std::string group = {};  ///< field, e.g. "creep forces"; set by the group it belongs to
-  std::string what;   ///< the quantity, in the field's words
-  std::string unit;   ///< of ours, reference and tolerance; "-" for none
+  std::string what;        ///< the quantity, in the field's words
+  std::string unit;        ///< of ours, reference and tolerance; "-" for none
   double ours = 0;
   double reference = 0;
   double tolerance = 0;  ///< absolute, >= 0

@@ -42,15 +42,14 @@ std::vector<RunningEffect> MakeTable() {
                   {{"cant_m", "m", 0, -0.1, 0.1, -0.06, 0.06, "> 0 raises the outer rail"}},
                   nullptr},
        [](const Values& v, Scenario* s) { s->track_errors.cant_m = v.at("cant_m"); }});
-  rows.push_back({EffectInfo{"gauge_error",
-                             "track",
-                             "",
-                             "gauge other than declared, everywhere",
-                             {{"widening_m", "m", 0, -0.02, 0.05, -0.01, 0.02, "> 0 wider"}},
-                             nullptr},
-                  [](const Values& v, Scenario* s) {
-                    s->track_errors.widening_m = v.at("widening_m");
-                  }});
+  rows.push_back(
+      {EffectInfo{"gauge_error",
+                  "track",
+                  "",
+                  "gauge other than declared, everywhere",
+                  {{"widening_m", "m", 0, -0.02, 0.05, -0.01, 0.02, "> 0 wider"}},
+                  nullptr},
+       [](const Values& v, Scenario* s) { s->track_errors.widening_m = v.at("widening_m"); }});
   return rows;
 }
 

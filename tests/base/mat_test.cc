@@ -103,8 +103,9 @@ TEST(MatFileSize, ADamagedSizeEndsBeforeMemoryIsAskedFor) {
   bytes.write(reinterpret_cast<const char*>(&rows), sizeof rows);
   bytes.close();
   EXPECT_EQ(ReadMat(path).error().Line(),
-            path + ": 'x_m' declares more values than the file can hold; the file is damaged: save it "
-                   "again");
+            path +
+                ": 'x_m' declares more values than the file can hold; the file is damaged: save it "
+                "again");
 }
 
 INSTANTIATE_TEST_SUITE_P(Versions, MatFile, ::testing::Values(MAT_FT_MAT5, MAT_FT_MAT73));

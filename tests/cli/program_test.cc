@@ -317,8 +317,8 @@ TEST_F(ProgramTest, ModelOfAQuarterRigRunsInTheBogie) {
   const Output own = Phs("simulate " + scenario + " --quiet --format json --out " + Path("own"));
   const Output same = Phs("simulate " + scenario +
                           " --phs quarter_setup2 --quiet --format json --out " + Path("same"));
-  const Output with =
-      Phs("simulate " + scenario + " --phs " + model + " --quiet --format json --out " + Path("with"));
+  const Output with = Phs("simulate " + scenario + " --phs " + model +
+                          " --quiet --format json --out " + Path("with"));
   ASSERT_EQ(own.code, 0) << own.text;
   ASSERT_EQ(same.code, 0) << same.text;
   ASSERT_EQ(with.code, 0) << with.text;
@@ -334,8 +334,8 @@ TEST_F(ProgramTest, ModelOfAQuarterRigRunsInTheBogie) {
   EXPECT_EQ(compared.code, 0) << compared.text;
   EXPECT_THAT(compared.text, HasSubstr("phs@model"));
   EXPECT_TRUE(fs::exists(Path("compared/report.html")));
-  EXPECT_EQ(Phs("simulate " + Scenario("track: curve_r300\nphs: " + model + "\n") + " --quiet").code,
-            0);
+  EXPECT_EQ(
+      Phs("simulate " + Scenario("track: curve_r300\nphs: " + model + "\n") + " --quiet").code, 0);
   const std::string rig = Write("rig.yaml", "rig: quarter\nmodel: " + model +
                                                 "\nsignal:\n  duration_s: 2\n  sample_s: 0.01\n"
                                                 "  actuator_m: {kind: sine, amplitude_m: 1.0e-3, "
@@ -343,9 +343,8 @@ TEST_F(ProgramTest, ModelOfAQuarterRigRunsInTheBogie) {
   const Output run = Phs("rig " + rig + " --quiet --out " + Path("rig"));
   EXPECT_EQ(run.code, 0) << run.text;
   // The plugin: an effect without a state of its own (states beyond the file's need carriers).
-  const std::string plain =
-      Write("plain.yaml",
-            text.str() + "effects:\n  viscous_friction: {extension_Ns_per_m: 1.0e5}\n");
+  const std::string plain = Write(
+      "plain.yaml", text.str() + "effects:\n  viscous_friction: {extension_Ns_per_m: 1.0e5}\n");
   const Output plugin =
       Execute("LD_PRELOAD=" PHS_BINARY_DIR "/plugin/libphs_mujoco.so PHS_OPTIONS='phs=" + plain +
               "' " PHS_BINARY_DIR "/tests/foreign_host " PHS_SOURCE_DIR "/bogie_xml/phs.xml 20");

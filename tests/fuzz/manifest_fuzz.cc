@@ -3,7 +3,7 @@
 #include "one_input.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
-  phs::fuzz::ExpectValueOrLine(phs::identify::LoadManifest(
-      phs::fuzz::InputFile(phs::fuzz::Text(data, size), ".yaml")));
+  phs::fuzz::ExpectValueOrLine(
+      phs::identify::LoadManifest(phs::fuzz::InputFile(phs::fuzz::Text(data, size), ".yaml")));
   return 0;
 }

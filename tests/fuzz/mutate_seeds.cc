@@ -1,7 +1,7 @@
 // Seeds of a format, changed in fixed ways, given to the format's reader:
 //   NAME_mutations COUNT FILE…
-// The unchanged seeds first; then COUNT changed ones, each with one to four changes. The changes are
-// drawn from a fixed seed, so that a failure repeats; the input at work is written to
+// The unchanged seeds first; then COUNT changed ones, each with one to four changes. The changes
+// are drawn from a fixed seed, so that a failure repeats; the input at work is written to
 // NAME_mutations.last before each step when PHS_FUZZ_KEEP is set.
 #include <cstdint>
 #include <cstdio>
@@ -33,10 +33,11 @@ std::string LineAt(const std::string& text, size_t at) {
 }
 
 /// Words that readers may trip over.
-const char* const kWords[] = {"nan",  "-inf", "1e308", "-1",  "0",    "1e-320", "99999999999999999999",
-                              "",     ":",    "[",     "]",   "{",    "}",      ",",
-                              "\"",   "'",    "#",     "&a",  "*a",   "---",    "null",
-                              "true", "\t",   "\r\n",  "\\0", "€", "../..",  "-"};
+const char* const kWords[] = {
+    "nan",  "-inf", "1e308", "-1",  "0",  "1e-320", "99999999999999999999",
+    "",     ":",    "[",     "]",   "{",  "}",      ",",
+    "\"",   "'",    "#",     "&a",  "*a", "---",    "null",
+    "true", "\t",   "\r\n",  "\\0", "€",  "../..",  "-"};
 
 std::string ChangeNumber(std::string text, Random& random) {
   std::vector<size_t> digits;

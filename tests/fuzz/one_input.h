@@ -2,8 +2,8 @@
 // line says something; it never crashes, hangs or throws.
 //
 // Each *_fuzz.cc defines libFuzzer's entry for one format. It is built twice: with -DPHS_FUZZ=ON
-// (clang) as a libFuzzer program, and always with mutate_seeds.cc, which is a test: the shipped files
-// of the format, changed in fixed ways.
+// (clang) as a libFuzzer program, and always with mutate_seeds.cc, which is a test: the shipped
+// files of the format, changed in fixed ways.
 #pragma once
 
 #include <unistd.h>

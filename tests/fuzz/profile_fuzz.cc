@@ -1,6 +1,6 @@
 // Wheel and rail profiles: .prw, .prr and plain y, z tables.
-#include "rail/profile.h"
 #include "one_input.h"
+#include "rail/profile.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   const std::string text = phs::fuzz::Text(data, size);

@@ -1,6 +1,6 @@
 // Sweep studies.
-#include "sweep/study.h"
 #include "one_input.h"
+#include "sweep/study.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   phs::fuzz::ExpectValueOrLine(

@@ -1,6 +1,6 @@
 // Tracks: alignment, gauge, irregularities.
-#include "rail/track.h"
 #include "one_input.h"
+#include "rail/track.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   phs::fuzz::ExpectValueOrLine(

@@ -1,6 +1,6 @@
 // URDF bogies.
-#include "vehicle/urdf_file.h"
 #include "one_input.h"
+#include "vehicle/urdf_file.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   phs::fuzz::ExpectValueOrLine(

@@ -41,8 +41,7 @@ inline std::vector<BogieSensor> BogieSensors(bool measuring_wheelset) {
     for (const char* axle : {"lead", "trail"}) {
       const std::string name = axle;
       sensors.push_back({name + "_lateral_m", name + "_lateral_m", 1e-4, 2e-5});
-      sensors.push_back(
-          {name + "_angle_of_attack_rad", name + "_angle_of_attack_rad", 3e-5, 1e-5});
+      sensors.push_back({name + "_angle_of_attack_rad", name + "_angle_of_attack_rad", 3e-5, 1e-5});
     }
   }
   return sensors;

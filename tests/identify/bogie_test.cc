@@ -63,8 +63,7 @@ class BogieTest : public testing::Test {
     auto dir = ResultDir::Create(scratch_.File("out"), true);
     SearchOptions options;
     options.max_effects = 1, options.coarse_fits = 2, options.full_fits = 1;
-    const auto outcome =
-        IdentifyBogie(ManifestWith(candidates), options, nullptr, dir.value());
+    const auto outcome = IdentifyBogie(ManifestWith(candidates), options, nullptr, dir.value());
     EXPECT_TRUE(outcome.ok()) << outcome.error().Line();
     EXPECT_TRUE(dir.value().Commit().ok());
     return outcome.value().result;
@@ -120,10 +119,10 @@ TEST_F(BogieTest, PoorDataEndWithAClearWord) {
   };
   EXPECT_THAT(refusal(rows(500, "t_s,piston1_m", [](int) { return "0.001"; })),
               HasSubstr("does not say where the vehicle is"));
-  EXPECT_THAT(refusal(rows(700, "t_s,speed_m_s,piston1_m", [](int i) {
-                return "12.5," + std::to_string(1e-3 * std::sin(1e4 * i * i));
-              })),
-              HasSubstr("a record inside the track"));
+  EXPECT_THAT(
+      refusal(rows(700, "t_s,speed_m_s,piston1_m",
+                   [](int i) { return "12.5," + std::to_string(1e-3 * std::sin(1e4 * i * i)); })),
+      HasSubstr("a record inside the track"));
   EXPECT_THAT(refusal(rows(500, "t_s,s_m,piston1_m",
                            [](int i) { return std::to_string(4.2 + 1e-4 * i) + ",0"; })),
               HasSubstr("the vehicle moves"));

@@ -218,9 +218,9 @@ TEST(Fastsim, PureCreepageSaturatesExactlyAtU2) {
 
 // Carter's two-dimensional problem: F/(mu N) = 1 - (1 - s)^2 with s = xi over that of full slip.
 // With the elliptic bound every strip of the ellipse is the same two-dimensional problem, so
-// FASTSIM with Carter's slope (u = pi s/2) must come close. It differs by less than 2.5 % up to half
-// of full slip and by up to 9 % near it: the simplified theory with this bound reaches full slip only
-// in the limit.
+// FASTSIM with Carter's slope (u = pi s/2) must come close. It differs by less than 2.5 % up to
+// half of full slip and by up to 9 % near it: the simplified theory with this bound reaches full
+// slip only in the limit.
 TEST(Fastsim, CarterCurveWithin2p5PercentToHalfSlip) {
   const Fastsim fastsim({40, 400, true});
   for (double s = 0.05; s < 1; s += 0.05) {

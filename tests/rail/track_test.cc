@@ -282,8 +282,8 @@ TEST(Track, ErrorsComeOnTopOfTheDesign) {
   EXPECT_NEAR(off.value().FrameAt(arc).cant, -std::asin(0.07 / e), 1e-12);
   EXPECT_NEAR(off.value().FrameAt(transition).cant, -std::asin(0.035 / e), 1e-5);
   EXPECT_EQ(off.value().FrameAt(20).cant, 0);
-  EXPECT_NEAR(Track::Load(path, false, {-0.02, 0}).value().FrameAt(arc).cant,
-              -std::asin(0.03 / e), 1e-12);
+  EXPECT_NEAR(Track::Load(path, false, {-0.02, 0}).value().FrameAt(arc).cant, -std::asin(0.03 / e),
+              1e-12);
   for (const double s : {20.0, arc}) {
     EXPECT_NEAR(off.value().Rail(Side::kLeft, s).lateral - design.Rail(Side::kLeft, s).lateral,
                 0.0025, 1e-12);

@@ -94,7 +94,8 @@ TEST_F(CurvingReport, ALocomotiveHasTwoBogies) {
   // Nothing stops at the front bogie: plan view, bars, words and moments.
   for (const char* bogie : {"front", "rear"}) {
     const std::string name = bogie;
-    EXPECT_TRUE(Holds(html, name == "front" ? "Front bogie: all angles" : "Rear bogie: all angles"));
+    EXPECT_TRUE(
+        Holds(html, name == "front" ? "Front bogie: all angles" : "Rear bogie: all angles"));
     EXPECT_TRUE(Holds(html, "Track-shifting force ΣY, leading axle [kN], " + name + " bogie"));
     EXPECT_TRUE(Holds(html, " at the " + name + " bogie "));
     EXPECT_TRUE(Holds(html, "Yaw moments, " + name + " bogie, leading axle"));

@@ -48,9 +48,10 @@ TEST(RunningEffectsTest, NothingByDefault) {
 TEST(RunningEffectsTest, EachOneChangesTheRun) {
   const RunOutcome plain = Execute(Curve());
   const auto lateral = static_cast<size_t>(plain.Find("lead_lateral_m"));
-  for (const auto& [name, key, value] :
-       {std::tuple{"tread_wear", "depth_m", 4e-4}, {"wheel_rail_friction", "coefficient", 0.1},
-        {"cant_error", "cant_m", 0.03}, {"gauge_error", "widening_m", 0.01}}) {
+  for (const auto& [name, key, value] : {std::tuple{"tread_wear", "depth_m", 4e-4},
+                                         {"wheel_rail_friction", "coefficient", 0.1},
+                                         {"cant_error", "cant_m", 0.03},
+                                         {"gauge_error", "widening_m", 0.01}}) {
     Scenario s = Curve();
     ASSERT_TRUE(AddEffect({name, {}, {{key, value}}}, &s).ok());
     EXPECT_NE(Execute(s).columns[lateral], plain.columns[lateral]) << name;
@@ -68,17 +69,16 @@ TEST(RunningEffectsTest, MoreCantPressesTheInnerWheel) {
   };
   const double declared = inner(s);
   ASSERT_TRUE(AddEffect({"cant_error", {}, {{"cant_m", 0.03}}}, &s).ok());
-  // Load transfer by statics: dQ = W/2 · h_cg · dh/e² per axle, some kilonewtons; here only the sign
-  // and that it is no trifle.
+  // Load transfer by statics: dQ = W/2 · h_cg · dh/e² per axle, some kilonewtons; here only the
+  // sign and that it is no trifle.
   EXPECT_GT(inner(s), declared + 2e3);
 }
 
 TEST(RunningEffectsTest, MistakesAreNamed) {
-  for (const auto& [text, word] :
-       {std::pair{"tread_ware: {depth_m: 0.001}", "tread_wear"},
-        {"tread_wear: {dept_m: 0.001}", "depth_m"},
-        {"cant_error: {cant_m: 0.5}", "-0.1 to 0.1"},
-        {"gauge_error: {targets: [L1]}", "no targets"}}) {
+  for (const auto& [text, word] : {std::pair{"tread_ware: {depth_m: 0.001}", "tread_wear"},
+                                   {"tread_wear: {dept_m: 0.001}", "depth_m"},
+                                   {"cant_error: {cant_m: 0.5}", "-0.1 to 0.1"},
+                                   {"gauge_error: {targets: [L1]}", "no targets"}}) {
     const auto loaded = LoadScenario(
         Written(std::string("track: straight\nspeed_m_s: 20\neffects:\n  ") + text + "\n"));
     ASSERT_FALSE(loaded.ok()) << text;
