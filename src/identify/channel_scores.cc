@@ -34,4 +34,14 @@ ChannelScore Score(const std::vector<double>& time, const std::vector<double>& m
   return score;
 }
 
+nlohmann::ordered_json ToJson(const ChannelScore& s) {
+  return {{"rmse", s.rmse},
+          {"nrmse", s.nrmse},
+          {"bias", s.bias},
+          {"max", s.max},
+          {"m_re_percent", s.m_re_percent},
+          {"share_at_or_below_mean", s.share_at_or_below_mean},
+          {"share_below_12_percent", s.share_below_12_percent}};
+}
+
 }  // namespace phs::identify::search

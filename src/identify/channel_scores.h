@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <nlohmann/json.hpp>
 #include <vector>
 
 namespace phs::identify::search {
@@ -21,5 +22,8 @@ struct ChannelScore {
 /// Over the samples with time in `window`; measured NaN are left out.
 ChannelScore Score(const std::vector<double>& time, const std::vector<double>& measured,
                    const std::vector<double>& predicted, const std::array<double, 2>& window);
+
+/// All measures but the count, by the names of result.json.
+nlohmann::ordered_json ToJson(const ChannelScore& score);
 
 }  // namespace phs::identify::search

@@ -13,15 +13,6 @@
 namespace phs::identify::search {
 namespace {
 
-std::string VariantName(const Candidate& candidate) {
-  std::string name;
-  for (const auto& t : candidate.params.targets) name += (name.empty() ? "" : ",") + t;
-  for (const auto& p : candidate.free) {
-    name += (name.empty() ? "" : ",") + p.name.substr(p.name.rfind('.') + 1);
-  }
-  return name;
-}
-
 constexpr const char* kNotPlausible = "value not plausible";
 
 /// True if the amount of the candidate ended on a bound: not plausible, or not there. Where it has
@@ -317,9 +308,7 @@ class Search {
           continue;
         }
         AcceptedEffect replaced{trial.form, Compare(problem_, rest, trial.fit), {old}};
-        for (CandidateRecord& r : out_.candidates) {
-          if (r.effect == old && r.verdict == "accepted") r.verdict = "exchanged";
-        }
+        Withdraw(old, "exchanged", &out_.candidates);
         out_.candidates.push_back({trial.candidate->effect, VariantName(trial.form), 0, 0, 0, true,
                                    replaced.evidence, "accepted"});
         out_.effects.erase(out_.effects.begin() + static_cast<long>(i));
@@ -343,11 +332,8 @@ class Search {
         ++i;
         continue;
       }
-      for (CandidateRecord& r : out_.candidates) {
-        if (r.effect == out_.effects[i].candidate.effect && r.verdict == "accepted") {
-          r.verdict = "superfluous beside the later ones";
-        }
-      }
+      Withdraw(out_.effects[i].candidate.effect, "superfluous beside the later ones",
+               &out_.candidates);
       out_.effects.erase(out_.effects.begin() + static_cast<long>(i));
       out_.corrected = model, out_.after = rest;
       i = 0;

@@ -396,4 +396,13 @@ FreeModel WithCandidate(const FreeModel& model, const Candidate& candidate) {
   return out;
 }
 
+std::string VariantName(const Candidate& candidate) {
+  std::string name;
+  for (const auto& t : candidate.params.targets) name += (name.empty() ? "" : ",") + t;
+  for (const auto& p : candidate.free) {
+    name += (name.empty() ? "" : ",") + p.name.substr(p.name.rfind('.') + 1);
+  }
+  return name;
+}
+
 }  // namespace phs::identify::search

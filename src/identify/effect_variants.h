@@ -41,7 +41,18 @@ std::vector<Candidate> ListCandidates(const hydraulics::PhsParams& params, effec
 /// The candidate with one of its options free as well (taken off the list of its options).
 Candidate WithOption(const Candidate& candidate, size_t option);
 
+/// Targets and free numbers, for people: "L2,oil_share".
+std::string VariantName(const Candidate& candidate);
+
 /// The model with the candidate switched on, its parameters free after those of the model.
 FreeModel WithCandidate(const FreeModel& model, const Candidate& candidate);
+
+/// In a list of what was tried: the accepted record of an effect gets another verdict.
+template <typename Record>
+void Withdraw(const std::string& effect, const char* verdict, std::vector<Record>* records) {
+  for (Record& r : *records) {
+    if (r.effect == effect && r.verdict == "accepted") r.verdict = verdict;
+  }
+}
 
 }  // namespace phs::identify::search

@@ -71,14 +71,9 @@ json ScoreRows(const ElementData& data, const Rows& predicted, bool fitted) {
     error += (measured[i] - model[i]) * (measured[i] - model[i]);
     whole += measured[i] * measured[i];
   }
-  return {{"rmse", s.rmse},
-          {"nrmse", s.nrmse},
-          {"bias", s.bias},
-          {"max", s.max},
-          {"relative_percent", whole > 0 ? 100 * std::sqrt(error / whole) : 0},
-          {"m_re_percent", s.m_re_percent},
-          {"share_at_or_below_mean", s.share_at_or_below_mean},
-          {"share_below_12_percent", s.share_below_12_percent}};
+  json out = ToJson(s);
+  out["relative_percent"] = whole > 0 ? 100 * std::sqrt(error / whole) : 0;
+  return out;
 }
 
 json MapRows(const ElementData& data, const Rows& predicted, bool fitted) {

@@ -6,41 +6,15 @@
 #include <cmath>
 #include <mutex>
 
-#include "effects/element_bench.h"
 #include "effects/rig_model.h"
+#include "identify/driven_formula.h"
+#include "identify/element_places.h"
 
 namespace phs::identify::element {
 namespace {
 
 using search::Candidate;
 using search::WithCandidate;
-
-/// Mean square on blocks left out in turn; the fit without them by one linear step.
-double CrossValidated(const ElementFit& fit) {
-  constexpr int kBlocks = 8;
-  const Eigen::Index n = fit.residual.size(), k = fit.jacobian.cols();
-  const Eigen::MatrixXd all = fit.jacobian.transpose() * fit.jacobian;
-  const Eigen::VectorXd right = fit.jacobian.transpose() * fit.residual;
-  double held = 0;
-  for (int b = 0; b < kBlocks; ++b) {
-    const Eigen::Index begin = b * n / kBlocks, count = (b + 1) * n / kBlocks - begin;
-    const auto j = fit.jacobian.middleRows(begin, count);
-    const auto r = fit.residual.segment(begin, count);
-    Eigen::MatrixXd rest = all - j.transpose() * j;
-    rest.diagonal() += 1e-4 * all.diagonal() + Eigen::VectorXd::Constant(k, 1e-12);
-    const Eigen::VectorXd step = rest.ldlt().solve(j.transpose() * r - right);
-    held += (r + j * step).squaredNorm();
-  }
-  return held / static_cast<double>(n);
-}
-
-std::string VariantName(const Candidate& candidate) {
-  std::string name;
-  for (const auto& p : candidate.free) {
-    name += (name.empty() ? "" : ",") + p.name.substr(p.name.rfind('.') + 1);
-  }
-  return name;
-}
 
 struct Trial {
   const Candidate* candidate = nullptr;
@@ -167,7 +141,7 @@ class Search {
     int best = -1;
     const size_t first = out_.candidates.size();
     for (size_t i = 0; i < trials.size(); ++i) {
-      ElementRecordOfTrial record{list[i].effect, VariantName(list[i]), round + 1,
+      ElementRecordOfTrial record{list[i].effect, search::VariantName(list[i]), round + 1,
                                   trials[i].evidence, "screened out"};
       if (trials[i].fit.ok) record.verdict = Verdict(trials[i]);
       const bool good = record.verdict.empty();
@@ -315,33 +289,12 @@ class Search {
         out_.effects[i++].evidence = e;
         continue;
       }
-      for (auto& r : out_.candidates) {
-        if (r.effect == out_.effects[i].candidate.effect && r.verdict == "accepted") {
-          r.verdict = "superfluous beside the later ones";
-        }
-      }
+      search::Withdraw(out_.effects[i].candidate.effect, "superfluous beside the later ones",
+                       &out_.candidates);
       out_.effects.erase(out_.effects.begin() + static_cast<long>(i));
       out_.corrected = model, out_.after = rest;
       i = 0;
     }
-  }
-
-  Candidate FormulaCandidate(const FoundFormula& found) const {
-    Candidate c;
-    c.effect = c.params.name = "unlisted";
-    c.params.formula = found.text;
-    for (int k = 1; k <= 6; ++k) c.params.values["c" + std::to_string(k) + "_N"] = 0;
-    std::vector<double> start;
-    for (size_t k = 0; k < found.coefficients.size(); ++k) {
-      FreeParameter p;
-      p.name = "effects.unlisted.c" + std::to_string(k + 1) + "_N";
-      p.scale = out_.sizes.friction_N;
-      p.low = -1e3 * p.scale, p.high = 1e3 * p.scale;
-      c.free.push_back(p);
-      start.push_back(found.coefficients[k]);
-    }
-    c.starts = {start};
-    return c;
   }
 
   /// Looks for a formula on top of `model`. `against`: the effect it must beat (else: nothing).
@@ -359,7 +312,7 @@ class Search {
     data.has_temperature = problem_.data().has_temperature;
     const FoundFormula found = SearchFormula(data, {.threshold = options_.min_delta_bic});
     if (found.empty()) return false;
-    const Candidate candidate = FormulaCandidate(found);
+    const Candidate candidate = search::FormulaCandidate(found, 1e3 * out_.sizes.friction_N);
     if (against != nullptr && candidate.free.size() > against->candidate.free.size() + 1) {
       return false;
     }
@@ -377,9 +330,7 @@ class Search {
         return false;
       }
       const std::string name = against->candidate.effect;
-      for (auto& r : out_.candidates) {
-        if (r.effect == name && r.verdict == "accepted") r.verdict = "a formula says it better";
-      }
+      search::Withdraw(name, "a formula says it better", &out_.candidates);
       std::erase_if(out_.effects, [&](const auto& accepted) {
         return accepted.candidate.effect == name || accepted.candidate.effect == "unlisted";
       });
@@ -402,40 +353,6 @@ class Search {
 };
 
 }  // namespace
-
-ElementEvidence CompareFits(const ElementFit& without, const ElementFit& with) {
-  const double n = with.independent;
-  ElementEvidence e;
-  e.delta_bic = n * std::log(without.mean_square / std::max(with.mean_square, 1e-300)) -
-                (double(with.values.size()) - double(without.values.size())) * std::log(n);
-  e.estimation_gain = 1 - std::sqrt(with.mean_square / without.mean_square);
-  e.cross_validation_gain = 1 - std::sqrt(CrossValidated(with) / CrossValidated(without));
-  return e;
-}
-
-Result<FormulaPlaces> PlacesOf(const ElementData& data, const hydraulics::PhsParams& params) {
-  Result<effects::RigModel> rig = effects::RigModel::Create(effects::RigKind::kElement, params);
-  if (!rig.ok()) return rig.error();
-  const hydraulics::PhsSystem& system = rig.value().system();
-  FormulaPlaces out;
-  for (const ElementRecord& r : data.records) {
-    const auto& m = r.motion;
-    const size_t n = m.position_m[0].size();
-    std::vector<double> force(n);
-    effects::ElementPlaces places;
-    effects::RunElementBench(system, m, m.speed_m_s[0], &force, &places);
-    std::vector<hydraulics::ForcePlace>& run = out.emplace_back(n);
-    for (size_t i = 0; i < n; ++i) {
-      run[i].time = r.Time(static_cast<int>(i));
-      run[i].piston = m.position_m[0][i];
-      run[i].speed = m.speed_m_s[0][i];
-      run[i].direction = places.direction[i];
-      if (data.has_pressure) run[i].bore_rise = m.pressure_Pa[i];
-      if (data.has_temperature) run[i].temperature = m.temperature_K[i] - params.temperature_K;
-    }
-  }
-  return out;
-}
 
 Result<ElementIdentification> IdentifyElement(ElementProblem* problem,
                                               const hydraulics::PhsParams& declared,

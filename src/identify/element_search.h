@@ -2,10 +2,7 @@
 // the catalogue with full fits of every candidate, a pass that drops what later effects made
 // superfluous, then what remains as a formula (effect `unlisted`). A listed effect that a formula
 // of no more numbers beats is replaced by it: listed effects are not bent to fit.
-//
-// Evidence: n_eff ln(s²_without/s²_with) - dk ln n_eff, n_eff independent samples in the coloured
-// residual of the better model; share of the residual's rms removed; the same on blocks left out
-// (the fit without them by one linear step). The validation windows are not looked at.
+// Evidence: element_evidence.h. The validation windows are not looked at.
 #pragma once
 
 #include <functional>
@@ -13,16 +10,11 @@
 #include <vector>
 
 #include "identify/element_candidates.h"
+#include "identify/element_evidence.h"
 #include "identify/element_fit.h"
 #include "identify/formula_search.h"
 
 namespace phs::identify::element {
-
-struct ElementEvidence {
-  double delta_bic = 0;
-  double estimation_gain = 0;
-  double cross_validation_gain = 0;
-};
 
 struct ElementRecordOfTrial {
   std::string effect, variant;
@@ -58,11 +50,6 @@ struct ElementIdentification {
 
 /// Progress from 0 to 1; false cancels.
 using ElementProgress = std::function<bool(double)>;
-
-ElementEvidence CompareFits(const ElementFit& without, const ElementFit& with);
-
-/// Places that the friction law of this model saw, for formulas and maps.
-Result<FormulaPlaces> PlacesOf(const ElementData& data, const hydraulics::PhsParams& params);
 
 Result<ElementIdentification> IdentifyElement(ElementProblem* problem,
                                               const hydraulics::PhsParams& declared,

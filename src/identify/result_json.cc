@@ -14,16 +14,6 @@
 namespace phs::identify::search {
 namespace {
 
-Json ToJson(const ChannelScore& s) {
-  return {{"rmse", s.rmse},
-          {"nrmse", s.nrmse},
-          {"bias", s.bias},
-          {"max", s.max},
-          {"m_re_percent", s.m_re_percent},
-          {"share_at_or_below_mean", s.share_at_or_below_mean},
-          {"share_below_12_percent", s.share_below_12_percent}};
-}
-
 std::vector<double> Residual(const FitData& data, const Channels& predicted, size_t c,
                              const std::array<double, 2>& window) {
   std::vector<double> out(data.time_s.size(), std::numeric_limits<double>::quiet_NaN());

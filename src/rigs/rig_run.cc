@@ -24,16 +24,6 @@ using identify::Manifest;
 using identify::Window;
 using identify::search::ChannelScore;
 
-json ToJson(const ChannelScore& s) {
-  return {{"rmse", s.rmse},
-          {"nrmse", s.nrmse},
-          {"bias", s.bias},
-          {"max", s.max},
-          {"m_re_percent", s.m_re_percent},
-          {"share_at_or_below_mean", s.share_at_or_below_mean},
-          {"share_below_12_percent", s.share_below_12_percent}};
-}
-
 Status CheckFinite(const RigModel& model, const RigCase& c, const RigPrediction& predicted) {
   for (size_t k = 0; k < predicted.channels.size(); ++k) {
     for (size_t i = 0; i < predicted.channels[k].size(); ++i) {

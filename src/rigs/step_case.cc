@@ -52,15 +52,8 @@ nlohmann::ordered_json ScoreSteps(const std::vector<double>& measured,
                                   const std::vector<double>& predicted) {
   std::vector<double> place;
   for (size_t i = 0; i < measured.size(); ++i) place.push_back(static_cast<double>(i));
-  const auto s = identify::search::Score(place, measured, predicted,
-                                         {0, static_cast<double>(measured.size())});
-  return {{"rmse", s.rmse},
-          {"nrmse", s.nrmse},
-          {"bias", s.bias},
-          {"max", s.max},
-          {"m_re_percent", s.m_re_percent},
-          {"share_at_or_below_mean", s.share_at_or_below_mean},
-          {"share_below_12_percent", s.share_below_12_percent}};
+  return ToJson(identify::search::Score(place, measured, predicted,
+                                        {0, static_cast<double>(measured.size())}));
 }
 
 Status WriteStepTable(const std::string& path, const std::vector<effects::StepRow>& rows,
