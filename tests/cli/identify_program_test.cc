@@ -4,35 +4,31 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <functional>
 #include <string>
 
+#include "tests/base/execute.h"
+#include "tests/base/scratch_dir.h"
+
+namespace phs {
 namespace {
 
-namespace fs = std::filesystem;
 using testing::HasSubstr;
 
 class IdentifyProgramTest : public testing::Test {
  protected:
-  IdentifyProgramTest()
-      : folder_(
-            fs::path(testing::TempDir()) /
-            ("phs_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()))) {
-    fs::create_directories(folder_);
-    std::ofstream(folder_ / "manifest.yaml")
-        << "rig: quarter\nmodel: quarter_setup2\ndata: run.csv\n"
-           "estimation: [0, 30]\nvalidation: [30, 50]\n";
+  IdentifyProgramTest() {
+    dir_.Write("manifest.yaml",
+               "rig: quarter\nmodel: quarter_setup2\ndata: run.csv\n"
+               "estimation: [0, 30]\nvalidation: [30, 50]\n");
   }
-  ~IdentifyProgramTest() override { fs::remove_all(folder_); }
 
   /// Rows at 50 Hz of the motion `x` and a load cell that follows it.
   void Write(int rows, const std::function<double(double)>& x) const {
-    std::ofstream out(folder_ / "run.csv");
+    std::ofstream out(dir_.File("run.csv"));
     out << "t_s,actuator_m,load_cell_N\n";
     for (int i = 0; i < rows; ++i) {
       const double t = 0.02 * i, noise = 1e-6 * std::sin(1e4 * i * i);
@@ -40,22 +36,14 @@ class IdentifyProgramTest : public testing::Test {
     }
   }
   void ExpectRefused(const std::string& words) const {
-    const std::string command = PHS_BINARY_DIR "/src/cli/phs identify " +
-                                (folder_ / "manifest.yaml").string() + " --quiet --out " +
-                                (folder_ / "out").string() + " 2>&1 </dev/null";
-    std::string text;
-    std::FILE* pipe = popen(command.c_str(), "r");
-    ASSERT_NE(pipe, nullptr);
-    std::array<char, 4096> buffer{};
-    while (const size_t n = fread(buffer.data(), 1, buffer.size(), pipe)) {
-      text.append(buffer.data(), n);
-    }
-    EXPECT_EQ(WEXITSTATUS(pclose(pipe)), 3) << text;
-    EXPECT_THAT(text, HasSubstr(words));
-    EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1) << text;
-    EXPECT_FALSE(fs::exists(folder_ / "out"));
+    const Output out =
+        ExecutePhs("identify " + dir_.File("manifest.yaml") + " --quiet --out " + dir_.File("out"));
+    EXPECT_EQ(out.code, 3) << out.text;
+    EXPECT_THAT(out.text, HasSubstr(words));
+    EXPECT_EQ(std::count(out.text.begin(), out.text.end(), '\n'), 1) << out.text;
+    EXPECT_FALSE(std::filesystem::exists(dir_.File("out")));
   }
-  fs::path folder_;
+  ScratchDir dir_;
 };
 
 TEST_F(IdentifyProgramTest, ConstantInput) {
@@ -79,7 +67,7 @@ TEST_F(IdentifyProgramTest, NothingButHoles) {
 }
 
 TEST_F(IdentifyProgramTest, NoOutput) {
-  std::ofstream out(folder_ / "run.csv");
+  std::ofstream out(dir_.File("run.csv"));
   out << "t_s,actuator_m\n";
   for (int i = 0; i < 2500; ++i) out << 0.02 * i << ',' << 1e-3 * std::sin(0.02 * i) << '\n';
   out.close();
@@ -92,3 +80,4 @@ TEST_F(IdentifyProgramTest, WindowOutsideTheRecord) {
 }
 
 }  // namespace
+}  // namespace phs

@@ -3,81 +3,52 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
 
+#include "tests/base/execute.h"
+#include "tests/base/scratch_dir.h"
+
+namespace phs {
 namespace {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-struct Output {
-  int code = -1;
-  std::string text;
-};
-
-Output Execute(const std::string& command) {
-  Output out;
-  std::FILE* pipe = popen((command + " 2>&1 </dev/null").c_str(), "r");
-  if (pipe == nullptr) return out;
-  std::array<char, 4096> buffer{};
-  while (const size_t n = fread(buffer.data(), 1, buffer.size(), pipe)) {
-    out.text.append(buffer.data(), n);
-  }
-  out.code = WEXITSTATUS(pclose(pipe));
-  return out;
-}
-
-Output Phs(const std::string& arguments) {
-  return Execute(PHS_BINARY_DIR "/src/cli/phs " + arguments);
-}
-
 class ProgramTest : public testing::Test {
  protected:
-  ProgramTest()
-      : folder_(
-            fs::path(testing::TempDir()) /
-            ("phs_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()))) {
-    fs::create_directories(folder_);
-  }
-  ~ProgramTest() override { fs::remove_all(folder_); }
   std::string Write(const std::string& name, const std::string& text) const {
-    const std::string path = (folder_ / name).string();
-    std::ofstream(path) << text;
-    return path;
+    return dir_.Write(name, text);
   }
-  std::string Path(const std::string& name) const { return (folder_ / name).string(); }
+  std::string Path(const std::string& name) const { return dir_.File(name); }
   /// A scenario that differs from a short straight run by the lines given.
   std::string Scenario(const std::string& lines) const {
     return Write("scenario.yaml", "speed_km_h: 60\nduration_s: 0.2\n" + lines);
   }
   /// Runs a scenario that must fail; nothing may be left of its result.
   void ExpectRefused(const std::string& scenario, int code, const std::string& words) const {
-    const Output out = Phs("simulate " + scenario + " --quiet --out " + Path("out"));
+    const Output out = ExecutePhs("simulate " + scenario + " --quiet --out " + Path("out"));
     EXPECT_EQ(out.code, code) << out.text;
     EXPECT_THAT(out.text, HasSubstr(words));
     if (code == 3) {
       EXPECT_EQ(std::count(out.text.begin(), out.text.end(), '\n'), 1) << out.text;
-      for (const auto& entry : fs::directory_iterator(folder_)) {
+      for (const auto& entry : fs::directory_iterator(dir_.path())) {
         EXPECT_THAT(entry.path().string(), testing::Not(HasSubstr("/out")));
       }
     }
   }
-  fs::path folder_;
+  ScratchDir dir_;
 };
 
 TEST_F(ProgramTest, WrongUsageIsExitCodeTwo) {
-  EXPECT_EQ(Phs("").code, 2);
-  EXPECT_EQ(Phs("simulat curve_r550").code, 2);
-  EXPECT_EQ(Phs("simulate curve_r550 --no-such-option").code, 2);
-  EXPECT_EQ(Phs("--help").code, 0);
-  EXPECT_EQ(Phs("simulate --help").code, 0);
-  EXPECT_THAT(Phs("--version").text, HasSubstr("phs "));
+  EXPECT_EQ(ExecutePhs("").code, 2);
+  EXPECT_EQ(ExecutePhs("simulat curve_r550").code, 2);
+  EXPECT_EQ(ExecutePhs("simulate curve_r550 --no-such-option").code, 2);
+  EXPECT_EQ(ExecutePhs("--help").code, 0);
+  EXPECT_EQ(ExecutePhs("simulate --help").code, 0);
+  EXPECT_THAT(ExecutePhs("--version").text, HasSubstr("phs "));
 }
 
 TEST_F(ProgramTest, UnknownNamesAreBadInput) {
@@ -122,7 +93,7 @@ TEST_F(ProgramTest, AStepTooLargeForTheStiffnessIsRefused) {
 TEST_F(ProgramTest, DerailingIsExitCodeOneAndTheResultSaysWhy) {
   const std::string scenario =
       Write("fast.yaml", "track: curve_r150\nbogie: rigid_link\nspeed_km_h: 160\n");
-  const Output out = Phs("simulate " + scenario + " --quiet --out " + Path("out"));
+  const Output out = ExecutePhs("simulate " + scenario + " --quiet --out " + Path("out"));
   EXPECT_EQ(out.code, 1) << out.text;
   EXPECT_THAT(out.text, HasSubstr("derailed"));
   EXPECT_TRUE(fs::exists(Path("out/summary.json")));
@@ -130,20 +101,20 @@ TEST_F(ProgramTest, DerailingIsExitCodeOneAndTheResultSaysWhy) {
 
 TEST_F(ProgramTest, ResultsAreCompleteAndNeverOverwrittenSilently) {
   const std::string scenario = Scenario("track: straight\n");
-  ASSERT_EQ(Phs("simulate " + scenario + " --quiet --csv --out " + Path("out")).code, 0);
+  ASSERT_EQ(ExecutePhs("simulate " + scenario + " --quiet --csv --out " + Path("out")).code, 0);
   for (const char* file : {"summary.json", "timeseries.h5", "timeseries.csv", "report.html"}) {
-    EXPECT_TRUE(fs::exists(folder_ / "out" / file)) << file;
+    EXPECT_TRUE(fs::exists(Path(std::string("out/") + file))) << file;
   }
-  const Output again = Phs("simulate " + scenario + " --quiet --out " + Path("out"));
+  const Output again = ExecutePhs("simulate " + scenario + " --quiet --out " + Path("out"));
   EXPECT_EQ(again.code, 3);
   EXPECT_THAT(again.text, HasSubstr("--force"));
-  EXPECT_EQ(Phs("simulate " + scenario + " --quiet --force --out " + Path("out")).code, 0);
+  EXPECT_EQ(ExecutePhs("simulate " + scenario + " --quiet --force --out " + Path("out")).code, 0);
 }
 
 TEST_F(ProgramTest, TheSameInputsGiveTheSameBytes) {
   const std::string scenario = Scenario("track: curve_r250\nstart_s_m: 60\n");
-  ASSERT_EQ(Phs("simulate " + scenario + " --quiet --csv --out " + Path("a")).code, 0);
-  ASSERT_EQ(Phs("simulate " + scenario + " --quiet --csv --out " + Path("b")).code, 0);
+  ASSERT_EQ(ExecutePhs("simulate " + scenario + " --quiet --csv --out " + Path("a")).code, 0);
+  ASSERT_EQ(ExecutePhs("simulate " + scenario + " --quiet --csv --out " + Path("b")).code, 0);
   EXPECT_EQ(Execute("cmp " + Path("a/timeseries.csv") + " " + Path("b/timeseries.csv")).code, 0);
 }
 
@@ -154,21 +125,21 @@ TEST_F(ProgramTest, ContactPlacesAWheelsetOnTrack) {
   const std::string out = Path("out.csv");
   const std::string call =
       "contact --wheelset " + cases + " --wheel S1002 --rail UIC60 --out " + out;
-  const Output done = Phs(call);
+  const Output done = ExecutePhs(call);
   EXPECT_EQ(done.code, 0) << done.text;
   std::ifstream file(out);
   std::string names;
   std::getline(file, names);
   EXPECT_THAT(names, HasSubstr("contact_angle_rad"));
-  EXPECT_EQ(Phs(call).code, 3);  // the file is there already
-  EXPECT_EQ(Phs(call + " --force").code, 0);
+  EXPECT_EQ(ExecutePhs(call).code, 3);  // the file is there already
+  EXPECT_EQ(ExecutePhs(call + " --force").code, 0);
 }
 
 TEST_F(ProgramTest, ContactRefusesBadInputInOneLine) {
   const std::string good = Write("c.csv", "y_mm,Fz_N,vs_mm_s,vpitch_rad_s\n0,10000,2000,-4.3\n");
   const std::string bad = Write("b.csv", "y_mm,Fz_N,vs_mm_s,vpitch_rad_s\n0,1e9,2000,-4.3\n");
   const auto refused = [&](const std::string& arguments, int code, const std::string& words) {
-    const Output out = Phs("contact " + arguments + " --out " + Path("o.csv"));
+    const Output out = ExecutePhs("contact " + arguments + " --out " + Path("o.csv"));
     EXPECT_EQ(out.code, code) << out.text;
     EXPECT_THAT(out.text, HasSubstr(words));
     EXPECT_EQ(std::count(out.text.begin(), out.text.end(), '\n'), 1) << out.text;
@@ -188,17 +159,18 @@ TEST_F(ProgramTest, ContactRefusesBadInputInOneLine) {
 TEST_F(ProgramTest, ContactFunctionsOfAPair) {
   const std::string call = "contact --functions --wheel S1002 --rail UIC60 --out " + Path("f.csv") +
                            " --report " + Path("f.html");
-  const Output done = Phs(call);
+  const Output done = ExecutePhs(call);
   EXPECT_EQ(done.code, 0) << done.text;
   EXPECT_THAT(done.text, HasSubstr("equivalent conicity"));
   EXPECT_TRUE(fs::exists(Path("f.csv")));
   EXPECT_TRUE(fs::exists(Path("f.html")));
-  EXPECT_EQ(Phs("contact --functions --wheel S1002 --out " + Path("g.csv")).code, 3);
+  EXPECT_EQ(ExecutePhs("contact --functions --wheel S1002 --out " + Path("g.csv")).code, 3);
   const Output loaded =
-      Phs("contact --functions --wheel S1002 --rail UIC60 --load_N 100e3 --step_m " +
-          std::string("0.001 --out ") + Path("h.csv"));
+      ExecutePhs("contact --functions --wheel S1002 --rail UIC60 --load_N 100e3 --step_m " +
+                 std::string("0.001 --out ") + Path("h.csv"));
   EXPECT_EQ(loaded.code, 0) << loaded.text;
-  EXPECT_EQ(Phs("contact --functions --wheel S1002 --rail UIC60 --load_N -1 --out x").code, 2);
+  EXPECT_EQ(ExecutePhs("contact --functions --wheel S1002 --rail UIC60 --load_N -1 --out x").code,
+            2);
 }
 
 TEST_F(ProgramTest, FrictionIsANumberOrABlock) {
@@ -207,7 +179,7 @@ TEST_F(ProgramTest, FrictionIsANumberOrABlock) {
                            "friction: {condition: dry_traction, flange: 0.1}\n",
                            "friction: {tread: 0.4, falling_ratio: 0.5, falling_rate_s_m: 0.6}\n"}) {
     const Output out =
-        Phs("simulate " + Scenario(head + good) + " --quiet --force --out " + Path("out"));
+        ExecutePhs("simulate " + Scenario(head + good) + " --quiet --force --out " + Path("out"));
     EXPECT_EQ(out.code, 0) << good << out.text;
   }
   fs::remove_all(Path("out"));
@@ -237,8 +209,9 @@ TEST_F(ProgramTest, TractionAndJointsAreCheckedLikeEverythingElse) {
 }
 
 TEST_F(ProgramTest, TheGridOfACreepLawIsChosenByNumber) {
-  EXPECT_EQ(Phs("simulate " + Scenario("track: straight\ncreep: fastsim:10\n") + " --quiet").code,
-            0);
+  EXPECT_EQ(
+      ExecutePhs("simulate " + Scenario("track: straight\ncreep: fastsim:10\n") + " --quiet").code,
+      0);
   for (const auto& [creep, words] : {std::pair{"fastsim:3", "4 … 200"},
                                      {"fastsim:4.5", "4 … 200"},
                                      {"polach:10", "4 … 200"},
@@ -249,24 +222,24 @@ TEST_F(ProgramTest, TheGridOfACreepLawIsChosenByNumber) {
 }
 
 TEST_F(ProgramTest, BogiesOverRadiiGiveATableAndAReport) {
-  const Output out =
-      Phs("compare curve_r800 --bogies phs,rigid_link --radii 800 --quiet --out " + Path("radii"));
+  const Output out = ExecutePhs(
+      "compare curve_r800 --bogies phs,rigid_link --radii 800 --quiet --out " + Path("radii"));
   EXPECT_EQ(out.code, 0) << out.text;
   EXPECT_THAT(out.text, HasSubstr("R = 800 m, 80 km/h"));
   EXPECT_TRUE(fs::exists(Path("radii/bogies.json")));
   EXPECT_TRUE(fs::exists(Path("radii/report.html")));
-  const Output none = Phs("compare curve_r800 --bogies phs --radii 801 --quiet");
+  const Output none = ExecutePhs("compare curve_r800 --bogies phs --radii 801 --quiet");
   EXPECT_EQ(none.code, 3);
   EXPECT_THAT(none.text, HasSubstr("curve_r801"));
 }
 
 TEST_F(ProgramTest, CriticalSpeedsStandBesideTheCurves) {
-  const Output alone = Phs("compare curve_r800 --bogies emd_radial --stability --quiet");
+  const Output alone = ExecutePhs("compare curve_r800 --bogies emd_radial --stability --quiet");
   EXPECT_EQ(alone.code, 3);
   EXPECT_THAT(alone.text, HasSubstr("--radii"));
   if (std::getenv("PHS_LONG_TESTS") == nullptr) GTEST_SKIP() << "PHS_LONG_TESTS is not set";
-  const Output out =
-      Phs("compare curve_r800 --bogies emd_radial --radii 800 --stability --quiet --format json");
+  const Output out = ExecutePhs(
+      "compare curve_r800 --bogies emd_radial --radii 800 --stability --quiet --format json");
   EXPECT_EQ(out.code, 0) << out.text;
   const auto number = [&](const std::string& key) {
     const size_t at = out.text.find("\"" + key + "\": ");
@@ -282,23 +255,23 @@ TEST_F(ProgramTest, CriticalSpeedsStandBesideTheCurves) {
 TEST_F(ProgramTest, AnImportedBogieCanBeSimulated) {
   const std::string urdf = PHS_SOURCE_DIR "/models/urdf/bogie_19e";
   const Output made =
-      Phs("import " + urdf + ".urdf --mapping " + urdf + "_phs.yaml --out " + Path("made"));
+      ExecutePhs("import " + urdf + ".urdf --mapping " + urdf + "_phs.yaml --out " + Path("made"));
   EXPECT_EQ(made.code, 0) << made.text;
-  const Output run = Phs("compare " + Scenario("track: straight\n") + " --quiet --bogies " +
-                         Path("made/bogie_19e_phs.xml") + ",phs --out " + Path("out"));
+  const Output run = ExecutePhs("compare " + Scenario("track: straight\n") + " --quiet --bogies " +
+                                Path("made/bogie_19e_phs.xml") + ",phs --out " + Path("out"));
   EXPECT_EQ(run.code, 0) << run.text;
   EXPECT_TRUE(fs::exists(Path("out/bogie_19e_phs_timeseries.h5")));
-  const Output wrong =
-      Phs("import " + urdf + "_phs.yaml --mapping " + urdf + "_phs.yaml --out " + Path("none"));
+  const Output wrong = ExecutePhs("import " + urdf + "_phs.yaml --mapping " + urdf +
+                                  "_phs.yaml --out " + Path("none"));
   EXPECT_EQ(wrong.code, 3) << wrong.text;
   EXPECT_FALSE(fs::exists(Path("none")));
 }
 
 TEST_F(ProgramTest, LoadsSayWhichPartGivesFirst) {
-  const Output out = Phs("loads --bogie phs");
+  const Output out = ExecutePhs("loads --bogie phs");
   EXPECT_EQ(out.code, 0) << out.text;
   EXPECT_THAT(out.text, HasSubstr("line L4 blows off"));
-  const Output rigid = Phs("loads --bogie rigid_link");
+  const Output rigid = ExecutePhs("loads --bogie rigid_link");
   EXPECT_EQ(rigid.code, 3);
   EXPECT_THAT(rigid.text, HasSubstr("has no PHS"));
 }
@@ -314,11 +287,12 @@ TEST_F(ProgramTest, ModelOfAQuarterRigRunsInTheBogie) {
                               "  viscous_friction: {extension_Ns_per_m: 1.0e5}\n"
                               "  sensor_gain: {load: 1.02}\n");
   const std::string scenario = Scenario("track: curve_r300\nstart_s_m: 75\n");
-  const Output own = Phs("simulate " + scenario + " --quiet --format json --out " + Path("own"));
-  const Output same = Phs("simulate " + scenario +
-                          " --phs quarter_setup2 --quiet --format json --out " + Path("same"));
-  const Output with = Phs("simulate " + scenario + " --phs " + model +
-                          " --quiet --format json --out " + Path("with"));
+  const Output own =
+      ExecutePhs("simulate " + scenario + " --quiet --format json --out " + Path("own"));
+  const Output same = ExecutePhs(
+      "simulate " + scenario + " --phs quarter_setup2 --quiet --format json --out " + Path("same"));
+  const Output with = ExecutePhs("simulate " + scenario + " --phs " + model +
+                                 " --quiet --format json --out " + Path("with"));
   ASSERT_EQ(own.code, 0) << own.text;
   ASSERT_EQ(same.code, 0) << same.text;
   ASSERT_EQ(with.code, 0) << with.text;
@@ -329,18 +303,20 @@ TEST_F(ProgramTest, ModelOfAQuarterRigRunsInTheBogie) {
   };
   EXPECT_EQ(figure(own), figure(same));
   EXPECT_NE(figure(own), figure(with));
-  const Output compared = Phs("compare " + scenario + " --quiet --bogies phs,phs@" + model +
-                              ",rigid_link --out " + Path("compared"));
+  const Output compared = ExecutePhs("compare " + scenario + " --quiet --bogies phs,phs@" + model +
+                                     ",rigid_link --out " + Path("compared"));
   EXPECT_EQ(compared.code, 0) << compared.text;
   EXPECT_THAT(compared.text, HasSubstr("phs@model"));
   EXPECT_TRUE(fs::exists(Path("compared/report.html")));
   EXPECT_EQ(
-      Phs("simulate " + Scenario("track: curve_r300\nphs: " + model + "\n") + " --quiet").code, 0);
+      ExecutePhs("simulate " + Scenario("track: curve_r300\nphs: " + model + "\n") + " --quiet")
+          .code,
+      0);
   const std::string rig = Write("rig.yaml", "rig: quarter\nmodel: " + model +
                                                 "\nsignal:\n  duration_s: 2\n  sample_s: 0.01\n"
                                                 "  actuator_m: {kind: sine, amplitude_m: 1.0e-3, "
                                                 "frequency_Hz: 1}\n");
-  const Output run = Phs("rig " + rig + " --quiet --out " + Path("rig"));
+  const Output run = ExecutePhs("rig " + rig + " --quiet --out " + Path("rig"));
   EXPECT_EQ(run.code, 0) << run.text;
   // The plugin: an effect without a state of its own (states beyond the file's need carriers).
   const std::string plain = Write(
@@ -352,3 +328,4 @@ TEST_F(ProgramTest, ModelOfAQuarterRigRunsInTheBogie) {
 }
 
 }  // namespace
+}  // namespace phs

@@ -3,70 +3,45 @@
 
 #include <cmath>
 
-#include "../hydraulics/test_systems.h"
-#include "effects/catalogue.h"
 #include "hydraulics/friction.h"
 #include "hydraulics/pipe.h"
+#include "tests/effects/driven_cylinder.h"
 
 namespace phs::effects {
 namespace {
 
-using hydraulics::Evaluation;
-using hydraulics::kAtmosphere;
-using hydraulics::PhsParams;
-using hydraulics::PhsSystem;
-
-PhsParams With(const std::string& effect, std::map<std::string, double> values) {
-  PhsParams params = hydraulics::Quarter();
-  params.friction.model = hydraulics::FrictionModel::kNone;
+/// Oil alone in the lines, no friction, and one effect.
+PhsParams OilWith(const std::string& effect, std::map<std::string, double> values) {
+  PhsParams params = Frictionless();
   for (auto& l : params.lines) l.gas_volume_m3 = 0;
-  params.effects.push_back({effect, {}, std::move(values)});
-  return params;
-}
-
-struct Pressures {
-  double bore, rod, force, piston;
-};
-
-/// Piston put to x at once and held for `duration`.
-Pressures Hold(const PhsParams& params, double x, double duration, double h = 1e-3) {
-  const PhsSystem s = hydraulics::Make(params, &Catalogue());
-  std::vector<double> state(s.num_states(), 0.0), rate(state);
-  const double v = 0;
-  for (double t = 0; t < duration; t += h) {
-    s.CalcStateRate(t, h, &x, &v, state.data(), rate.data());
-    for (size_t k = 0; k < state.size(); ++k) state[k] += h * rate[k];
-  }
-  Evaluation e(s);
-  s.Calc(duration, &x, &v, state.data(), &e.out);
-  return {e.p_bore[0], e.p_rod[0], e.force[0], e.piston[0]};
+  return With(params, effect, std::move(values));
 }
 
 TEST(EffectForms, ACreepingHoseGivesWayWithItsTime) {
   const double C = 4e-13, tau = 0.5, x = 2e-4;
-  const PhsParams params = With("hose_expansion", {{"compliance_m3_per_Pa", 0},
-                                                   {"creep_m3_per_Pa", C},
-                                                   {"creep_time_s", tau},
-                                                   {"rod_ratio", 2}});
+  const PhsParams params = OilWith("hose_expansion", {{"compliance_m3_per_Pa", 0},
+                                                      {"creep_m3_per_Pa", C},
+                                                      {"creep_time_s", tau},
+                                                      {"rod_ratio", 2}});
   const auto& l = params.lines[0];
   const double oil = l.oil_volume_m3 / l.bulk_modulus_Pa, area = params.cylinders[0].RodArea();
   const double p0 = l.static_pressure_Pa;
-  EXPECT_NEAR(Hold(params, x, 0).rod - p0, area * x / oil, 1e-3 * area * x / oil);
+  EXPECT_NEAR(Hold(Compile(params), x, 0).p_rod - p0, area * x / oil, 1e-3 * area * x / oil);
   // p falls to A x/(C_oil + C_c) with the time tau C_oil/(C_oil + C_c); rod lines have twice C.
   const double end = area * x / (oil + 2 * C), time = tau * oil / (oil + 2 * C);
-  EXPECT_NEAR(Hold(params, x, 20 * tau).rod - p0, end, 1e-3 * end);
+  EXPECT_NEAR(Hold(Compile(params), x, 20 * tau).p_rod - p0, end, 1e-3 * end);
   const double at = end + (area * x / oil - end) * std::exp(-1.0);
-  EXPECT_NEAR(Hold(params, x, time, 1e-4).rod - p0, at, 3e-3 * at);
+  EXPECT_NEAR(Hold(Compile(params), x, time, 1e-4).p_rod - p0, at, 3e-3 * at);
 }
 
 TEST(EffectForms, AStiffeningHoseTakesUpItsVolume) {
   // Order 3: C p_k/2 (a0^-2 - a^-2), a = 1 + p/p_k.
   const double C = 8e-13, pk = 4e6, x = 4e-4;
   const PhsParams params =
-      With("hose_expansion",
-           {{"compliance_m3_per_Pa", C}, {"stiffening_Pa", pk}, {"stiffening_order", 3}});
+      OilWith("hose_expansion",
+              {{"compliance_m3_per_Pa", C}, {"stiffening_Pa", pk}, {"stiffening_order", 3}});
   const auto& l = params.lines[0];
-  const double p = Hold(params, x, 0).rod, p0 = l.static_pressure_Pa;
+  const double p = Hold(Compile(params), x, 0).p_rod, p0 = l.static_pressure_Pa;
   const double hose = 0.5 * C * pk * (std::pow(1 + p0 / pk, -2) - std::pow(1 + p / pk, -2));
   EXPECT_NEAR(hose + l.oil_volume_m3 / l.bulk_modulus_Pa * (p - p0),
               x * params.cylinders[0].RodArea(), 1e-9);
@@ -74,19 +49,19 @@ TEST(EffectForms, AStiffeningHoseTakesUpItsVolume) {
 
 TEST(EffectForms, AirDissolvesByHenrysLawAndLags) {
   const double a = 0.02, ps = 8e6, x = 2e-4;
-  const PhsParams at_once = With("entrained_air", {{"air_fraction", a}, {"saturation_Pa", ps}});
-  const PhsParams lagging = With(
+  const PhsParams at_once = OilWith("entrained_air", {{"air_fraction", a}, {"saturation_Pa", ps}});
+  const PhsParams lagging = OilWith(
       "entrained_air", {{"air_fraction", a}, {"saturation_Pa", ps}, {"dissolving_time_s", 0.2}});
   const auto& l = at_once.lines[0];
   const double p0 = l.static_pressure_Pa, V = a * l.oil_volume_m3 * kAtmosphere;
   const auto free = [&](double p) { return 1 - (p - kAtmosphere) / (ps - kAtmosphere); };
   const double pushed = x * at_once.cylinders[0].RodArea();
   const double C = l.oil_volume_m3 / l.bulk_modulus_Pa;
-  const double p = Hold(at_once, x, 0).rod;
+  const double p = Hold(Compile(at_once), x, 0).p_rod;
   EXPECT_NEAR(V * (free(p0) / p0 - free(p) / p) + C * (p - p0), pushed, 1e-9);
-  const double first = Hold(lagging, x, 0).rod;
+  const double first = Hold(Compile(lagging), x, 0).p_rod;
   EXPECT_NEAR(V * free(p0) * (1 / p0 - 1 / first) + C * (first - p0), pushed, 1e-9);
-  EXPECT_NEAR(Hold(lagging, x, 10).rod, p, 1e-4 * p);
+  EXPECT_NEAR(Hold(Compile(lagging), x, 10).p_rod, p, 1e-4 * p);
   EXPECT_GT(first, 1.01 * p);
 }
 
@@ -103,10 +78,10 @@ TEST(EffectForms, LeakThroughGapOrificeAndWideningGap) {
 
 TEST(EffectForms, FillerKeepsTheGasNearTheTemperatureOfItsSurroundings) {
   // Fast and with a long time constant: an exponent 1 + R/(c_v r), gas alone (V_oil stiff).
-  PhsParams params = With("gas_thermal", {{"thermal_time_s", 1e6}, {"heat_capacity_ratio", 4}});
+  PhsParams params = OilWith("gas_thermal", {{"thermal_time_s", 1e6}, {"heat_capacity_ratio", 4}});
   for (auto& l : params.lines) l.gas_volume_m3 = 1e-5, l.oil_volume_m3 = 1e-6;
   for (auto& l : params.lines) l.reservoir.volume_m3 = 1e-3;
-  const PhsSystem s = hydraulics::Make(params, &Catalogue());
+  const PhsSystem s = Compile(params);
   const double x = 4e-4;
   const double p0 = params.lines[0].static_pressure_Pa, h = 1e-4;
   std::vector<double> state(s.num_states(), 0.0), rate(state);
@@ -127,10 +102,10 @@ TEST(EffectForms, FillerKeepsTheGasNearTheTemperatureOfItsSurroundings) {
 TEST(EffectForms, AMountHardensAndDiffersByDirection) {
   const double k = 5e7, b = 4e6, r = 0.6;
   const PhsParams params =
-      With("mount_compliance",
-           {{"stiffness_N_per_m", k}, {"hardening_1_per_m2", b}, {"tension_ratio", r}});
+      OilWith("mount_compliance",
+              {{"stiffness_N_per_m", k}, {"hardening_1_per_m2", b}, {"tension_ratio", r}});
   for (double x : {1e-3, -1e-3}) {
-    const Pressures at = Hold(params, x, 0.1);
+    const Held at = Hold(Compile(params), x, 0.1);
     const double u = x - at.piston, s = u > 0 ? r : 1;
     EXPECT_NEAR(at.force, s * k * u * (1 + b * u * u), 1e-4 * std::abs(at.force));
     EXPECT_GT(std::abs(u), 1e-5);

@@ -2,20 +2,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <map>
 #include <string>
 
-#include "../hydraulics/test_systems.h"
-#include "effects/catalogue.h"
+#include "tests/effects/driven_cylinder.h"
 
 namespace phs::effects {
 namespace {
 
 using hydraulics::BoBo;
-using hydraulics::Evaluation;
-using hydraulics::PhsParams;
-using hydraulics::PhsSystem;
-using hydraulics::Quarter;
 
 struct Balance {
   double work = 0, stored = 0, lost = 0, scale = 0;
@@ -73,7 +67,7 @@ TEST_P(EnergyOf, WorkIsStoredPlusLost) {
     if (GetParam() != "none") {
       ASSERT_TRUE(AddEffect(&params, GetParam()).ok());
     }
-    const PhsSystem s = hydraulics::Make(params, &Catalogue());
+    const PhsSystem s = Compile(params);
     // Chamber pressures settle in 0.2 ms (resistance) or ring at 90 Hz (inertance): resolve that.
     const bool fast = GetParam().starts_with("line_") || GetParam().starts_with("check_");
     const Balance b = Drive(s, 4.0, (whole ? 8000 : 16000) * (fast ? 10 : 1));
@@ -121,7 +115,7 @@ TEST(EnergyOfForms, WorkIsStoredPlusLost) {
   for (const Form& form : forms) {
     PhsParams params = Quarter();
     params.effects.push_back({form.effect, {}, form.values});
-    const PhsSystem s = hydraulics::Make(params, &Catalogue());
+    const PhsSystem s = Compile(params);
     const Balance b = Drive(s, 4.0, 16000);
     EXPECT_LT(b.Error(), 2e-3) << form.effect << " work " << b.work << " stored " << b.stored
                                << " lost " << b.lost << " scale " << b.scale;

@@ -2,13 +2,13 @@
 // simulate` does; Debian's own mujoco-testspeed runs it too.
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cstdio>
 #include <cstdlib>
 #include <sstream>
 #include <string>
 #include <vector>
 
+#include "tests/base/execute.h"
 #include "tests/base/scratch_dir.h"
 #include "tests/plugin/attached_model.h"
 
@@ -24,22 +24,6 @@ namespace {
 
 const char kPreload[] = "LD_PRELOAD=" PHS_BINARY_DIR "/plugin/libphs_mujoco.so ";
 
-struct Output {
-  int status = -1;
-  std::string text;
-};
-
-Output Execute(const std::string& command) {
-  Output out;
-  std::FILE* pipe = popen((command + " 2>&1").c_str(), "r");
-  if (pipe == nullptr) return out;
-  std::array<char, 4096> buffer{};
-  while (const size_t n = fread(buffer.data(), 1, buffer.size(), pipe))
-    out.text.append(buffer.data(), n);
-  out.status = pclose(pipe);
-  return out;
-}
-
 std::vector<double> Numbers(const std::string& text) {
   std::istringstream in(text);
   std::vector<double> numbers;
@@ -52,7 +36,7 @@ TEST(PreloadTest, AForeignProgramFollowsTheSameTrajectoryBitForBit) {
   for (const char* bogie : {"phs", "rigid_link"}) {
     const Output foreign = Execute(std::string(kPreload) + PHS_BINARY_DIR + "/tests/foreign_host " +
                                    BogiePath(bogie) + " 3000");
-    ASSERT_EQ(foreign.status, 0) << foreign.text;
+    ASSERT_EQ(foreign.code, 0) << foreign.text;
     EngineGuard guard;
     const ModelPtr m = LoadFile(BogiePath(bogie));
     ASSERT_TRUE(Attach(m.get(), {}).ok());
@@ -66,7 +50,7 @@ TEST(PreloadTest, AForeignProgramFollowsTheSameTrajectoryBitForBit) {
 TEST(PreloadTest, WithoutThePluginTheSameProgramFallsFreely) {
   const Output bare =
       Execute(std::string(PHS_BINARY_DIR) + "/tests/foreign_host " + BogiePath("phs") + " 1000");
-  ASSERT_EQ(bare.status, 0) << bare.text;
+  ASSERT_EQ(bare.code, 0) << bare.text;
   EXPECT_LT(Numbers(bare.text).at(2), -1);  // one second of free fall
 }
 
@@ -74,7 +58,7 @@ TEST(PreloadTest, AModelThatCannotBeAttachedIsRefusedWithTheReason) {
   PHS_SKIP_UNDER_SANITIZERS();
   const Output out = Execute("PHS_OPTIONS=track=nowhere " + std::string(kPreload) + PHS_BINARY_DIR +
                              "/tests/foreign_host " + BogiePath("phs") + " 10");
-  EXPECT_NE(out.status, 0);
+  EXPECT_NE(out.code, 0);
   EXPECT_NE(out.text.find("track 'nowhere'"), std::string::npos) << out.text;
 }
 
@@ -84,11 +68,11 @@ TEST(PreloadTest, FailuresOfTheHydraulicsAreOptions) {
       std::string(kPreload) + PHS_BINARY_DIR + "/tests/foreign_host " + BogiePath("phs");
   const Output whole = Execute(host + " 200");
   const Output failed = Execute("PHS_OPTIONS=failures=reservoir_gas_lost:L2 " + host + " 200");
-  ASSERT_EQ(failed.status, 0) << failed.text;
+  ASSERT_EQ(failed.code, 0) << failed.text;
   EXPECT_NE(Numbers(failed.text), Numbers(whole.text));
   // The flow of a burst line is a state: the plain model has no activation to carry it.
   const Output burst = Execute("PHS_OPTIONS=failures=line_burst:L1:0.5 " + host + " 10");
-  EXPECT_NE(burst.status, 0);
+  EXPECT_NE(burst.code, 0);
   EXPECT_NE(burst.text.find("append 1 state carrier"), std::string::npos) << burst.text;
   const Output wrong = Execute("PHS_OPTIONS=failures=line_burst:L1:soon " + host + " 10");
   EXPECT_NE(wrong.text.find("'soon' is no time"), std::string::npos) << wrong.text;
@@ -96,12 +80,12 @@ TEST(PreloadTest, FailuresOfTheHydraulicsAreOptions) {
 
 TEST(PreloadTest, DebiansOwnTestspeedRunsTheSteeredBogie) {
   PHS_SKIP_UNDER_SANITIZERS();
-  if (Execute("command -v mujoco-testspeed").status != 0)
+  if (Execute("command -v mujoco-testspeed").code != 0)
     GTEST_SKIP() << "libmujoco-samples not installed";
   const std::string trace = ScratchFile("trace.csv");
   const Output out = Execute("PHS_TRACE=" + trace + " " + kPreload + "mujoco-testspeed " +
                              BogiePath("phs") + " 2000");
-  ASSERT_EQ(out.status, 0) << out.text;
+  ASSERT_EQ(out.code, 0) << out.text;
   EXPECT_NE(out.text.find("Simulation time"), std::string::npos) << out.text;
   // Its trajectory is the same one.
   EngineGuard guard;

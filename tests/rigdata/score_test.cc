@@ -5,9 +5,10 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
+
+#include "../base/execute.h"
 
 namespace rigdata {
 namespace {
@@ -117,9 +118,8 @@ TEST(ScoreIdentify, RunsTheProgramOnEverySetAndTellsByItsExitCode) {
   const auto score = [&](const std::string& phs) {
     const std::string command = std::string(SCORE_IDENTIFY) + " " + (folder / "suite").string() +
                                 " --phs " + phs + " --out " + (folder / "out").string() +
-                                " --markdown " + (folder / "score.md").string() +
-                                " > /dev/null 2>&1";
-    return WEXITSTATUS(std::system(command.c_str()));
+                                " --markdown " + (folder / "score.md").string() + " > /dev/null";
+    return phs::Execute(command).code;
   };
   EXPECT_EQ(score(program.string()), 0);
   std::ifstream in(folder / "score.md");

@@ -4,42 +4,21 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
 
 #include "base/json_path.h"
-#include "base/result_dir.h"
 #include "sweep/study.h"
-#include "tests/base/scratch_dir.h"
+#include "tests/sweep/sweep_folder.h"
 
 namespace phs::sweep {
 namespace {
 
 using testing::HasSubstr;
 using Json = nlohmann::ordered_json;
-
-struct Output {
-  int code = -1;
-  std::string text;
-};
-
-Output Execute(const std::string& command) {
-  Output out;
-  std::FILE* pipe = popen(("{ " + command + "; } 2>&1 </dev/null").c_str(), "r");
-  if (pipe == nullptr) return out;
-  std::array<char, 4096> buffer{};
-  while (const std::size_t n = fread(buffer.data(), 1, buffer.size(), pipe)) {
-    out.text.append(buffer.data(), n);
-  }
-  out.code = WEXITSTATUS(pclose(pipe));
-  return out;
-}
 
 /// The softest shear stiffness whose axles stay within 4 mm under the thesis's traction load.
 constexpr char kStudy[] =
@@ -58,23 +37,13 @@ constexpr char kStudy[] =
     "    - {case: bogie, result: 'cases.traction, electric braking.largest_shift_m', "
     "at_most: 0.004}\n";
 
-class OptimiseProgram : public testing::Test {
+class OptimiseProgram : public SweepFolder {
  protected:
   OptimiseProgram() { std::ofstream(dir_.File("study.yaml")) << kStudy; }
-  std::string Command(const std::string& out, const std::string& more) const {
-    return std::string(PHS_BINARY_DIR) + "/src/cli/phs sweep " + dir_.File("study.yaml") +
-           " --quiet --out " + dir_.File(out) + " " + more;
-  }
-  std::string Text(const std::string& file) const {
-    const auto text = ReadFile(dir_.File(file));
-    EXPECT_TRUE(text.ok()) << file;
-    return text.ok() ? text.value() : "";
-  }
-  ScratchDir dir_;
 };
 
 TEST_F(OptimiseProgram, TheBestLiesOnTheConstraintAndTheSoftDesignCannotKeepIt) {
-  const Output out = Execute(Command("best", "--workers 2"));
+  const Output out = Sweep("best", "--workers 2");
   ASSERT_EQ(out.code, 0) << out.text;
   const Json json = Json::parse(Text("best/optimum.json"));
   EXPECT_EQ(json["best"]["design"]["scenario.phs"], "quarter_setup2");
@@ -83,22 +52,18 @@ TEST_F(OptimiseProgram, TheBestLiesOnTheConstraintAndTheSoftDesignCannotKeepIt) 
   EXPECT_LE(json["best"]["constraints"][0]["value"].get<double>(), 0.004 * (1 + 1e-6));
   EXPECT_FALSE(json["combinations"][1]["best"]["keeps_constraints"].get<bool>());
   // Its files repeat the numbers by another door.
-  const Output loads =
-      Execute(std::string(PHS_BINARY_DIR) + "/src/cli/phs loads --bogie phs --format json --phs " +
-              dir_.File("best/best/bogie/model.yaml"));
+  const Output loads = ExecutePhs("loads --bogie phs --format json --phs " +
+                                  dir_.File("best/best/bogie/model.yaml"));
   ASSERT_EQ(loads.code, 0) << loads.text;
   EXPECT_NEAR(-1e3 * NumberAt(Json::parse(loads.text), "cases.steering.lead_yaw_rad").value(),
               json["best"]["objective"].get<double>(), 1e-12);
 }
 
 TEST_F(OptimiseProgram, KilledAndResumedOrWithOneWorkerItIsTheSame) {
-  ASSERT_EQ(Execute(Command("whole", "--workers 2")).code, 0);
-  const Output killed =
-      Execute(Command("killed", "--workers 1") + " & P=$!; for i in $(seq 600); do [ \"$(ls " +
-              dir_.File("killed.unfinished/runs") +
-              " 2>/dev/null | wc -l)\" -ge 5 ] && break; sleep 0.02; done; kill -KILL $P; wait $P");
+  ASSERT_EQ(Sweep("whole", "--workers 2").code, 0);
+  const Output killed = SweepAndKill("killed", "--workers 1", 5);
   EXPECT_EQ(killed.code, 137) << killed.text;
-  const Output resumed = Execute(Command("killed", "--workers 1 --resume"));
+  const Output resumed = Sweep("killed", "--workers 1 --resume");
   ASSERT_EQ(resumed.code, 0) << resumed.text;
   for (const char* file : {"sweep.csv", "candidates.csv", "optimum.json"}) {
     EXPECT_EQ(Text(std::string("whole/") + file), Text(std::string("killed/") + file)) << file;

@@ -2,12 +2,9 @@
 // a scheduler that lies.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -15,7 +12,7 @@
 
 #include "base/result_dir.h"
 #include "sweep/slurm_client.h"
-#include "tests/base/scratch_dir.h"
+#include "tests/sweep/sweep_folder.h"
 
 namespace phs {
 namespace {
@@ -23,24 +20,7 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-struct Output {
-  int code = -1;
-  std::string text;
-};
-
-Output Execute(const std::string& command) {
-  Output out;
-  std::FILE* pipe = popen(("{ " + command + "; } 2>&1 </dev/null").c_str(), "r");
-  if (pipe == nullptr) return out;
-  std::array<char, 4096> buffer{};
-  while (const std::size_t n = fread(buffer.data(), 1, buffer.size(), pipe)) {
-    out.text.append(buffer.data(), n);
-  }
-  out.code = WEXITSTATUS(pclose(pipe));
-  return out;
-}
-
-class SlurmSweep : public testing::Test {
+class SlurmSweep : public SweepFolder {
  protected:
   SlurmSweep() {
     WriteScenario(0.1);
@@ -52,25 +32,11 @@ class SlurmSweep : public testing::Test {
     std::ofstream(dir_.File("short.yaml"))
         << "track: straight\nbogie: phs\nspeed_km_h: 60\nduration_s: " << duration_s << "\n";
   }
-  std::string Command(const std::string& out, const std::string& more) const {
-    return std::string(PHS_BINARY_DIR) + "/src/cli/phs sweep " + dir_.File("study.yaml") +
-           " --quiet --out " + dir_.File(out) + " " + more;
-  }
-  Output Sweep(const std::string& out, const std::string& more) const {
-    return Execute(environment_ + Command(out, more));
-  }
-  std::string Table(const std::string& out) const {
-    const auto text = ReadFile(dir_.File(out + "/sweep.csv"));
-    EXPECT_TRUE(text.ok()) << out;
-    return text.ok() ? text.value() : "";
-  }
   std::string LocalTable() const {
-    const Output local = Sweep("local", "");
+    const Output local = Sweep("local");
     EXPECT_EQ(local.code, 0) << local.text;
     return Table("local");
   }
-  ScratchDir dir_;
-  std::string environment_;  ///< set in front of every command
 };
 
 // ---- A real Slurm ----
@@ -108,14 +74,11 @@ class RealSlurm : public SlurmSweep {
 TEST_F(RealSlurm, ATaskKilledInTheMiddleIsMadeAgainAndTheTableIsThatOfTheLocalEngine) {
   WriteScenario(1.0);
   const std::string local = LocalTable();
-  const Output killed =
-      Execute(environment_ + Command("killed", "--engine slurm --chunk 6") +
-              " & S=$!; for i in $(seq 1200); do [ \"$(ls " + dir_.File("killed.unfinished/runs") +
-              " 2>/dev/null | wc -l)\" -ge 1 ] && break; sleep 0.02; done; "
-              "T=$(pgrep -f '[s]lurm-task " +
-              dir_.File("killed.unfinished") +
-              "' | head -n 1); kill -KILL $T && echo killed task $T; wait $S; C=$?; "
-              "squeue --noheader --states=all --format='%T' | sort | uniq -c; exit $C");
+  const Output killed = Execute(
+      environment_ + Command("killed", "--engine slurm --chunk 6") + " & S=$!; " +
+      UntilRecords("killed", 1) + "T=$(pgrep -f '[s]lurm-task " + dir_.File("killed.unfinished") +
+      "' | head -n 1); kill -KILL $T && echo killed task $T; wait $S; C=$?; "
+      "squeue --noheader --states=all --format='%T' | sort | uniq -c; exit $C");
   EXPECT_EQ(killed.code, 0) << killed.text;
   EXPECT_THAT(killed.text, HasSubstr("killed task"));
   EXPECT_THAT(killed.text, HasSubstr("FAILED")) << "Slurm saw no task die";

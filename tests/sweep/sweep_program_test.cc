@@ -1,40 +1,20 @@
 // phs sweep from outside: the same table whatever happens on the way.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <fstream>
 #include <string>
 
 #include "base/result_dir.h"
-#include "tests/base/scratch_dir.h"
+#include "tests/sweep/sweep_folder.h"
 
 namespace phs {
 namespace {
 
 using testing::HasSubstr;
 
-struct Output {
-  int code = -1;
-  std::string text;
-};
-
-Output Execute(const std::string& command) {
-  Output out;
-  std::FILE* pipe = popen(("{ " + command + "; } 2>&1 </dev/null").c_str(), "r");
-  if (pipe == nullptr) return out;
-  std::array<char, 4096> buffer{};
-  while (const std::size_t n = fread(buffer.data(), 1, buffer.size(), pipe)) {
-    out.text.append(buffer.data(), n);
-  }
-  out.code = WEXITSTATUS(pclose(pipe));
-  return out;
-}
-
-class SweepProgram : public testing::Test {
+class SweepProgram : public SweepFolder {
  protected:
   SweepProgram() {
     std::ofstream(dir_.File("short.yaml")) << "track: straight\nbogie: phs\nspeed_km_h: 60\n"
@@ -44,24 +24,11 @@ class SweepProgram : public testing::Test {
   void Study(const std::string& scenario, const std::string& axes) {
     std::ofstream(dir_.File("study.yaml")) << "scenario: " << scenario << "\naxes:\n" << axes;
   }
-  std::string Command(const std::string& out, const std::string& more) const {
-    return std::string(PHS_BINARY_DIR) + "/src/cli/phs sweep " + dir_.File("study.yaml") +
-           " --quiet --out " + dir_.File(out) + " " + more;
-  }
-  Output Sweep(const std::string& out, const std::string& more = "") const {
-    return Execute(Command(out, more));
-  }
-  std::string Table(const std::string& out) const {
-    const auto text = ReadFile(dir_.File(out + "/sweep.csv"));
-    EXPECT_TRUE(text.ok()) << out;
-    return text.ok() ? text.value() : "";
-  }
   static void ExpectOneLine(const Output& out, const std::string& words) {
     EXPECT_EQ(out.code, 3) << out.text;
     EXPECT_THAT(out.text, HasSubstr(words));
     EXPECT_EQ(std::count(out.text.begin(), out.text.end(), '\n'), 1) << out.text;
   }
-  ScratchDir dir_;
 };
 
 TEST_F(SweepProgram, SameTableForOneTwoAndFiveWorkers) {
@@ -78,11 +45,7 @@ TEST_F(SweepProgram, SameTableForOneTwoAndFiveWorkers) {
 
 TEST_F(SweepProgram, KilledHalfWayAndResumedTheTableIsTheSame) {
   ASSERT_EQ(Sweep("whole", "--workers 2").code, 0);
-  // Killed when at least three records are there.
-  const Output killed =
-      Execute(Command("killed", "--workers 2") + " & P=$!; for i in $(seq 600); do [ \"$(ls " +
-              dir_.File("killed.unfinished/runs") +
-              " 2>/dev/null | wc -l)\" -ge 3 ] && break; sleep 0.02; done; kill -KILL $P; wait $P");
+  const Output killed = SweepAndKill("killed", "--workers 2", 3);
   EXPECT_EQ(killed.code, 137) << killed.text;
   EXPECT_TRUE(!ReadFile(dir_.File("killed/sweep.csv")).ok());
   ExpectOneLine(Sweep("killed"), "--resume continues it");
@@ -160,8 +123,8 @@ TEST_F(SweepProgram, OneRunLaidOutAloneRepeatsItsRow) {
         "  - {key: scenario.speed_km_h, values: [50, 60]}\n");
   ASSERT_EQ(Sweep("all").code, 0);
   ASSERT_EQ(Sweep("alone", "--only 2").code, 0);
-  const Output out = Execute(std::string(PHS_BINARY_DIR) + "/src/cli/phs simulate " +
-                             dir_.File("alone/scenario.yaml") + " --format json --quiet");
+  const Output out =
+      ExecutePhs("simulate " + dir_.File("alone/scenario.yaml") + " --format json --quiet");
   ASSERT_EQ(out.code, 0) << out.text;
   const std::string key = "\"T_gamma_total_J\": ";
   const std::size_t at = out.text.find(key);

@@ -1,0 +1,105 @@
+// The law of every friction effect, on its own: closed formulas at a few points.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "tests/effects/driven_cylinder.h"
+
+namespace phs::effects {
+namespace {
+
+// Friction effects: force when sliding at v, far from any reversal.
+double Sliding(const PhsParams& params, double v, double start = 0) {
+  const PhsSystem s = Compile(params);
+  return Drive(s, 1.0, 1e-3, [=](double t) { return start + v * t; }).friction;
+}
+
+TEST(Stribeck, RaisesSlowSliding) {
+  const PhsParams p = Quarter();
+  for (double v : {1e-3, -4e-3}) {
+    const double extra =
+        Sliding(With(p, "stribeck", {{"extra_N", 500}, {"speed_m_s", 2e-3}}), v) - Sliding(p, v);
+    EXPECT_NEAR(extra, std::copysign(500 * std::exp(-std::abs(v) / 2e-3), v), 1e-3);
+  }
+}
+
+TEST(Presliding, TurnsALookUpIntoASpringBeforeSliding) {
+  PhsParams p = Quarter();
+  p.friction.model = FrictionModel::kStatic;
+  p.friction.damping_Ns_per_m = 0;
+  const PhsSystem s = Compile(With(p, "presliding", {{"stiffness_N_per_m", 2e7}}));
+  const Held h = Drive(s, 1, 1e-3, [](double t) { return 2e-5 * std::min(t, 0.5) * 2; });
+  EXPECT_NEAR(h.friction, 2e7 * 2e-5, 1e-6);
+}
+
+TEST(PressureFriction, GrowsWithThePressureOfEachChamber) {
+  const PhsParams p = Quarter();
+  const double kb = 2e-4, kr = 1e-4;
+  const PhsParams with =
+      With(p, "pressure_friction", {{"bore_N_per_Pa", kb}, {"rod_N_per_Pa", kr}});
+  const PhsSystem s = Compile(p);
+  const double v = -2e-3;
+  const Held at = Drive(s, 1.0, 1e-3, [v](double t) { return v * t; });
+  const double expected =
+      kb * (at.p_bore - 1.8e6) + kr * (at.p_rod - p.lines[0].static_pressure_Pa);
+  EXPECT_NEAR(Sliding(with, v) - Sliding(p, v), -expected, 0.03 * std::abs(expected))
+      << "the bristle follows the rising level by its own length";
+}
+
+TEST(PositionFriction, ScalesTheLevel) {
+  const PhsParams p = Quarter();
+  const PhsParams with =
+      With(p, "position_friction", {{"slope_1_per_m", 30}, {"curvature_1_per_m2", 1e3}});
+  const double y = 5e-3 + 1e-3;
+  EXPECT_NEAR(Sliding(with, 1e-3, 5e-3) / Sliding(p, 1e-3, 5e-3), 1 + 30 * y + 1e3 * y * y, 1e-3);
+}
+
+TEST(DwellFriction, BreakawayGrowsWithRest) {
+  const PhsParams p =
+      With(Quarter(), "dwell_friction", {{"extra_N", 600}, {"time_s", 2}, {"length_m", 1e-3}});
+  const PhsSystem s = Compile(p);
+  auto peak = [&s](double rest) {
+    std::vector<double> state(s.num_states(), 0.0), rate(state);
+    Evaluation e(s);
+    double x = 0, top = 0;
+    const double h = 1e-3;
+    auto go = [&](double v, double T) {
+      for (double t = 0; t < T; t += h, x += h * v) {
+        s.Calc(t, &x, &v, state.data(), &e.out);
+        top = std::max(top, e.friction[0]);
+        s.CalcStateRate(t, h, &x, &v, state.data(), rate.data());
+        for (size_t k = 0; k < state.size(); ++k) state[k] += h * rate[k];
+      }
+    };
+    go(5e-3, 2);
+    go(-5e-3, 0.05);
+    go(0, rest);
+    top = 0;
+    go(1e-3, 0.3);
+    return top;
+  };
+  const double fresh = peak(0.01), rested = peak(20);
+  EXPECT_GT(rested - fresh, 250);
+  EXPECT_GT(peak(2) - fresh, 100);
+  EXPECT_LT(peak(2), rested);
+}
+
+TEST(ViscousFriction, IsProportionalToSpeed) {
+  const PhsParams p = Quarter();
+  const PhsParams with =
+      With(p, "viscous_friction", {{"extension_Ns_per_m", 8000}, {"retraction_Ns_per_m", 3000}});
+  EXPECT_NEAR(Sliding(with, 0.01) - Sliding(p, 0.01), 80, 1e-6);
+  EXPECT_NEAR(Sliding(with, -0.01) - Sliding(p, -0.01), -30, 1e-6);
+}
+
+TEST(AsymmetricFriction, ShiftsLevelsApart) {
+  const PhsParams p = Quarter();
+  const PhsParams with = With(p, "asymmetric_friction", {{"level_N", 150}});
+  EXPECT_NEAR(Sliding(with, 0.01) - Sliding(p, 0.01), 150, 1e-6);
+  EXPECT_NEAR(Sliding(with, -0.01) - Sliding(p, -0.01), 150, 1e-6);
+}
+
+}  // namespace
+}  // namespace phs::effects

@@ -1,0 +1,215 @@
+// The law of every hydraulic effect, on its own: closed formulas at a few points.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "tests/effects/driven_cylinder.h"
+
+namespace phs::effects {
+namespace {
+
+TEST(PistonLeakage, EqualisesChambersExponentially) {
+  // Small step: linear capacitances C_b, C_r; time constant C_b C_r/((C_b + C_r) G).
+  const PhsParams params = Frictionless();
+  const double G = 1e-12, x = 1e-6;
+  const PhsSystem s = Compile(With(params, "piston_leakage", {{"conductance_m3_per_Pas", G}}));
+  auto C = [](const hydraulics::LineParams& l) {
+    return l.oil_volume_m3 / l.bulk_modulus_Pa + l.gas_volume_m3 / l.static_pressure_Pa;
+  };
+  const double Cr = C(params.lines[0]), Cb = C(params.lines[1]);
+  const double tau = Cb * Cr / ((Cb + Cr) * G);
+  const Held rest = Hold(s, x, 0), later = Hold(s, x, tau, tau / 1000);
+  // The static difference leaks as well; it adds to the step's.
+  const double before = rest.p_bore - rest.p_rod, after = later.p_bore - later.p_rod;
+  EXPECT_NEAR(after / before, std::exp(-1), 2e-2);
+  EXPECT_GT(later.state[0], -1e-6);
+}
+
+TEST(ExternalLeakage, LosesThePrechargeFromItsStartOn) {
+  const PhsSystem s = Compile(With(Frictionless(), "external_leakage",
+                                   {{"conductance_m3_per_Pas", 1e-6}, {"start_s", 1.0}}, {"L1"}));
+  EXPECT_NEAR(Hold(s, 0, 0.999).p_rod, 1.8e6 / 0.8976, 1);
+  const Held lost = Hold(s, 0, 3.0);
+  EXPECT_NEAR(lost.p_rod, kAtmosphere, 100);
+  EXPECT_NEAR(lost.p_bore, 1.8e6, 1e-3) << "the other line keeps its pressure";
+}
+
+TEST(LineResistance, DropsPressureInProportionToFlow) {
+  const double R = 1e10, v = 1e-3;
+  PhsParams params = Frictionless();
+  const PhsSystem s = Compile(With(params, "line_resistance", {{"laminar_Pas_per_m3", R}}));
+  const PhsSystem plain = Compile(params);
+  const double T = 1.0;
+  const auto ramp = [v](double t) { return v * t; };
+  const Held with = Drive(s, T, 1e-3, ramp), without = Drive(plain, T, 1e-3, ramp);
+  // Settled ramp: chamber above line by R q, q = A v less what the chamber oil itself takes.
+  const double drop = with.p_rod - without.p_rod;
+  const double full = R * params.cylinders[0].RodArea() * v;
+  EXPECT_GT(drop, 0.6 * full);
+  EXPECT_LT(drop, full);
+  EXPECT_LT(with.p_bore, without.p_bore);
+}
+
+TEST(LineResistance, FollowsTheViscosityAtTheStaticTemperature) {
+  // ISO VG 68 by ASTM D341: 9350 mm²/s and 902 kg/m3 at -20 °C, 215 and 877 at 20 °C.
+  const double v = 1e-3, ratio = 9350.0 * 902 / (215.0 * 877);
+  auto drop = [v](double temperature_K) {
+    PhsParams params = Frictionless();
+    params.temperature_K = temperature_K;
+    const PhsSystem s = Compile(With(params, "line_resistance", {{"laminar_Pas_per_m3", 1e8}}));
+    const auto ramp = [v](double t) { return v * t; };
+    return Drive(s, 1.0, 1e-3, ramp).p_rod - Drive(Compile(params), 1.0, 1e-3, ramp).p_rod;
+  };
+  EXPECT_NEAR(drop(253.15) / drop(293.15), ratio, 0.01 * ratio);
+}
+
+TEST(PistonLeakage, FallsWithTheViscosityAtTheStaticTemperature) {
+  // The same time constant as at 20 °C after a time longer by the ratio of viscosities.
+  auto left = [](double temperature_K, double time) {
+    PhsParams params = Frictionless();
+    params.temperature_K = temperature_K;
+    const PhsSystem s =
+        Compile(With(params, "piston_leakage", {{"conductance_m3_per_Pas", 1e-12}}));
+    const Held later = Hold(s, 1e-6, time, time / 1000), rest = Hold(s, 1e-6, 0);
+    return (later.p_bore - later.p_rod) / (rest.p_bore - rest.p_rod);
+  };
+  const double ratio = 1030.0 * 889 / (215.0 * 877);  // 0 °C over 20 °C
+  EXPECT_NEAR(left(273.15, 5.0 * ratio), left(293.15, 5.0), 2e-3);
+  EXPECT_LT(left(293.15, 5.0), 0.9);
+}
+
+TEST(LineInertance, RingsAtItsFrequency) {
+  // Chamber oil C1 against line C2 through I: w² = (1/C1 + 1/C2)/I.
+  PhsParams params = Frictionless();
+  const double I = 1.6e7, share = 0.2;
+  const PhsSystem s = Compile(
+      With(params, "line_inertance",
+           {{"inertance_kg_per_m4", I}, {"laminar_Pas_per_m3", 1e6}, {"oil_share", share}}));
+  const auto& l = params.lines[0];
+  const double C1 = share * l.oil_volume_m3 / l.bulk_modulus_Pa;
+  const double C2 =
+      (1 - share) * l.oil_volume_m3 / l.bulk_modulus_Pa + l.gas_volume_m3 / l.static_pressure_Pa;
+  const double period = 2 * M_PI / std::sqrt((1 / C1 + 1 / C2) / I);
+  const double x = 1e-7;
+  const double start = Hold(s, x, 0).p_rod, half = Hold(s, x, period / 2, period / 4000).p_rod;
+  const double full = Hold(s, x, period, period / 4000).p_rod;
+  const double settled = l.static_pressure_Pa + x * params.cylinders[0].RodArea() / (C1 + C2);
+  EXPECT_NEAR((full - settled) / (start - settled), 1, 2e-2);
+  EXPECT_NEAR((half - settled) / (start - settled), -1, 2e-2);
+}
+
+TEST(CheckRestriction, ResistsByDirection) {
+  const PhsSystem s = Compile(With(Frictionless(), "check_restriction",
+                                   {{"out_Pas_per_m3", 1e11}, {"in_Pas_per_m3", 1e8}}));
+  const PhsSystem plain = Compile(Frictionless());
+  const auto ramp = [](double t) { return 1e-3 * t; };
+  const Held with = Drive(s, 1, 1e-3, ramp), without = Drive(plain, 1, 1e-3, ramp);
+  // Extension pushes oil out of the rod chamber (resisted) and into the bore chamber (free).
+  EXPECT_GT(with.p_rod - without.p_rod, 3e5);
+  EXPECT_LT(std::abs(with.p_bore - without.p_bore), 1e4);
+}
+
+TEST(EntrainedAir, SoftensAtLowPressureOnly) {
+  PhsParams params = Frictionless();
+  for (auto& l : params.lines) l.gas_volume_m3 = 0;
+  const double a = 0.01, n = 1.2;
+  const PhsSystem s =
+      Compile(With(params, "entrained_air", {{"air_fraction", a}, {"polytropic_exponent", n}}));
+  const auto& l = params.lines[0];
+  const double Ar = params.cylinders[0].RodArea();
+  for (double x : {1e-5, 2e-4, 1e-3}) {
+    const double p = Hold(s, x, 0).p_rod;
+    const double air =
+        a * l.oil_volume_m3 *
+        (std::pow(kAtmosphere / l.static_pressure_Pa, 1 / n) - std::pow(kAtmosphere / p, 1 / n));
+    EXPECT_NEAR(air + l.oil_volume_m3 / l.bulk_modulus_Pa * (p - l.static_pressure_Pa), x * Ar,
+                1e-10);
+  }
+  // Dissolved above p_s: stiff as oil alone.
+  const PhsSystem d =
+      Compile(With(params, "entrained_air", {{"air_fraction", a}, {"saturation_Pa", 5e6}}));
+  const double k = (Hold(d, 1.01e-3, 0).p_rod - Hold(d, 1e-3, 0).p_rod) / (1e-5 * Ar);
+  EXPECT_NEAR(k / (l.bulk_modulus_Pa / l.oil_volume_m3), 1, 1e-3);
+}
+
+TEST(HoseExpansion, AddsItsCompliance) {
+  PhsParams params = Frictionless();
+  for (auto& l : params.lines) l.gas_volume_m3 = 0;
+  const double C = 8e-13;
+  const PhsSystem s = Compile(With(params, "hose_expansion", {{"compliance_m3_per_Pa", C}}));
+  const auto& l = params.lines[0];
+  const double x = 1e-5, rise = Hold(s, x, 0).p_rod - l.static_pressure_Pa;
+  const double expected = x * params.cylinders[0].RodArea() /
+                          (l.oil_volume_m3 / l.bulk_modulus_Pa + C * 1e9 / (1e9 + 2e6));
+  EXPECT_NEAR(rise / expected, 1, 2e-3);
+}
+
+TEST(GasThermal, FastIsAdiabaticSlowIsIsothermal) {
+  PhsParams params = Frictionless();
+  for (auto& l : params.lines) l.oil_volume_m3 = 1e-6;  // gas alone
+  const double gamma = 1 + hydraulics::kNitrogenR / hydraulics::kNitrogenCv;
+  const auto& l = params.lines[0];
+  const double x = 1e-3, V1 = l.gas_volume_m3 - x * params.cylinders[0].RodArea();
+  const auto ramp = [x](double t) { return x * std::min(t, 1.0); };
+  const PhsSystem slow = Compile(With(params, "gas_thermal", {{"thermal_time_s", 1e-3}}));
+  const PhsSystem fast = Compile(With(params, "gas_thermal", {{"thermal_time_s", 1e8}}));
+  const PhsSystem real =
+      Compile(With(params, "gas_thermal", {{"thermal_time_s", 1e8}, {"real_gas", 1}}));
+  const double ratio = l.gas_volume_m3 / V1;
+  const double p_slow = Drive(slow, 1.1, 1e-3, ramp).p_rod;
+  const double p_fast = Drive(fast, 1.1, 1e-3, ramp).p_rod;
+  const double p_real = Drive(real, 1.1, 1e-3, ramp).p_rod;
+  EXPECT_NEAR(p_slow / (l.static_pressure_Pa * ratio), 1, 3e-3);
+  EXPECT_NEAR(p_fast / (l.static_pressure_Pa * std::pow(ratio, gamma)), 1, 3e-3);
+  EXPECT_NEAR(p_real / p_fast, 1, 0.03);
+  EXPECT_NE(p_real, p_fast);
+}
+
+TEST(AccumulatorPrecharge, MovesTheBlowOff) {
+  PhsParams params = Frictionless();
+  const PhsSystem s = Compile(With(params, "accumulator_precharge", {{"precharge_Pa", 9e6}}));
+  EXPECT_NEAR(Hold(s, 5e-3, 0).p_rod, 9e6, 3e5);
+}
+
+TEST(DiaphragmStop, LeavesOnlyTheOilAtTheStop) {
+  PhsParams params = Frictionless();
+  const PhsSystem s = Compile(With(params, "diaphragm_stop", {{"min_gas_volume_m3", 12e-6}}));
+  const auto& l = params.lines[1];
+  const double x = -1.5e-3;
+  const double k = (Hold(s, x, 0).p_bore - Hold(s, x + 1e-5, 0).p_bore) /
+                   (1e-5 * params.cylinders[0].BoreArea());
+  EXPECT_NEAR(k / (l.bulk_modulus_Pa / l.oil_volume_m3), 1, 1e-3);
+}
+
+TEST(Cavitation, HoldsThePulledLineNearTheReleasePressure) {
+  PhsParams params = Frictionless();
+  for (auto& l : params.lines) l.gas_volume_m3 = 0;
+  const PhsSystem s = Compile(With(params, "cavitation", {{"release_Pa", 5e5}}));
+  const double with = Hold(s, 8e-4, 0).p_bore;
+  EXPECT_LT(with, 5e5);
+  EXPECT_GT(with, 2e5);
+  EXPECT_LT(Hold(Compile(params), 8e-4, 0).p_bore, 1e4);
+}
+
+TEST(TemperatureDrift, WarmsGasAndExpandsOil) {
+  PhsParams p = Frictionless();
+  for (auto& l : p.lines) l.oil_volume_m3 = 1e-6;
+  const PhsSystem s =
+      Compile(With(p, "temperature_drift", {{"rate_K_per_s", 0.1}, {"expansion_1_per_K", 0}}));
+  EXPECT_NEAR(Hold(s, 0, 100, 1).p_bore / (1.8e6 * 303.15 / 293.15), 1, 1e-3);
+  PhsParams oil = Frictionless();
+  for (auto& l : oil.lines) l.gas_volume_m3 = 0;
+  const PhsSystem e = Compile(
+      With(oil, "temperature_drift", {{"rate_K_per_s", 0.1}, {"expansion_1_per_K", 6.65e-4}}));
+  EXPECT_NEAR(Hold(e, 0, 10, 1).p_bore - 1.8e6, 1.4e9 * 6.65e-4, 2e3);
+}
+
+TEST(Effects, ResistanceAndInertanceOnOneChamberAddUp) {
+  PhsParams p = With(With(Frictionless(), "line_resistance"), "line_inertance");
+  const PhsSystem s = Compile(p);
+  EXPECT_EQ(s.num_states(), 4) << "one volume and one flow per chamber";
+}
+
+}  // namespace
+}  // namespace phs::effects

@@ -1,0 +1,38 @@
+// What the instrument effects do to the predicted channels.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "effects/rig_model.h"
+#include "tests/effects/driven_cylinder.h"
+
+namespace phs::effects {
+namespace {
+
+TEST(Instruments, GainOffsetDriftDelayOnPredictedChannels) {
+  RigMotion motion;
+  motion.step_s = 0.01;
+  motion.position_m.resize(1);
+  for (int i = 0; i < 400; ++i) motion.position_m[0].push_back(1e-3 * std::sin(0.02 * i));
+  const PhsParams p = Quarter();
+  auto run = [&](const PhsParams& params) {
+    Result<RigModel> rig = RigModel::Create(RigKind::kQuarter, params);
+    EXPECT_TRUE(rig.ok()) << rig.error().Line();
+    RigPrediction out;
+    EXPECT_TRUE(rig.value().Run(motion, &out).ok());
+    return out.channels;
+  };
+  const auto plain = run(p);
+  const auto offset = run(With(p, "sensor_offset", {{"load_N", 120}, {"p_rod_Pa", -3e4}}));
+  const auto drift = run(With(p, "sensor_drift", {{"p_bore_Pa_per_s", 500}}));
+  const auto gain = run(With(p, "sensor_gain", {{"load", 1.05}}));
+  const auto delay = run(With(p, "sensor_delay", {{"load_s", 0.025}}));
+  EXPECT_DOUBLE_EQ(offset[1][200], plain[1][200] + 120);
+  EXPECT_DOUBLE_EQ(offset[3][200], plain[3][200] - 3e4);
+  EXPECT_DOUBLE_EQ(drift[2][200], plain[2][200] + 1000);
+  EXPECT_DOUBLE_EQ(gain[1][200], 1.05 * plain[1][200]);
+  EXPECT_NEAR(delay[1][200], 0.5 * (plain[1][197] + plain[1][198]), 1e-6);
+}
+
+}  // namespace
+}  // namespace phs::effects

@@ -1,0 +1,51 @@
+// The law of every mounting effect, on its own: closed formulas at a few points.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/effects/driven_cylinder.h"
+
+namespace phs::effects {
+namespace {
+
+TEST(Backlash, PistonStaysWhileThePlayIsCrossed) {
+  const double gap = 4e-4;
+  const PhsSystem s = Compile(With(Quarter(), "backlash", {{"gap_m", gap}}));
+  const Held inside = Drive(s, 1, 1e-3, [](double t) { return 1.5e-4 * t; });
+  EXPECT_NEAR(inside.force, 0, 1e-6);
+  EXPECT_NEAR(inside.piston, 0, 2e-6) << "held by friction";
+  const Held beyond = Drive(s, 1, 1e-3, [](double t) { return 2e-3 * t; });
+  EXPECT_NEAR(beyond.piston, 2e-3 - gap / 2 - beyond.force / 1e9, 1e-9);
+}
+
+TEST(MountCompliance, DeflectsByForceOverStiffness) {
+  const double k = 4.1e7;
+  const PhsSystem s = Compile(With(Quarter(), "mount_compliance", {{"stiffness_N_per_m", k}}));
+  for (double x : {3e-3, -2e-3}) {
+    const Held h = Drive(s, 1, 1e-3, [x](double t) { return x * t; });
+    EXPECT_NEAR(x - h.piston, h.force / k, 1e-12);
+    EXPECT_NEAR(h.force - h.pressure_force - h.friction, 0, 1e-6);
+    EXPECT_NEAR(h.friction,
+                x > 0 ? 1850 + 100 * (x - 1e-3) / 9e-3 : -1600 - 100 * (2e-3 - 1e-3) / 9e-3, 30);
+  }
+}
+
+TEST(BushViscoelastic, RelaxesWithItsTime) {
+  // Against a cylinder much stiffer than the bush (no gas): F = (k + k2 exp(-t/tau)) x.
+  PhsParams p = Frictionless();
+  for (auto& l : p.lines) l.gas_volume_m3 = 0, l.oil_volume_m3 = 1e-7;
+  const double k = 1e7, k2 = 5e6, tau = 0.2, x = 1e-5;
+  const PhsSystem s =
+      Compile(With(p, "bush_viscoelastic",
+                   {{"stiffness_N_per_m", k}, {"relaxing_N_per_m", k2}, {"relaxation_s", tau}}));
+  const double h = 1e-4;
+  const auto step = [x, h](double t) { return t >= h ? x : 0; };
+  const Held soon = Drive(s, 2 * h, h, step), later = Drive(s, tau + h, h, step);
+  const Held end = Drive(s, 20 * tau, h, step);
+  const double F0 = end.force;
+  EXPECT_NEAR((soon.force - F0) / ((k2 * x)), 1, 0.02);
+  EXPECT_NEAR((later.force - F0) / (soon.force - F0), std::exp(-1), 0.01);
+}
+
+}  // namespace
+}  // namespace phs::effects
