@@ -5,6 +5,9 @@
 #include <deque>
 #include <limits>
 
+#include "analysis/drives_off.h"
+#include "vehicle/tangent_state.h"
+
 namespace phs::analysis {
 namespace {
 
@@ -22,17 +25,9 @@ class GuidedRun {
         binding_(simulation->binding()),
         data_(mj_makeData(m_)),
         body_(binding_.wheelsets()[0].body),
-        radius_(binding_.wheel_rail().params().wheel_radius) {
+        radius_(binding_.wheel_rail().params().wheel_radius),
+        drives_off_(m_, binding_) {
     forward_ = m_->body_dofadr[m_->body_rootid[body_]];
-    for (const plugin::WheelsetBinding& w : binding_.wheelsets()) {
-      if (w.drive_actuator < 0) continue;
-      mjtNum* gain = m_->actuator_gainprm + mjNGAIN * w.drive_actuator;
-      gains_.emplace_back(gain, *gain);
-      *gain = 0;
-    }
-  }
-  ~GuidedRun() {
-    for (const auto& [gain, value] : gains_) *gain = value;
   }
   GuidedRun(const GuidedRun&) = delete;
   GuidedRun& operator=(const GuidedRun&) = delete;
@@ -45,11 +40,7 @@ class GuidedRun {
 
   /// Adds the mode with lateral amplitude `size` [m] at a wheelset.
   void Disturb(const VibrationMode& mode, double size) {
-    mjData* d = data_.get();
-    const Eigen::VectorXd delta = size * mode.state.real();
-    mj_integratePos(m_, d->qpos, delta.data(), 1.0);
-    mju_addTo(d->qvel, delta.data() + m_->nv, m_->nv);
-    mju_addTo(d->act, delta.data() + 2 * m_->nv, m_->na);
+    vehicle::AddToState(m_, size * mode.state.real(), data_.get());
   }
 
   /// Runs for `duration` while the speed changes at `rate` [m/s^2]; false once it has derailed.
@@ -122,7 +113,7 @@ class GuidedRun {
   int forward_ = 0;
   double speed_ = 0;
   std::deque<double> swing_;
-  std::vector<std::pair<mjtNum*, mjtNum>> gains_;
+  DrivesOff drives_off_;
 };
 
 Status CheckOptions(const LimitCycleOptions& o) {

@@ -1,7 +1,9 @@
 #include "analysis/linear_model.h"
 
+#include "analysis/drives_off.h"
 #include "plugin/model_text.h"
 #include "vehicle/engine.h"
+#include "vehicle/tangent_state.h"
 
 namespace phs::analysis {
 namespace {
@@ -10,38 +12,24 @@ namespace {
 class InstantSettings {
  public:
   InstantSettings(mjModel* m, const plugin::Binding& binding)
-      : m_(m), integrator_(m->opt.integrator) {
+      : m_(m), integrator_(m->opt.integrator), drives_off_(m, binding) {
     // With RK4 the plugin gives rates at the instant; mj_forward itself does not look at it.
     m->opt.integrator = mjINT_RK4;
-    for (const plugin::WheelsetBinding& w : binding.wheelsets()) {
-      if (w.drive_actuator < 0) continue;
-      mjtNum* gain = m->actuator_gainprm + mjNGAIN * w.drive_actuator;
-      gains_.emplace_back(gain, *gain);
-      *gain = 0;
-    }
   }
-  ~InstantSettings() {
-    m_->opt.integrator = integrator_;
-    for (const auto& [gain, value] : gains_) *gain = value;
-  }
+  ~InstantSettings() { m_->opt.integrator = integrator_; }
   InstantSettings(const InstantSettings&) = delete;
   InstantSettings& operator=(const InstantSettings&) = delete;
 
  private:
   mjModel* m_;
   int integrator_;
-  std::vector<std::pair<mjtNum*, mjtNum>> gains_;
+  DrivesOff drives_off_;
 };
 
 /// Accelerations and state rates at running + delta.
 Eigen::VectorXd Rates(const mjModel* m, const mjData* running, const Eigen::VectorXd& delta,
                       mjData* d) {
-  mju_copy(d->qpos, running->qpos, m->nq);
-  mj_integratePos(m, d->qpos, delta.data(), 1.0);
-  mju_add(d->qvel, running->qvel, delta.data() + m->nv, m->nv);
-  mju_add(d->act, running->act, delta.data() + 2 * m->nv, m->na);
-  mju_zero(d->qacc_warmstart, m->nv);
-  d->time = running->time;
+  vehicle::SetState(m, running, delta, d);
   mj_forward(m, d);
   Eigen::VectorXd rates(m->nv + m->na);
   mju_copy(rates.data(), d->qacc, m->nv);
@@ -55,7 +43,7 @@ LinearModel Linearise(mjModel* m, const plugin::Binding& binding, const mjData* 
                       const DifferenceSteps& steps) {
   const InstantSettings settings(m, binding);
   const vehicle::DataPtr d(mj_makeData(m));
-  const int size = 2 * m->nv + m->na;
+  const int size = vehicle::TangentSize(m);
   LinearModel model{m->nv, m->na, Eigen::MatrixXd::Zero(size, size)};
   model.matrix.block(0, m->nv, m->nv, m->nv).setIdentity();
   for (int k = 0; k < size; ++k) {

@@ -7,6 +7,7 @@
 
 #include "cli/verbs.h"
 #include "sweep/slurm_engine.h"
+#include "sweep/slurm_task.h"
 
 namespace phs::cli {
 namespace {

@@ -7,18 +7,15 @@
 #include <memory>
 #include <optional>
 
-#include "analysis/critical_speeds.h"
 #include "analysis/limits.h"
 #include "analysis/running_assessment.h"
 #include "base/result_dir.h"
 #include "cli/assessment_table.h"
+#include "cli/curve_options.h"
 #include "cli/curve_table.h"
-#include "cli/radius_table.h"
 #include "cli/verbs.h"
 #include "report/curving_report.h"
-#include "report/radius_report.h"
 #include "vehicle/compose.h"
-#include "vehicle/radius_table.h"
 #include "vehicle/result_files.h"
 #include "vehicle/scenario.h"
 #include "vehicle/simulation.h"
@@ -31,19 +28,6 @@ using Json = nlohmann::ordered_json;
 using vehicle::RunOutcome;
 using vehicle::Scenario;
 using vehicle::Simulation;
-
-struct CurveOptions {
-  CommonOptions common;
-  std::string scenario;
-  std::vector<std::string> bogies;  ///< BOGIE or BOGIE@PHS_MODEL
-  std::string phs;                  ///< PHS model of every bogie that names none itself
-  bool csv = false;
-  double timestep_s = 0;
-  std::vector<int> radii_m;  ///< several curves instead of the scenario's own
-  bool stability = false;    ///< with radii: critical speeds on straight track too
-  std::string limits;        ///< file of limits to hold the result against
-  std::string junit;         ///< where to write them as JUnit XML
-};
 
 struct CurveRun {
   std::string bogie;
@@ -162,19 +146,14 @@ int ReportChecks(const CurveOptions& options, const std::string& name,
 int RunCurve(const CurveOptions& options, bool compare) {
   auto limits = ReadLimits(options);
   if (!limits.ok()) return BadInput(limits.error());
-  auto loaded = vehicle::LoadScenario(options.scenario);
+  auto loaded = LoadCurve(options);
   if (!loaded.ok()) return BadInput(loaded.error());
   Scenario scenario = std::move(loaded).value();
-  if (options.timestep_s > 0) scenario.timestep_s = options.timestep_s;
-  if (!options.phs.empty()) scenario.phs = options.phs;
   CurveOptions chosen = options;
   if (chosen.bogies.empty()) chosen.bogies = {scenario.bogie};
-  std::optional<ResultDir> dir;
-  if (!options.common.out.empty()) {
-    auto created = ResultDir::Create(options.common.out, options.common.force);
-    if (!created.ok()) return BadInput(created.error());
-    dir.emplace(std::move(created).value());
-  }
+  auto asked = OpenAskedDir(options.common);
+  if (!asked.ok()) return BadInput(asked.error());
+  std::optional<ResultDir>& dir = asked.value();
   std::vector<CurveRun> runs;
   if (Status s = CreateRuns(chosen, scenario, &runs); !s.ok()) return BadInput(s.error());
   if (Status s = RunAll(chosen, scenario, &runs); !s.ok()) return BadInput(s.error());
@@ -221,79 +200,6 @@ std::vector<std::string> ExpandBogies(const std::vector<std::string>& asked) {
   return bogies;
 }
 
-/// Critical speeds of every bogie: {bogie: {linear_m_s, nonlinear_m_s, …}}.
-Result<Json> CriticalSpeedsOf(const CurveOptions& options, const Scenario& base) {
-  ProgressLine progress("critical speeds", options.common.quiet);
-  Json all = Json::object();
-  const double count = static_cast<double>(options.bogies.size());
-  for (const std::string& bogie : options.bogies) {
-    Scenario own = base;
-    vehicle::UseBogie(bogie, &own);
-    const double before = static_cast<double>(all.size()) / count;
-    auto speeds = analysis::FindCriticalSpeeds(
-        own, [&](double share) { return progress(before + share / count); });
-    if (!speeds.ok()) return speeds.error();
-    all[vehicle::BogieLabel(bogie)] = analysis::CriticalSpeedsJson(speeds.value());
-  }
-  return all;
-}
-
-/// Several bogies in several curves: a table and bogies.json.
-int RunOverRadii(const CurveOptions& options) {
-  if (!options.limits.empty() || !options.junit.empty()) {
-    return BadInput({"--check, --junit", "are for one curve", "compare without --radii", ""});
-  }
-  auto loaded = vehicle::LoadScenario(options.scenario);
-  if (!loaded.ok()) return BadInput(loaded.error());
-  Scenario base = std::move(loaded).value();
-  if (options.timestep_s > 0) base.timestep_s = options.timestep_s;
-  if (!options.phs.empty()) base.phs = options.phs;
-  std::vector<Scenario> curves;
-  for (const int radius : options.radii_m) {
-    auto curve = vehicle::ScenarioOfRadius(base, radius);
-    if (!curve.ok()) return BadInput(curve.error());
-    curves.push_back(std::move(curve).value());
-  }
-  std::optional<ResultDir> dir;
-  if (!options.common.out.empty()) {
-    auto created = ResultDir::Create(options.common.out, options.common.force);
-    if (!created.ok()) return BadInput(created.error());
-    dir.emplace(std::move(created).value());
-  }
-  ProgressLine progress(base.name, options.common.quiet);
-  auto rows =
-      vehicle::RunRadii(curves, options.bogies, [&](double share) { return progress(share); });
-  if (!rows.ok()) return BadInput(rows.error());
-  Json described = vehicle::DescribeRadii(rows.value(), base);
-  if (options.stability) {
-    auto speeds = CriticalSpeedsOf(options, base);
-    if (!speeds.ok()) return BadInput(speeds.error());
-    described["critical_speeds"] = std::move(speeds).value();
-  }
-  if (options.common.format == "json") {
-    fmt::print("{}\n", described.dump(2));
-  } else {
-    fmt::print("{}", RadiusTable(described));
-  }
-  if (dir) {
-    const std::string file = dir->File("bogies.json");
-    if (Status s = WriteFileAtomically(file, described.dump(2) + "\n"); !s.ok()) {
-      return BadInput(s.error());
-    }
-    if (Status s = report::WriteRadiusReport(file, dir->File("report.html")); !s.ok()) {
-      return BadInput(s.error());
-    }
-    if (Status s = dir->Commit(); !s.ok()) return BadInput(s.error());
-    if (options.common.format == "text") {
-      fmt::print("\nReport: {}/report.html\n", dir->final_path());
-    }
-  }
-  for (const auto& row : rows.value()) {
-    if (row.summary["status"] != "ok") return kFailed;
-  }
-  return kDone;
-}
-
 void AddCurveOptions(CLI::App* verb, CurveOptions* options) {
   AddCommonOptions(verb, &options->common);
   verb->add_option("scenario", options->scenario, "Scenario: a name or a YAML file")->required();
@@ -309,6 +215,15 @@ void AddCurveOptions(CLI::App* verb, CurveOptions* options) {
 }
 
 }  // namespace
+
+Result<Scenario> LoadCurve(const CurveOptions& options) {
+  auto loaded = vehicle::LoadScenario(options.scenario);
+  if (!loaded.ok()) return loaded.error();
+  Scenario scenario = std::move(loaded).value();
+  if (options.timestep_s > 0) scenario.timestep_s = options.timestep_s;
+  if (!options.phs.empty()) scenario.phs = options.phs;
+  return scenario;
+}
 
 void AddSimulate(CLI::App* app, Action* action) {
   CLI::App* verb = app->add_subcommand("simulate", "One bogie on one track");

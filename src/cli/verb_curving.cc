@@ -143,17 +143,17 @@ void PrintHead(const std::string& bogie, bool check) {
 }
 
 int RunCurving(CurvingVerb verb) {
-  std::optional<ResultDir> dir;
-  if (!verb.common.out.empty()) {
-    auto created = ResultDir::Create(verb.common.out, verb.common.force);
-    if (!created.ok()) return BadInput(created.error());
-    dir.emplace(std::move(created).value());
-  }
+  auto asked = OpenAskedDir(verb.common);
+  if (!asked.ok()) return BadInput(asked.error());
+  std::optional<ResultDir>& dir = asked.value();
   verb.family.speed_limit_m_s = verb.speed_limit_km_h / 3.6;
   Json json = {{"bogies", Json::object()}};
   bool failed = false;
   for (const std::string& bogie : verb.bogies) {
-    if (verb.common.format == "text") PrintHead(bogie, verb.check);
+    if (verb.common.format == "text") {
+      if (!json["bogies"].empty()) fmt::print("\n");
+      PrintHead(bogie, verb.check);
+    }
     Json& rows = json["bogies"][bogie] = Json::array();
     for (const double radius : verb.radii) {
       auto row = SolveOne(verb, bogie, radius);
@@ -165,19 +165,12 @@ int RunCurving(CurvingVerb verb) {
       }
       rows.push_back(std::move(row).value());
     }
-    if (verb.common.format == "text") fmt::print("\n");
   }
   if (verb.common.format == "json") fmt::print("{}\n", json.dump(2));
   if (dir) {
-    const std::string file = dir->File("curving.json");
-    if (Status s = WriteFileAtomically(file, json.dump(2) + "\n"); !s.ok()) {
-      return BadInput(s.error());
-    }
-    if (Status s = report::WriteSteadyCurvingReport(file, dir->File("report.html")); !s.ok()) {
-      return BadInput(s.error());
-    }
-    if (Status s = dir->Commit(); !s.ok()) return BadInput(s.error());
-    if (verb.common.format == "text") fmt::print("Report: {}/report.html\n", dir->final_path());
+    const Status s = Publish(verb.common, "curving.json", json.dump(2) + "\n",
+                             &report::WriteSteadyCurvingReport, &*dir);
+    if (!s.ok()) return BadInput(s.error());
   }
   return failed ? kFailed : kDone;
 }

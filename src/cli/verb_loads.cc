@@ -42,12 +42,9 @@ void Print(const analysis::LoadResult& result, const hydraulics::PhsSystem& syst
 }
 
 int RunLoads(const LoadsOptions& options) {
-  std::optional<ResultDir> dir;
-  if (!options.common.out.empty()) {
-    auto created = ResultDir::Create(options.common.out, options.common.force);
-    if (!created.ok()) return BadInput(created.error());
-    dir.emplace(std::move(created).value());
-  }
+  auto asked = OpenAskedDir(options.common);
+  if (!asked.ok()) return BadInput(asked.error());
+  std::optional<ResultDir>& dir = asked.value();
   auto simulation = vehicle::Simulation::Create(options.scenario);
   if (!simulation.ok()) return BadInput(simulation.error());
   auto results = analysis::CalcLoadCases(simulation.value(), analysis::StandardLoadCases());

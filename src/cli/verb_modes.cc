@@ -75,12 +75,9 @@ Result<std::vector<Measured>> MeasureAll(const ModesOptions& options) {
 }
 
 int RunModes(const ModesOptions& options) {
-  std::optional<ResultDir> dir;
-  if (!options.common.out.empty()) {
-    auto created = ResultDir::Create(options.common.out, options.common.force);
-    if (!created.ok()) return BadInput(created.error());
-    dir.emplace(std::move(created).value());
-  }
+  auto asked = OpenAskedDir(options.common);
+  if (!asked.ok()) return BadInput(asked.error());
+  std::optional<ResultDir>& dir = asked.value();
   auto all = MeasureAll(options);
   if (!all.ok()) return BadInput(all.error());
   if (options.common.format == "json") {

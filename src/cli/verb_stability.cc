@@ -92,12 +92,9 @@ Result<vehicle::Simulation> ForTimeRuns(const StabilityVerb& verb, double larges
 }
 
 int RunStability(StabilityVerb verb) {
-  std::optional<ResultDir> dir;
-  if (!verb.common.out.empty()) {
-    auto created = ResultDir::Create(verb.common.out, verb.common.force);
-    if (!created.ok()) return BadInput(created.error());
-    dir.emplace(std::move(created).value());
-  }
+  auto asked = OpenAskedDir(verb.common);
+  if (!asked.ok()) return BadInput(asked.error());
+  std::optional<ResultDir>& dir = asked.value();
   verb.scenario.speed_m_s = 20;
   // The linear analysis takes no step; a small one passes the check of stiffness.
   verb.scenario.timestep_s = 1e-4;
@@ -129,16 +126,9 @@ int RunStability(StabilityVerb verb) {
     PrintText(verb, result.value(), cycle);
   }
   if (!dir) return kDone;
-  const std::string file = dir->File("stability.json");
-  if (Status s = WriteFileAtomically(file, json.dump(2) + "\n"); !s.ok()) {
-    return BadInput(s.error());
-  }
-  if (Status s = report::WriteStabilityReport(file, dir->File("report.html")); !s.ok()) {
-    return BadInput(s.error());
-  }
-  if (Status s = dir->Commit(); !s.ok()) return BadInput(s.error());
-  if (verb.common.format == "text") fmt::print("\nReport: {}/report.html\n", dir->final_path());
-  return kDone;
+  const Status s = Publish(verb.common, "stability.json", json.dump(2) + "\n",
+                           &report::WriteStabilityReport, &*dir);
+  return s.ok() ? kDone : BadInput(s.error());
 }
 
 }  // namespace

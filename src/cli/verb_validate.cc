@@ -94,12 +94,9 @@ void PrintTable(const validate::Checks& checks, const Json& json) {
 }
 
 int RunValidate(const ValidateOptions& options) {
-  std::optional<ResultDir> dir;
-  if (!options.common.out.empty()) {
-    auto created = ResultDir::Create(options.common.out, options.common.force);
-    if (!created.ok()) return BadInput(created.error());
-    dir.emplace(std::move(created).value());
-  }
+  auto asked = OpenAskedDir(options.common);
+  if (!asked.ok()) return BadInput(asked.error());
+  std::optional<ResultDir>& dir = asked.value();
   const auto checks = validate::MakeChecks(options.groups);
   if (!checks.ok()) return BadInput(checks.error());
   const Json json = ChecksJson(checks.value());

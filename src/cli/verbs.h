@@ -3,9 +3,11 @@
 
 #include <CLI/CLI.hpp>
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "base/result.h"
+#include "base/result_dir.h"
 
 namespace phs::cli {
 
@@ -25,6 +27,15 @@ void AddCommonOptions(CLI::App* verb, CommonOptions* options);
 
 /// Prints `error` as one line on stderr and returns the exit code for bad input.
 int BadInput(const Error& error);
+
+/// The result directory asked for with --out; none without it.
+Result<std::optional<ResultDir>> OpenAskedDir(const CommonOptions& options);
+
+/// Writes `text` as the file `name` and report.html made from it, commits the directory and, unless
+/// JSON goes to stdout, says where the report is.
+Status Publish(const CommonOptions& options, const std::string& name, const std::string& text,
+               Status (*write_report)(const std::string& file, const std::string& html),
+               ResultDir* dir);
 
 /// A line of progress on stderr: rewritten in place on a terminal, one per tenth elsewhere.
 class ProgressLine {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <string>
 
+#include "rail/wear.h"
+
 namespace phs::rail {
 namespace {
 
@@ -85,8 +87,9 @@ void CalcLinearContact(const LinearContactParams& p, double radius, double speed
   out->elastic_moment = {-p.half_base_m * elastic, 0, 0};
   out->moment = {r[1] * out->force[2] + r[2] * patch.creep.y, -r[2] * patch.creep.x,
                  r[1] * patch.creep.x - patch.creep.moment};
-  out->t_gamma = std::abs(patch.creep.x * patch.xi) + std::abs(patch.creep.y * patch.eta);
-  out->t_gamma_spin = std::abs(patch.creep.moment * patch.phi);
+  const TGamma wear = CalcTGamma({.xi = patch.xi, .eta = patch.eta, .phi = patch.phi}, patch.creep);
+  out->t_gamma = wear.slip;
+  out->t_gamma_spin = wear.spin;
   out->creep_power = -reference * (patch.creep.x * patch.xi + patch.creep.y * patch.eta +
                                    patch.creep.moment * patch.phi);
   out->damping_power = damper * velocity[2];

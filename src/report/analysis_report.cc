@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "base/result_dir.h"
+#include "report/json_fields.h"
 #include "report/report_page.h"
 
 namespace phs::report {
@@ -18,21 +18,6 @@ namespace {
 
 using json = nlohmann::ordered_json;
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-
-Result<json> ReadJson(const std::string& path) {
-  Result<std::string> text = ReadFile(path);
-  if (!text.ok()) return text.error();
-  json parsed = json::parse(text.value(), nullptr, false);
-  if (!parsed.is_object()) {
-    return Error{.where = path, .what = "is not a JSON object", .allowed = "", .mend = ""};
-  }
-  return parsed;
-}
-
-double NumberOf(const json& object, const std::string& key) {
-  if (!object.is_object() || !object.contains(key) || !object[key].is_number()) return kNone;
-  return object[key].get<double>();
-}
 
 struct Mode {
   const char* key;
@@ -206,7 +191,7 @@ void AddModeTable(const std::vector<json>& bogies, ReportPage* page) {
 Status WriteModesReport(const std::vector<std::string>& modes_files, const std::string& path) {
   std::vector<json> bogies;
   for (const std::string& file : modes_files) {
-    Result<json> read = ReadJson(file);
+    Result<json> read = ReadJsonObject(file);
     if (!read.ok()) return read.status();
     bogies.push_back(std::move(read.value()));
   }

@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <limits>
 
-#include "base/result_dir.h"
+#include "report/json_fields.h"
 
 namespace phs::report {
 namespace {
@@ -15,23 +15,6 @@ namespace {
 using json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-
-double AsNumber(const json& value) { return value.is_number() ? value.get<double>() : kNone; }
-
-double NumberOf(const json& object, const char* key) {
-  const auto found = object.find(key);
-  return found == object.end() ? kNone : AsNumber(*found);
-}
-
-Result<json> ReadJson(const std::string& path) {
-  Result<std::string> text = ReadFile(path);
-  if (!text.ok()) return text.error();
-  json parsed = json::parse(text.value(), nullptr, false);
-  if (parsed.is_discarded() || !parsed.is_object()) {
-    return Error{.where = path, .what = "is not a JSON object", .mend = "run the simulation again"};
-  }
-  return parsed;
-}
 
 Error MissingBogie(const CurvingReportInput& input, const std::string& bogie) {
   return {.where = input.results,
@@ -103,7 +86,7 @@ Result<CurvingReportInput> CurvingReportInput::FromDirectory(const std::string& 
                  .allowed = "a directory with compare.json or summary.json",
                  .mend = "name a directory written by phs simulate or phs compare"};
   }
-  Result<json> all = ReadJson(input.results);
+  Result<json> all = ReadJsonObject(input.results, "", "run the simulation again");
   if (!all.ok()) return all.error();
   if (!several) {
     const std::string bogie = all.value().value("bogie", "bogie");
@@ -165,7 +148,7 @@ double BogieRun::Steady(const std::string& list, const std::string& item,
   const json::json_pointer at("/steady_curve/" + list);
   if (!summary.contains(at)) return kNone;
   for (const json& entry : summary.at(at)) {
-    if (entry.value("name", "") == item) return NumberOf(entry, key.c_str());
+    if (entry.value("name", "") == item) return NumberOf(entry, key);
   }
   return kNone;
 }
@@ -220,7 +203,7 @@ std::string SectionLabel(const Section& section) {
 }
 
 Result<CurvingResults> ReadCurvingResults(const CurvingReportInput& input) {
-  Result<json> all = ReadJson(input.results);
+  Result<json> all = ReadJsonObject(input.results, "", "run the simulation again");
   if (!all.ok()) return all.error();
   CurvingResults results;
   results.all = std::move(all.value());

@@ -9,6 +9,7 @@
 
 #include "base/result_dir.h"
 #include "report/curving_results.h"
+#include "report/json_fields.h"
 #include "report/report_page.h"
 
 namespace phs::report {
@@ -31,10 +32,6 @@ constexpr Quantity kQuantities[] = {
      "wear_yardstick_over_own_run", 1},
     {"Wear number Tγ of all wheels, steady", "Tγ [N]", "T_gamma_N", 1},
     {"Track-shifting force ΣY of the leading axle, steady", "ΣY [kN]", "sum_Y_lead_N", 1e-3}};
-
-double NumberOf(const json& row, const char* key) {
-  return row.contains(key) && row[key].is_number() ? row[key].get<double>() : kNone;
-}
 
 /// Value of a row; NaN for a run that did not end well, since its means do not hold.
 double ValueOf(const json& row, const Quantity& q) {

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "base/result_dir.h"
 #include "base/table.h"
+#include "report/json_fields.h"
 #include "report/readable_name.h"
 #include "report/report_page.h"
 
@@ -126,12 +126,9 @@ void AddCurves(const Table& table, ReportPage* page) {
 }  // namespace
 
 Status WriteRigReport(const RigReportInput& input, const std::string& path) {
-  Result<std::string> text = ReadFile(input.result);
-  if (!text.ok()) return text.error();
-  const json result = json::parse(text.value(), nullptr, false);
-  if (!result.is_object()) {
-    return Error{input.result, "is not a JSON object", "result.json of phs rig", "run it again"};
-  }
+  const Result<json> read = ReadJsonObject(input.result, "result.json of phs rig", "run it again");
+  if (!read.ok()) return read.error();
+  const json& result = read.value();
   ReportPage page("Rig", result.value("rig", "") + " rig, declared model " +
                              result.value("declared", "") + ", data " + result.value("data", ""));
   page.Section("At a glance");

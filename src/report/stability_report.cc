@@ -7,8 +7,8 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "base/result_dir.h"
 #include "report/analysis_report.h"
+#include "report/json_fields.h"
 #include "report/report_page.h"
 
 namespace phs::report {
@@ -16,11 +16,6 @@ namespace {
 
 using json = nlohmann::ordered_json;
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-
-double NumberOf(const json& object, const std::string& key) {
-  if (!object.is_object() || !object.contains(key) || !object[key].is_number()) return kNone;
-  return object[key].get<double>();
-}
 
 /// Least damping ratio -Re/|λ| of the oscillating eigenvalues at each speed.
 Curve LeastDamping(const json& eigenvalues) {
@@ -180,13 +175,9 @@ void AddGlance(const json& result, ReportPage* page) {
 }  // namespace
 
 Status WriteStabilityReport(const std::string& stability_file, const std::string& path) {
-  Result<std::string> text = ReadFile(stability_file);
-  if (!text.ok()) return text.error();
-  const json result = json::parse(text.value(), nullptr, false);
-  if (!result.is_object()) {
-    return Error{
-        .where = stability_file, .what = "is not a JSON object", .allowed = "", .mend = ""};
-  }
+  const Result<json> read = ReadJsonObject(stability_file);
+  if (!read.ok()) return read.error();
+  const json& result = read.value();
   const json eigenvalues = result.value("eigenvalues", json::array());
   ReportPage page("Stability over speed", result.value("bogie", ""));
   page.Section("At a glance");

@@ -5,21 +5,14 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "base/result_dir.h"
 #include "report/analysis_report.h"
+#include "report/json_fields.h"
 #include "report/report_page.h"
 
 namespace phs::report {
 namespace {
 
 using json = nlohmann::ordered_json;
-
-double NumberOf(const json& object, const char* key) {
-  if (!object.is_object() || !object.contains(key) || !object[key].is_number()) {
-    return std::numeric_limits<double>::quiet_NaN();
-  }
-  return object[key].get<double>();
-}
 
 struct Quantity {
   const char* key;
@@ -69,12 +62,9 @@ DataTable Numbers(const json& bogies, const Quantity& quantity) {
 }  // namespace
 
 Status WriteSteadyCurvingReport(const std::string& curving_file, const std::string& path) {
-  Result<std::string> text = ReadFile(curving_file);
-  if (!text.ok()) return text.status();
-  const json result = json::parse(text.value(), nullptr, false);
-  if (!result.is_object()) {
-    return Error{.where = curving_file, .what = "is not a JSON object", .allowed = "", .mend = ""};
-  }
+  const Result<json> read = ReadJsonObject(curving_file);
+  if (!read.ok()) return read.error();
+  const json& result = read.value();
   const json bogies = result.value("bogies", json::object());
   ReportPage page("Curving over radius", "Steady state in the arc, found directly");
   page.Paragraph(

@@ -1,7 +1,6 @@
 #include "sweep/case_files.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 #include <yaml-cpp/yaml.h>
 
 #include <cctype>
@@ -13,6 +12,7 @@
 #include "base/words.h"
 #include "effects/catalogue.h"
 #include "hydraulics/phs_params.h"
+#include "sweep/local_folder.h"
 #include "vehicle/compose.h"
 #include "vehicle/scenario.h"
 
@@ -276,16 +276,12 @@ Status CheckCase(const Study& study, int run, const std::string& folder) {
 }  // namespace
 
 Status CheckCases(const Study& study) {
-  std::string pattern = (fs::temp_directory_path() / "phs_case_XXXXXX").string();
-  if (mkdtemp(pattern.data()) == nullptr) {
-    return Error{fs::temp_directory_path().string(), "cannot be written", "", "set TMPDIR"};
-  }
+  const LocalFolder scratch;
+  if (Status s = scratch.status(); !s.ok()) return s;
   Status status;
   for (int run = 0; run < static_cast<int>(study.cases.size()) && status.ok(); ++run) {
-    status = CheckCase(study, run, pattern);
+    status = CheckCase(study, run, scratch.path());
   }
-  std::error_code ignored;
-  fs::remove_all(pattern, ignored);
   return status;
 }
 

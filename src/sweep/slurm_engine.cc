@@ -1,11 +1,9 @@
 #include "sweep/slurm_engine.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
-#include <cstdlib>
 #include <deque>
 #include <filesystem>
 #include <map>
@@ -13,9 +11,9 @@
 #include <sstream>
 #include <thread>
 
-#include "base/numbers.h"
 #include "base/result_dir.h"
 #include "base/words.h"
+#include "sweep/slurm_batches.h"
 #include "sweep/slurm_client.h"
 
 namespace phs::sweep {
@@ -23,41 +21,11 @@ namespace {
 
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
-using Runs = std::vector<int>;
 
-constexpr int kMostChunk = 100;
 /// So many tasks lost in a row without a single record: something is wrong with all of them.
 constexpr int kFutileTasks = 10;
 /// Slurm may be silent for so long (its controller restarts) before waiting ends [s].
 constexpr double kPatience = 600;
-
-int ChunkSize(const SlurmOptions& options, std::size_t runs) {
-  if (options.chunk > 0) return options.chunk;
-  const auto share = static_cast<std::size_t>(4 * SlurmProcessors(options.partition));
-  return std::clamp(static_cast<int>((runs + share - 1) / share), 1, kMostChunk);
-}
-
-std::deque<Runs> Chunks(const Runs& runs, int size) {
-  std::deque<Runs> chunks;
-  for (std::size_t i = 0; i < runs.size(); ++i) {
-    if (i % static_cast<std::size_t>(size) == 0) chunks.emplace_back();
-    chunks.back().push_back(runs[i]);
-  }
-  return chunks;
-}
-
-Result<std::vector<Runs>> ReadBatch(const std::string& path) {
-  const auto text = ReadFile(path);
-  if (!text.ok()) return text.error();
-  std::vector<Runs> tasks;
-  std::istringstream lines(text.value());
-  for (std::string line; std::getline(lines, line);) {
-    tasks.emplace_back();
-    std::istringstream numbers(line);
-    for (int run = 0; numbers >> run;) tasks.back().push_back(run);
-  }
-  return tasks;
-}
 
 std::string LastLine(const std::string& path) {
   const auto text = ReadFile(path);
@@ -68,18 +36,6 @@ std::string LastLine(const std::string& path) {
     if (!line.empty()) last = line;
   }
   return last;
-}
-
-ArrayRequest RequestFor(const Study& study, const SlurmOptions& options, const std::string& folder,
-                        const std::string& batch, int tasks) {
-  return {.script = folder + "/task.sh",
-          .argument = folder + "/" + batch,
-          .name = "phs_" + study.name,
-          .log_folder = folder,
-          .tasks = tasks,
-          .partition = options.partition,
-          .time_min = options.time_min,
-          .options = options.options};
 }
 
 /// One task that was submitted and has not been settled.
@@ -195,10 +151,8 @@ class SlurmSweep {
 
   Status SubmitArray(int count) {
     std::vector<Runs> tasks(waiting_.begin(), waiting_.begin() + count);
-    std::string text;
-    for (const Runs& runs : tasks) text += fmt::format("{}\n", fmt::join(runs, " "));
     const std::string batch = fmt::format("batch_{:03}.txt", num_batches_);
-    if (Status s = WriteFileAtomically(File(batch), text); !s.ok()) return s;
+    if (Status s = WriteFileAtomically(File(batch), BatchText(tasks)); !s.ok()) return s;
     const auto job = Submit(RequestFor(study_, options_, folder_, batch, count));
     if (!job.ok()) return job.error();
     ++num_batches_;
@@ -314,32 +268,6 @@ class SlurmSweep {
   Clock::time_point heard_ = Clock::now();
 };
 
-/// A folder on the task's own machine, removed at the end.
-class LocalFolder {
- public:
-  LocalFolder() {
-    path_ = (fs::temp_directory_path() / "phs_task_XXXXXX").string();
-    if (mkdtemp(path_.data()) == nullptr) path_.clear();
-  }
-  ~LocalFolder() {
-    std::error_code ignored;
-    if (!path_.empty()) fs::remove_all(path_, ignored);
-  }
-  LocalFolder(const LocalFolder&) = delete;
-  LocalFolder& operator=(const LocalFolder&) = delete;
-  const std::string& path() const { return path_; }
-
- private:
-  std::string path_;
-};
-
-/// A count in Slurm's environment, or `otherwise`.
-int FromEnvironment(const char* name, int otherwise) {
-  const char* text = std::getenv(name);
-  const auto number = ParseNumber(text == nullptr ? "" : text);
-  return number ? static_cast<int>(*number) : otherwise;
-}
-
 }  // namespace
 
 Result<SlurmPlan> PlanOnSlurm(const Study& study, const SlurmOptions& options,
@@ -362,30 +290,6 @@ Result<SlurmPlan> PlanOnSlurm(const Study& study, const SlurmOptions& options,
 Result<SlurmOutcome> RunOnSlurm(const Study& study, const SlurmOptions& options, WorkDir* work,
                                 const Progress& progress) {
   return SlurmSweep(study, options, work, progress).Execute();
-}
-
-Result<bool> RunSlurmTask(const Study& study, const std::string& batch, WorkDir* work,
-                          const Progress& progress) {
-  const auto tasks = ReadBatch(batch);
-  if (!tasks.ok()) return tasks.error();
-  const int index = FromEnvironment("SLURM_ARRAY_TASK_ID", -1);
-  const int count = static_cast<int>(tasks.value().size());
-  if (index < 0 || index >= count) {
-    return Error{"SLURM_ARRAY_TASK_ID", "names no line of " + batch,
-                 fmt::format("0 … {}", count - 1), "started by phs sweep --engine slurm"};
-  }
-  Runs missing;
-  for (int run : tasks.value()[static_cast<std::size_t>(index)]) {
-    if (run >= 0 && run < study.num_runs() && !ReadRecord(study, work->path(), run)) {
-      missing.push_back(run);
-    }
-  }
-  const LocalFolder scratch;
-  if (scratch.path().empty()) {
-    return Error{fs::temp_directory_path().string(), "cannot be written", "", "set TMPDIR"};
-  }
-  return MakeRuns(study, missing, std::max(1, FromEnvironment("SLURM_CPUS_PER_TASK", 1)),
-                  scratch.path(), work, progress);
 }
 
 }  // namespace phs::sweep

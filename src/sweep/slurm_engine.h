@@ -45,8 +45,4 @@ struct SlurmOutcome {
 Result<SlurmOutcome> RunOnSlurm(const Study& study, const SlurmOptions& options, WorkDir* work,
                                 const Progress& progress);
 
-/// In a task: makes the runs of line SLURM_ARRAY_TASK_ID of `batch` that have no record yet.
-Result<bool> RunSlurmTask(const Study& study, const std::string& batch, WorkDir* work,
-                          const Progress& progress);
-
 }  // namespace phs::sweep

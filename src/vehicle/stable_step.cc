@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "vehicle/engine.h"
+#include "vehicle/tangent_state.h"
 
 namespace phs::vehicle {
 namespace {
@@ -19,22 +20,17 @@ constexpr double kSpeedProbe = 1e-5;  ///< of speed [m/s, rad/s]
 constexpr double kSmallest = 1e-5;    ///< [s]
 constexpr double kLargest = 0.02;     ///< [s]
 
-/// State as tangent vector: position difference to the base, speed, activation.
+/// One step of the model from states near a base.
 class Probe {
  public:
   Probe(const mjModel* m, const mjData* base) : m_(m), base_(base), data_(mj_makeData(m)) {}
 
-  int size() const { return 2 * m_->nv + m_->na; }
+  int size() const { return TangentSize(m_); }
 
   /// The state after one step from base + `delta`, as difference to base.
   Eigen::VectorXd Step(const Eigen::VectorXd& delta) {
     mjData* d = data_.get();
-    mju_copy(d->qpos, base_->qpos, m_->nq);
-    mj_integratePos(m_, d->qpos, delta.data(), 1.0);
-    mju_add(d->qvel, base_->qvel, delta.data() + m_->nv, m_->nv);
-    mju_add(d->act, base_->act, delta.data() + 2 * m_->nv, m_->na);
-    mju_zero(d->qacc_warmstart, m_->nv);
-    d->time = base_->time;
+    SetState(m_, base_, delta, d);
     mj_step(m_, d);
     Eigen::VectorXd out(size());
     mj_differentiatePos(m_, out.data(), 1.0, base_->qpos, d->qpos);

@@ -2,10 +2,11 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
+
+#include "tests/base/scratch_dir.h"
 
 namespace phs::analysis {
 namespace {
@@ -85,7 +86,7 @@ TEST(LimitsTest, UnknownNamesAreErrorsWithTheNearest) {
 }
 
 TEST(LimitsTest, FilesAreReadStrictly) {
-  const std::string path = testing::TempDir() + "limits_" + std::to_string(getpid()) + ".yaml";
+  const std::string path = ScratchFile("limits.yaml");
   const auto load = [&](const std::string& text) {
     std::ofstream(path) << text;
     return LoadLimits(path);

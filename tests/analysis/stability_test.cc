@@ -12,6 +12,7 @@
 
 #include "analysis/limit_cycle.h"
 #include "vehicle/simulation.h"
+#include "vehicle/tangent_state.h"
 
 namespace phs::analysis {
 namespace {
@@ -160,10 +161,7 @@ TEST(StabilityTest, GrowthOfASmallDisturbanceInTimeIsTheRealPart) {
   mjModel* m = simulation.value().mutable_model();
   const vehicle::DataPtr d(mj_makeData(m));
   ASSERT_TRUE(StartAtSpeed(simulation.value(), 75, d.get()).ok());
-  const Eigen::VectorXd delta = 1e-6 * mode.state.real();
-  mj_integratePos(m, d->qpos, delta.data(), 1.0);
-  mju_addTo(d->qvel, delta.data() + m->nv, m->nv);
-  mju_addTo(d->act, delta.data() + 2 * m->nv, m->na);
+  vehicle::AddToState(m, 1e-6 * mode.state.real(), d.get());
   const int body = simulation.value().binding().wheelsets()[0].body;
   std::vector<double> peaks, times;
   double before = 0, last = 0;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "plugin/settle.h"
+#include "tests/base/scratch_dir.h"
 #include "tests/laws/law_models.h"
 #include "vehicle/simulation.h"
 #include "vehicle/summary.h"
@@ -62,7 +63,7 @@ TEST(CurvingTest, EnergyOfAFullRunBalancesWithinATenthOfAPercent) {
 }
 
 TEST(CurvingTest, RightHandCurveMirrorsTheLeftToRounding) {
-  const laws::TestFolder folder;
+  const ScratchDir folder;
   const auto track = [&](const char* hand) {
     return folder.Write(std::string(hand) + ".yaml", laws::CurvedTrack(400, 15, hand));
   };

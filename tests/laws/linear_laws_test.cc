@@ -8,6 +8,7 @@
 
 #include "plugin/registry.h"
 #include "plugin/settle.h"
+#include "tests/base/scratch_dir.h"
 #include "tests/laws/law_models.h"
 #include "vehicle/engine.h"
 #include "vehicle/simulation.h"
@@ -58,7 +59,7 @@ TEST(LinearLawsTest, KlingelWavelengthOfAFreeConedWheelsetWithinOnePercent) {
   // True cones deviate from the formula in proportion to the cone (2 % at 0.05; Antali, Stepan,
   // Hogan 2015), so that slight cones are the test.
   for (const double cone : {0.01, 0.02}) {
-    const laws::TestFolder folder;
+    const ScratchDir folder;
     ModelPtr m = std::move(LoadMjcf(folder.Write("w.xml", laws::FreeWheelset(2000, 0.46)))).value();
     const auto options = ConedLinear(folder.Write("t.yaml", laws::StraightTrack(200)), cone, 5.0);
     ASSERT_TRUE(plugin::Attach(m.get(), options).ok());
@@ -91,7 +92,7 @@ TEST(LinearLawsTest, FreeWheelsetInACurveRollsOnTheEquilibriumLineWithinOnePerce
   const double radius = 2000;
   const double cone = 0.1;
   const double speed = 10;
-  const laws::TestFolder folder;
+  const ScratchDir folder;
   ModelPtr m = std::move(LoadMjcf(folder.Write("w.xml", laws::FreeWheelset(2000, 0.46)))).value();
   const auto options =
       ConedLinear(folder.Write("t.yaml", laws::CurvedTrack(radius, speed)), cone, speed);
@@ -188,7 +189,7 @@ TEST(LinearLawsTest, TwoAxleBogieInACurveMeetsTheClosedFormWithinOnePercent) {
   bogie.radius = 12000;  // small shifts: the conicity on an arc changes with them
   bogie.k_psi = 2e6;
   bogie.k_y = 1e7;
-  const laws::TestFolder folder;
+  const ScratchDir folder;
   const std::string file = folder.Write("b.xml", laws::LightBogie(bogie.k_psi, bogie.k_y));
   ModelPtr m = std::move(LoadMjcf(file)).value();
   const auto options = ConedLinear(folder.Write("t.yaml", laws::CurvedTrack(bogie.radius, speed)),

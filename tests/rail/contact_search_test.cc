@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "contact_pair.h"
+#include "tests/base/scratch_dir.h"
 
 namespace phs::rail {
 namespace {
@@ -55,7 +56,7 @@ TEST(ContactSearch, ConeOnArcTouchesWhereTheSlopesAgree) {
 
 /// A wheel profile of one concave arc of 0.5 m.
 std::string HollowWheel() {
-  const std::string path = testing::TempDir() + "phs_hollow_wheel.txt";
+  const std::string path = ScratchFile("hollow_wheel.txt");
   std::ofstream file(path);
   file.precision(15);
   for (int i = -160; i <= 160; ++i) {

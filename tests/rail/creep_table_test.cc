@@ -13,6 +13,7 @@
 
 #include "creep_reference.h"
 #include "rail/creep_table_cache.h"
+#include "tests/base/scratch_dir.h"
 
 namespace phs::rail {
 namespace {
@@ -256,13 +257,9 @@ TEST(CreepLaw, BadParametersAreNamed) {
 
 class CreepTableCache : public testing::Test {
  protected:
-  void SetUp() override {
-    folder_ = std::filesystem::temp_directory_path() /
-              ("phs_creep_cache_" + std::to_string(std::random_device()()));
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
   std::filesystem::path File() const { return folder_ / "creep_table_40x40_parabolic.bin"; }
-  std::filesystem::path folder_;
+  ScratchDir scratch_;
+  const std::filesystem::path folder_ = scratch_.File("cache");  ///< not there yet
 };
 
 TEST_F(CreepTableCache, ComesBackWithTheSameBits) {

@@ -1,29 +1,22 @@
 #include "report/analysis_report.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include <filesystem>
 #include <fstream>
 
 #include "base/result_dir.h"
 #include "holds.h"
+#include "tests/base/scratch_dir.h"
 
 namespace phs::report {
 namespace {
 
 using testing::Holds;
-namespace fs = std::filesystem;
 
 class AnalysisReport : public ::testing::Test {
  protected:
-  void SetUp() override {
-    directory_ = fs::temp_directory_path() / ("phs_analysis_report_" + std::to_string(::getpid()));
-    fs::create_directories(directory_);
-  }
-  void TearDown() override { fs::remove_all(directory_); }
-  std::string File(const std::string& name) const { return (directory_ / name).string(); }
-  fs::path directory_;
+  std::string File(const std::string& name) const { return directory_.File(name); }
+  ScratchDir directory_;
 };
 
 TEST_F(AnalysisReport, ModesOfTwoBogies) {

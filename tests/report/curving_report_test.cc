@@ -2,7 +2,6 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -10,6 +9,7 @@
 #include "base/result_dir.h"
 #include "example_results.h"
 #include "holds.h"
+#include "tests/base/scratch_dir.h"
 
 namespace phs::report {
 namespace {
@@ -20,29 +20,20 @@ using testing::Holds;
 using testing::Lacks;
 namespace fs = std::filesystem;
 
-/// A directory of its own for each test, removed at its end.
 class CurvingReport : public ::testing::Test {
  protected:
-  void SetUp() override {
-    const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
-    directory_ = fs::temp_directory_path() /
-                 ("phs_report_" + std::string(info->name()) + std::to_string(::getpid()));
-    fs::create_directories(directory_);
-  }
-  void TearDown() override { fs::remove_all(directory_); }
-
   std::string Make(ExampleOptions options) {
     options.interval_m = std::max(options.interval_m, 0.5);
-    testing::WriteExampleResults(directory_.string(), options);
+    testing::WriteExampleResults(directory_.path(), options);
     return Remake();
   }
   std::string Remake() {
-    const std::string path = (directory_ / "report.html").string();
-    const Status status = WriteCurvingReport(directory_.string(), path);
+    const std::string path = directory_.File("report.html");
+    const Status status = WriteCurvingReport(directory_.path(), path);
     EXPECT_TRUE(status.ok()) << status.error().Line();
     return ReadFile(path).value();
   }
-  fs::path directory_;
+  ScratchDir directory_;
 };
 
 TEST_F(CurvingReport, ShowsTheNumbersOfTheResult) {
@@ -111,10 +102,10 @@ TEST_F(CurvingReport, WithoutTimeSeriesTheTablesRemain) {
 
 TEST_F(CurvingReport, AMinuteAtAKilohertzStaysBelowSixMegabytes) {
   testing::WriteExampleResults(
-      directory_.string(),
+      directory_.path(),
       {.bogies = {"phs", "rigid_link"}, .locomotive = true, .interval_m = 0.0167});
   Remake();
-  EXPECT_LT(fs::file_size(directory_ / "report.html"), 6u << 20);
+  EXPECT_LT(fs::file_size(directory_.File("report.html")), 6u << 20);
 }
 
 TEST_F(CurvingReport, TheSameResultGivesTheSameBytes) {
@@ -123,17 +114,17 @@ TEST_F(CurvingReport, TheSameResultGivesTheSameBytes) {
 }
 
 TEST_F(CurvingReport, BadInputIsNamed) {
-  const std::string place = directory_.string();
+  const std::string place = directory_.path();
   const Status empty = WriteCurvingReport(place, place + "/r.html");
   ASSERT_FALSE(empty.ok());
   EXPECT_THAT(empty.error().Line(), HasSubstr("holds no result of a curving run"));
-  std::ofstream(directory_ / "compare.json") << "{ broken";
+  std::ofstream(directory_.File("compare.json")) << "{ broken";
   const Status broken = WriteCurvingReport(place, place + "/r.html");
   ASSERT_FALSE(broken.ok());
   EXPECT_THAT(broken.error().Line(), HasSubstr("compare.json"));
-  std::ofstream(directory_ / "compare.json") << "{\"bogies\":{}}";
+  std::ofstream(directory_.File("compare.json")) << "{\"bogies\":{}}";
   EXPECT_FALSE(WriteCurvingReport(place, place + "/r.html").ok());
-  EXPECT_FALSE(fs::exists(directory_ / "r.html"));
+  EXPECT_FALSE(fs::exists(directory_.File("r.html")));
 }
 
 }  // namespace

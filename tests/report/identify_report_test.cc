@@ -2,14 +2,13 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include <filesystem>
 #include <fstream>
 
 #include "base/result_dir.h"
 #include "example_results.h"
 #include "holds.h"
+#include "tests/base/scratch_dir.h"
 
 namespace phs::report {
 namespace {
@@ -17,27 +16,21 @@ namespace {
 using ::testing::HasSubstr;
 using testing::Holds;
 using testing::Lacks;
-namespace fs = std::filesystem;
 
 class IdentifyReport : public ::testing::Test {
  protected:
-  void SetUp() override {
-    directory_ = fs::temp_directory_path() / ("phs_identify_report_" + std::to_string(::getpid()));
-    fs::create_directories(directory_);
-  }
-  void TearDown() override { fs::remove_all(directory_); }
-  std::string File(const std::string& name) const { return (directory_ / name).string(); }
+  std::string File(const std::string& name) const { return directory_.File(name); }
   void WriteResult(const std::string& text) { std::ofstream(File("result.json")) << text; }
   std::string Html(const IdentifyReportInput& input) {
     const Status status = WriteIdentifyReport(input, File("report.html"));
     EXPECT_TRUE(status.ok()) << status.error().Line();
     return ReadFile(File("report.html")).value();
   }
-  fs::path directory_;
+  ScratchDir directory_;
 };
 
 TEST_F(IdentifyReport, ShowsEffectIntervalsErrorsAndDoubt) {
-  testing::WriteExampleIdentification(directory_.string());
+  testing::WriteExampleIdentification(directory_.path());
   const std::string html = Html({.result = File("result.json"),
                                  .measured = File("measured.csv"),
                                  .predicted = File("predicted.csv"),

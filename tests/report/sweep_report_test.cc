@@ -2,26 +2,22 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include <filesystem>
 #include <fstream>
 
 #include "base/result_dir.h"
 #include "holds.h"
+#include "tests/base/scratch_dir.h"
 
 namespace phs::report {
 namespace {
 
 using ::testing::HasSubstr;
 using testing::Holds;
-namespace fs = std::filesystem;
 
 class SweepReport : public ::testing::Test {
  protected:
   void SetUp() override {
-    directory_ = fs::temp_directory_path() / ("phs_sweep_report_" + std::to_string(::getpid()));
-    fs::create_directories(directory_);
     std::ofstream csv(File("sweep.csv"));
     csv << "bogie,track_radius_m,friction,speed_m_s,status,lead_angle_of_attack_rad,max_Y_N\n";
     for (const char* bogie : {"phs", "rigid_link"}) {
@@ -34,9 +30,8 @@ class SweepReport : public ::testing::Test {
       }
     }
   }
-  void TearDown() override { fs::remove_all(directory_); }
-  std::string File(const std::string& name) const { return (directory_ / name).string(); }
-  fs::path directory_;
+  std::string File(const std::string& name) const { return directory_.File(name); }
+  ScratchDir directory_;
 };
 
 TEST_F(SweepReport, PlotsEveryResultOverTheVariedParameters) {

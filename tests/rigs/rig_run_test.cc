@@ -3,7 +3,6 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <filesystem>
@@ -12,6 +11,7 @@
 #include "base/table.h"
 #include "effects/rig_signal.h"
 #include "rigs/steps_run.h"
+#include "tests/base/scratch_dir.h"
 
 namespace phs::rigs {
 namespace {
@@ -33,17 +33,9 @@ const char kSine[] = "{kind: sine, amplitude_m: 1.5e-3, frequency_Hz: 0.5}";
 
 class RigRunTest : public testing::Test {
  protected:
-  RigRunTest()
-      : folder_(fs::path(testing::TempDir()) /
-                ("rigs_" + std::to_string(getpid()) +
-                 testing::UnitTest::GetInstance()->current_test_info()->name())) {
-    fs::create_directories(folder_);
-  }
-  ~RigRunTest() override { fs::remove_all(folder_); }
-  std::string Path(const std::string& name) const { return (folder_ / name).string(); }
+  std::string Path(const std::string& name) const { return folder_.File(name); }
   std::string Write(const std::string& name, const std::string& text) const {
-    std::ofstream(Path(name)) << text;
-    return Path(name);
+    return folder_.Write(name, text);
   }
   Result<RigOutcome> Execute(const std::string& manifest_text, const std::string& out) const {
     Result<identify::Manifest> manifest =
@@ -79,7 +71,7 @@ class RigRunTest : public testing::Test {
     EXPECT_NE(at, std::string::npos) << from;
     return Write("model.yaml", text.replace(at, from.size(), to));
   }
-  fs::path folder_;
+  ScratchDir folder_;
 };
 
 TEST_F(RigRunTest, EveryExampleRunsAndHoldsNumbersOnly) {

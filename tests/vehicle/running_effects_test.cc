@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "base/data_path.h"
+#include "tests/base/scratch_dir.h"
 #include "vehicle/simulation.h"
 #include "vehicle/summary.h"
 
@@ -29,9 +30,9 @@ RunOutcome Execute(Scenario s) {
 Scenario Curve() { return LoadScenario("curve_r300").value(); }
 
 std::string Written(const std::string& text) {
-  const fs::path path = fs::path(testing::TempDir()) / "phs_running_effects.yaml";
+  const std::string path = ScratchFile("running_effects.yaml");
   std::ofstream(path) << text;
-  return path.string();
+  return path;
 }
 
 TEST(RunningEffectsTest, NothingByDefault) {

@@ -1,12 +1,11 @@
 // A bogie from URDF runs as the MJCF one.
 #include <gmock/gmock.h>
-#include <unistd.h>
 
 #include <cstdlib>
-#include <filesystem>
 #include <fstream>
 
 #include "base/result_dir.h"
+#include "tests/base/scratch_dir.h"
 #include "vehicle/bogie_import.h"
 #include "vehicle/simulation.h"
 
@@ -14,26 +13,17 @@ namespace phs::vehicle {
 namespace {
 
 using testing::HasSubstr;
-namespace fs = std::filesystem;
 
 const std::string kFolder = std::string(PHS_SOURCE_DIR) + "/models/urdf/";
 
 class UrdfImportTest : public testing::Test {
  protected:
   void SetUp() override {
-    folder_ = fs::path(testing::TempDir()) /
-              ("urdf_" + std::to_string(::getpid()) +
-               testing::UnitTest::GetInstance()->current_test_info()->name());
-    fs::create_directories(folder_);
     urdf_ = ReadFile(kFolder + "bogie_19e.urdf").value();
     mapping_ = ReadFile(kFolder + "bogie_19e_phs.yaml").value();
   }
-  void TearDown() override { fs::remove_all(folder_); }
-
   std::string Write(const std::string& name, const std::string& text) const {
-    const std::string file = (folder_ / name).string();
-    std::ofstream(file) << text;
-    return file;
+    return folder_.Write(name, text);
   }
   /// Imports the shipped files with one text replaced.
   Result<std::string> Import(const std::string& from = "", const std::string& to = "") const {
@@ -56,7 +46,7 @@ class UrdfImportTest : public testing::Test {
     return result.ok() ? "" : result.error().Line();
   }
 
-  fs::path folder_;
+  ScratchDir folder_;
   std::string urdf_;
   std::string mapping_;
 };

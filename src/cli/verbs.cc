@@ -1,11 +1,11 @@
+#include "cli/verbs.h"
+
 #include <unistd.h>
 
 #include <atomic>
 #include <chrono>
 #include <csignal>
 #include <cstdio>
-
-#include "cli/verbs.h"
 
 namespace phs::cli {
 namespace {
@@ -27,6 +27,27 @@ void AddCommonOptions(CLI::App* verb, CommonOptions* options) {
 int BadInput(const Error& error) {
   std::fprintf(stderr, "phs: %s\n", error.Line().c_str());
   return kBadInput;
+}
+
+Result<std::optional<ResultDir>> OpenAskedDir(const CommonOptions& options) {
+  std::optional<ResultDir> dir;
+  if (options.out.empty()) return dir;
+  auto created = ResultDir::Create(options.out, options.force);
+  if (!created.ok()) return created.error();
+  dir.emplace(std::move(created).value());
+  return dir;
+}
+
+Status Publish(const CommonOptions& options, const std::string& name, const std::string& text,
+               Status (*write_report)(const std::string& file, const std::string& html),
+               ResultDir* dir) {
+  const std::string file = dir->File(name);
+  if (Status s = WriteFileAtomically(file, text); !s.ok()) return s;
+  if (Status s = write_report(file, dir->File("report.html")); !s.ok()) return s;
+  if (Status s = dir->Commit(); !s.ok()) return s;
+  if (options.format == "text")
+    std::printf("\nReport: %s/report.html\n", dir->final_path().c_str());
+  return {};
 }
 
 struct ProgressLine::Impl {

@@ -1,0 +1,36 @@
+// What a WheelRail holds, for its own files: made once (wheel_rail_create.cc), searched
+// (wheel_rail.cc), pressed patch by patch (wheel_rail_patch.cc).
+#pragma once
+
+#include <memory>
+
+#include "rail/contact_search.h"
+#include "rail/hertz.h"
+#include "rail/wheel_rail.h"
+
+namespace phs::rail {
+
+inline double Dot(const Vec3& a, const Vec3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+struct PatchAxes;
+
+struct WheelRail::Impl {
+  WheelRailParams params;
+  std::unique_ptr<CreepLaw> creep;
+  std::unique_ptr<ContactSearch> search;
+  Hertz hertz{82e9, 0.28};
+  double rail_y = 0;    ///< origin of the rail profile from the track centre [m]
+  double touching = 0;  ///< z_C of the wheelset centre at mere touch
+  double flange = 0;    ///< largest flange angle [rad]
+  double climb_y = 0;   ///< contacts at smaller y of the wheel profile climb [m]
+
+  /// Normal and creep force of one patch, added to the sums.
+  void Press(const WheelsetMotion& motion, const Overlap& overlap, double approach,
+             const Vec3& slopes, double forward_push, const RailSupport& support,
+             WheelRailForces* out) const noexcept;
+  /// Creepages and creep force of a patch whose normal force is known, added to the sums.
+  void AddCreep(const WheelsetMotion& motion, const PatchAxes& axes, ContactPatch* patch,
+                WheelRailForces* out) const noexcept;
+};
+
+}  // namespace phs::rail

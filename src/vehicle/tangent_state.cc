@@ -1,0 +1,20 @@
+#include "vehicle/tangent_state.h"
+
+namespace phs::vehicle {
+
+void AddToState(const mjModel* m, const Eigen::VectorXd& delta, mjData* d) {
+  mj_integratePos(m, d->qpos, delta.data(), 1.0);
+  mju_addTo(d->qvel, delta.data() + m->nv, m->nv);
+  mju_addTo(d->act, delta.data() + 2 * m->nv, m->na);
+}
+
+void SetState(const mjModel* m, const mjData* base, const Eigen::VectorXd& delta, mjData* d) {
+  mju_copy(d->qpos, base->qpos, m->nq);
+  mju_copy(d->qvel, base->qvel, m->nv);
+  mju_copy(d->act, base->act, m->na);
+  mju_zero(d->qacc_warmstart, m->nv);
+  d->time = base->time;
+  AddToState(m, delta, d);
+}
+
+}  // namespace phs::vehicle
