@@ -1,8 +1,6 @@
 // Drives without gain for as long as this lives: the speed is prescribed by other means.
 #pragma once
 
-#include <mujoco/mujoco.h>
-
 #include <utility>
 #include <vector>
 

@@ -84,7 +84,7 @@ TEST(RunningEffectsTest, MistakesAreNamed) {
         Written(std::string("track: straight\nspeed_m_s: 20\neffects:\n  ") + text + "\n"));
     ASSERT_FALSE(loaded.ok()) << text;
     EXPECT_THAT(loaded.error().Line(), HasSubstr(word));
-    EXPECT_THAT(loaded.error().Line(), HasSubstr("phs_running_effects.yaml:"));
+    EXPECT_THAT(loaded.error().Line(), HasSubstr("running_effects.yaml:"));
   }
 }
 
