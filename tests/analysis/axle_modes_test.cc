@@ -4,15 +4,20 @@
 //   bending 0, shear 8 b^2 A_bore^2/C_diagonal, traction 8 A_rod^2/C_cross,
 //   antiphase 8 (A_rod^2/C_cross + A_bore^2/C_diagonal).
 // Derivation: the volume each line loses per unit of a pattern is N^T u; force K u = N C^-1 N^T u.
-//   shear      u (yaw both): x = b u (-1, 1, 1, -1) for cylinders 1 … 4, so each diagonal line
-//   loses
-//              2 A_bore b u, each cross line nothing: K = 2 lines (2 A_bore b)^2/C
+//   shear      u (yaw both): x = b u (-1, 1, -1, 1) for cylinders 1 … 4 (leading left, right,
+//              trailing right, left), so each diagonal line loses 2 A_bore b u, each cross line
+//              nothing: K = 2 lines (2 A_bore b)^2/C
+//   bending    u (yaw against each other): x = b u (-1, 1, 1, -1): no line loses anything
 //   traction   x = u (1, 1, -1, -1): each cross line loses 2 A_rod u, diagonals nothing
 //   antiphase  x = u (1, 1, 1, 1): every line loses twice
 #include "analysis/axle_modes.h"
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+
+#include "effects/catalogue.h"
+#include "tests/base/scratch_dir.h"
 #include "vehicle/simulation.h"
 
 namespace phs::analysis {
@@ -24,12 +29,15 @@ constexpr double kRod = kBore - 3.14159265358979 / 4 * 0.032 * 0.032;
 /// models/phs/bo_bo.yaml: 1.1 l of oil at 1.4 GPa, 16.16 ml of gas at the precharge.
 double Compliance(double pressure) { return 1.1e-3 / 1.4e9 + 16.16e-6 / pressure; }
 
-AxleModes MeasureOn(const std::string& bogie, const AxleModeOptions& options = {}) {
+/// With another PHS model than the bogie's if `phs` names one.
+AxleModes MeasureOn(const std::string& bogie, const AxleModeOptions& options = {},
+                    const std::string& phs = "") {
   vehicle::Scenario s;
   s.name = "modes";
   s.track = "straight";
   s.bogie = bogie;
   s.speed_m_s = 20;
+  s.phs = phs;
   auto simulation = vehicle::Simulation::Create(s);
   EXPECT_TRUE(simulation.ok()) << simulation.error().Line();
   auto modes = MeasureAxleModes(simulation.value(), options);
@@ -105,6 +113,32 @@ TEST(AxleModesTest, ClosedFormOfTheBoBoHasTheTermsOfItsNetwork) {
               1e-4 * modes.small[2].closed_form.lines);
   EXPECT_NEAR(modes.small[0].closed_form.springs, 2 * 1.62e6, 1);
   EXPECT_NEAR(modes.small[2].closed_form.seals, 4 * 3.6e7, 1e4);
+}
+
+TEST(AxleModesTest, ALineOfABoreAndARodChamberCountsThemWithOppositeSigns) {
+  // Each line joins the rod chamber at one axle with the bore chamber at the opposite corner: 1-3
+  // and 2-4. It loses A_rod s_i - A_bore s_j, so with the strokes at the top of this file bending
+  // and traction feel (A_bore + A_rod)^2, shear and antiphase (A_bore - A_rod)^2.
+  hydraulics::PhsParams params = effects::FindPhsParams("bo_bo").value();
+  const char* bore[] = {"L2", "L3", "L1", "L4"};
+  const char* rod[] = {"L1", "L4", "L2", "L3"};
+  for (size_t i = 0; i < 4; ++i) {
+    params.cylinders[i].bore_line = bore[i];
+    params.cylinders[i].rod_line = rod[i];
+    params.lines[i].static_pressure_Pa = 1.8e6;
+  }
+  const std::string file = ScratchFile("crossed.yaml");
+  std::ofstream(file) << hydraulics::ToYaml(params);
+  const AxleModes modes = MeasureOn("phs", {}, file);
+  const double sum = 4 * (kBore + kRod) * (kBore + kRod) / Compliance(1.8e6);
+  const double difference = 4 * (kBore - kRod) * (kBore - kRod) / Compliance(1.8e6);
+  const double lever = kLever * kLever;
+  const double expected[] = {lever * sum, lever * difference, sum, difference};
+  for (size_t k = 0; k < 4; ++k) {
+    const AxleMode& mode = modes.small[k];
+    EXPECT_NEAR(mode.closed_form.lines / expected[k], 1, 2e-3) << mode.name;
+    EXPECT_NEAR(mode.stiffness / mode.closed_form.total(), 1, 1e-2) << mode.name;
+  }
 }
 
 TEST(AxleModesTest, PictureShowsWhichCylindersExtend) {
