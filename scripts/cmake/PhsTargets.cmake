@@ -32,6 +32,24 @@ function(phs_folder name)
   endif()
 endfunction()
 
+# phs_npm_ci(COMMENT): the packages of the folder's package-lock.json, in npm_dir of its binary
+# folder; npm_stamp is the file that stands for them.
+macro(phs_npm_ci comment)
+  find_program(PHS_NPM npm REQUIRED)
+  set(npm_dir ${CMAKE_CURRENT_BINARY_DIR}/npm)
+  set(npm_stamp ${npm_dir}/installed.stamp)
+  add_custom_command(
+    OUTPUT ${npm_stamp}
+    COMMAND ${CMAKE_COMMAND} -E make_directory ${npm_dir}
+    COMMAND ${CMAKE_COMMAND} -E copy package.json package-lock.json .npmrc ${npm_dir}
+    COMMAND ${CMAKE_COMMAND} -E chdir ${npm_dir} ${PHS_NPM} ci --loglevel=error
+    COMMAND ${CMAKE_COMMAND} -E touch ${npm_stamp}
+    DEPENDS package.json package-lock.json .npmrc
+    WORKING_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}
+    COMMENT ${comment}
+    VERBATIM)
+endmacro()
+
 # phs_test_folder(NAME DEPENDS targets…): one GoogleTest program from every *_test.cc of the folder.
 function(phs_test_folder name)
   cmake_parse_arguments(ARG "" "" "DEPENDS;LABELS" ${ARGN})
