@@ -155,7 +155,7 @@ const EffectInfo& EntrainedAirInfo() {
       "free air of a share of the oil volume, V ~ p^(-1/n), dissolving by Henry's law at once or "
       "with a lag",
       {
-          {"air_fraction", "-", 0.005, 0, 0.5, 1e-4, 0.05,
+          {"air_fraction", "-", 0.005, 0, 0.5, 1e-4, 0.2,
            "air at atmospheric pressure per oil volume"},
           {"polytropic_exponent", "-", 1.0, 0.9, 1.7, 1, 1.4, "n"},
           {"saturation_Pa", "Pa", 0, 0, 1e9, 0, 3e7, "all air dissolved above; 0 = never"},

@@ -1,8 +1,12 @@
 #include "effects/unlisted.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <memory>
+#include <utility>
 
-#include "effects/force_formula.h"
+#include "effects/formula.h"
 #include "effects/targets.h"
 
 namespace phs::effects {
@@ -11,45 +15,216 @@ namespace {
 using hydraulics::EffectInfo;
 using hydraulics::EffectParams;
 using hydraulics::Extension;
+using hydraulics::ForcePlace;
+using hydraulics::Port;
 
-Status Install(const EffectParams& effect, Extension* extension) {
-  std::map<std::string, double> coefficients;
-  for (int k = 1; k <= 6; ++k) {
-    std::string name = std::to_string(k);
-    name.insert(name.begin(), 'c');
-    coefficients[name] = effect.values.at(name + "_N");
+constexpr int kCoefficients = 6;
+constexpr FormulaUnit kUnits[] = {FormulaUnit::kForce, FormulaUnit::kVolume, FormulaUnit::kFlow};
+
+/// Step of the central difference that gives slopes over pressure [Pa].
+constexpr double kNudge = 100;
+
+class FurtherForce final : public hydraulics::ForceLaw {
+ public:
+  explicit FurtherForce(Formula formula) : formula_(std::move(formula)) {}
+  double Force(const ForcePlace& place) const noexcept override { return formula_.Value(place); }
+
+ private:
+  Formula formula_;
+};
+
+class FurtherVolume final : public hydraulics::VolumeLaw {
+ public:
+  FurtherVolume(Formula formula, double p0) : formula_(std::move(formula)), p0_(p0) {
+    static_volume_ = At(0);
   }
-  Result<ForceFormula> formula = ForceFormula::Parse(effect.formula, coefficients);
-  if (!formula.ok()) {
-    Error error = formula.error();
-    error.where = "effects." + effect.name + "." + error.where;
-    return error;
+  void Add(double pressure, double, double* volume, double* slope) const noexcept override {
+    const double rise = pressure - p0_;
+    *volume += At(rise) - static_volume_;
+    *slope += (At(rise + kNudge) - At(rise - kNudge)) / (2 * kNudge);
   }
-  const auto law = std::make_shared<const ForceFormula>(std::move(formula.value()));
+  // int p dV = p V - int V dp, Simpson.
+  double Energy(double pressure, double) const noexcept override {
+    constexpr int kPanels = 128;
+    const double rise = pressure - p0_, step = rise / kPanels;
+    double sum = 0;
+    for (int i = 0; i <= 2 * kPanels; ++i) {
+      const double weight = i == 0 || i == 2 * kPanels ? 1 : (i % 2 == 1 ? 4 : 2);
+      sum += weight * (At(0.5 * i * step) - static_volume_);
+    }
+    return pressure * (At(rise) - static_volume_) - sum * step / 6;
+  }
+
+ private:
+  double At(double rise) const {
+    ForcePlace place;
+    place.bore_rise = rise;
+    return formula_.Value(place);
+  }
+  Formula formula_;
+  double p0_, static_volume_ = 0;
+};
+
+class FurtherFlow final : public hydraulics::FlowLaw {
+ public:
+  /// `static_dp`: p_from - p_to in the static state [Pa].
+  FurtherFlow(Formula formula, double static_dp)
+      : formula_(std::move(formula)), static_dp_(static_dp) {}
+  double Flow(double time, double dp, double* slope) const noexcept override {
+    *slope = (At(time, dp + kNudge) - At(time, dp - kNudge)) / (2 * kNudge);
+    return At(time, dp);
+  }
+  // The flow rises with dp: bisection. Asked for only behind a resistance in series.
+  double Drop(double time, double flow, double* slope) const noexcept override {
+    double low = -1e9, high = 1e9;
+    for (int i = 0; i < 100; ++i) {
+      const double middle = 0.5 * (low + high);
+      (At(time, middle) < flow ? low : high) = middle;
+    }
+    double rise;
+    Flow(time, 0.5 * (low + high), &rise);
+    *slope = 1 / std::max(rise, 1e-30);
+    return 0.5 * (low + high);
+  }
+
+ private:
+  double At(double time, double dp) const {
+    ForcePlace place;
+    place.time = time;
+    place.bore_rise = dp - static_dp_;
+    return formula_.Value(place);
+  }
+  Formula formula_;
+  double static_dp_;
+};
+
+std::string CoefficientName(int k, FormulaUnit unit) {
+  return "c" + std::to_string(k) + "_" + UnitSuffix(unit);
+}
+
+Error Refuse(const EffectParams& effect, const std::string& what, const std::string& allowed) {
+  return Error{"effects." + effect.name, what, allowed};
+}
+
+/// The unit whose coefficients are given; a force if none is.
+Result<FormulaUnit> UnitOf(const EffectParams& effect) {
+  FormulaUnit unit = FormulaUnit::kForce;
+  bool found = false;
+  for (const FormulaUnit candidate : kUnits) {
+    bool given = false;
+    for (int k = 1; k <= kCoefficients; ++k) {
+      given |= effect.values.at(CoefficientName(k, candidate)) != 0;
+    }
+    if (!given) continue;
+    if (found) return Refuse(effect, "coefficients of two units", "one unit: c1_N … or c1_m3 …");
+    unit = candidate, found = true;
+  }
+  return unit;
+}
+
+Status AddForce(const EffectParams& effect, const Formula& formula, Extension* extension) {
+  const auto law = std::make_shared<const FurtherForce>(formula);
   for (int i : TargetCylinders(effect, extension->params())) {
+    if (i < 0) return Refuse(effect, "a force acts on cylinders, not on lines", "cylinders");
     if (extension->friction(i).further != nullptr) {
-      return Error{"effects." + effect.name, "a second formula on one cylinder", "one"};
+      return Refuse(effect, "a second formula on one cylinder", "one");
     }
     extension->friction(i).further = law;
   }
   return {};
 }
 
+Status AddVolume(const EffectParams& effect, const Formula& formula, Extension* extension) {
+  if (const std::string other = formula.VariableOtherThan("p"); !other.empty()) {
+    return Refuse(effect, "a volume of a line over " + other, "a formula over p alone");
+  }
+  for (int line : TargetLines(effect, extension->params())) {
+    if (line < 0) return Refuse(effect, "a volume belongs to lines, not to cylinders", "lines");
+    extension->AddVolume(
+        line, std::make_unique<FurtherVolume>(formula, extension->line(line).static_pressure_Pa));
+  }
+  return {};
+}
+
+Status AddFlow(const EffectParams& effect, const Formula& formula, Extension* extension) {
+  if (const std::string other = formula.VariableOtherThan("pt"); !other.empty()) {
+    return Refuse(effect, "a flow over " + other, "a formula over p and t");
+  }
+  ForcePlace later;
+  later.time = 100;
+  if (formula.Value({}) != 0 || formula.Value(later) != 0) {
+    return Refuse(effect, "a flow that does not vanish at rest", "0 at p = 0");
+  }
+  const auto& params = extension->params();
+  const auto rest = [&](const std::string& name) {
+    const int line = params.FindLine(name);
+    return line >= 0 ? extension->line(line).static_pressure_Pa : hydraulics::kAtmosphere;
+  };
+  for (const std::string& target : effect.targets) {
+    if (const int i = params.FindCylinder(target); i >= 0 && params.FindLine(target) < 0) {
+      const auto& c = params.cylinders[static_cast<size_t>(i)];
+      extension->AddFlow(
+          Port::kBore, Port::kRod, i, -1, effect.name,
+          std::make_unique<FurtherFlow>(formula, rest(c.bore_line) - rest(c.rod_line)));
+      continue;
+    }
+    extension->AddFlow(
+        Port::kLine, Port::kAtmosphere, -1, params.FindLine(target), effect.name,
+        std::make_unique<FurtherFlow>(formula, rest(target) - hydraulics::kAtmosphere));
+  }
+  if (effect.targets.empty()) return Refuse(effect, "a flow without targets", "targets: [line]");
+  return {};
+}
+
+Status Install(const EffectParams& effect, Extension* extension) {
+  const Result<FormulaUnit> unit = UnitOf(effect);
+  if (!unit.ok()) return unit.error();
+  std::map<std::string, double> coefficients;
+  for (int k = 1; k <= kCoefficients; ++k) {
+    coefficients["c" + std::to_string(k)] = effect.values.at(CoefficientName(k, unit.value()));
+  }
+  Result<Formula> formula = Formula::Parse(effect.formula, coefficients, unit.value());
+  if (!formula.ok()) {
+    Error error = formula.error();
+    error.where = "effects." + effect.name + "." + error.where;
+    return error;
+  }
+  switch (unit.value()) {
+    case FormulaUnit::kForce:
+      return AddForce(effect, formula.value(), extension);
+    case FormulaUnit::kVolume:
+      return AddVolume(effect, formula.value(), extension);
+    case FormulaUnit::kFlow:
+      return AddFlow(effect, formula.value(), extension);
+  }
+  return {};
+}
+
+std::vector<hydraulics::EffectParameter> Parameters() {
+  struct Row {
+    FormulaUnit unit;
+    const char* text;
+    double most, plausible;
+  };
+  constexpr Row kRows[] = {{FormulaUnit::kForce, "N", 1e9, 1e5},
+                           {FormulaUnit::kVolume, "m3", 1, 1e-4},
+                           {FormulaUnit::kFlow, "m3/s", 1, 1e-4}};
+  std::vector<hydraulics::EffectParameter> out;
+  for (const Row& row : kRows) {
+    for (int k = 1; k <= kCoefficients; ++k) {
+      out.push_back({CoefficientName(k, row.unit), row.text, 0, -row.most, row.most, -row.plausible,
+                     row.plausible, "coefficient"});
+    }
+  }
+  return out;
+}
+
 }  // namespace
 
 const EffectInfo& UnlistedInfo() {
-  static const EffectInfo info = {"unlisted",
-                                  "unlisted",
-                                  "cylinders",
-                                  "a force by formula",
-                                  {{"c1_N", "N", 0, -1e9, 1e9, -1e5, 1e5, "coefficient"},
-                                   {"c2_N", "N", 0, -1e9, 1e9, -1e5, 1e5, "coefficient"},
-                                   {"c3_N", "N", 0, -1e9, 1e9, -1e5, 1e5, "coefficient"},
-                                   {"c4_N", "N", 0, -1e9, 1e9, -1e5, 1e5, "coefficient"},
-                                   {"c5_N", "N", 0, -1e9, 1e9, -1e5, 1e5, "coefficient"},
-                                   {"c6_N", "N", 0, -1e9, 1e9, -1e5, 1e5, "coefficient"}},
-                                  Install,
-                                  true};
+  static const EffectInfo info = {
+      "unlisted", "unlisted", "cylinders or lines", "a law by formula", Parameters(),
+      Install,    true};
   return info;
 }
 

@@ -1,6 +1,15 @@
-// What the catalogue does not hold, as found in data: a force given by a formula with units
-// (force_formula.h), e.g. formula: "c1*s*(p/5e5[Pa])", c1_N: 3.4. It acts on the piston beside
-// friction. Not passive by construction: it is what was measured.
+// What the catalogue does not hold, as found in data: a law given by a formula with units
+// (formula.h). The unit of its coefficients says what it is and where it acts:
+//
+//   c1_N …         a force on the piston beside friction        targets: cylinders
+//   c1_m3 …        a volume that a line takes up, over its p     targets: lines
+//   c1_m3_per_s …  a flow out of a line over its p and t         targets: lines
+//                  or from bore to rod over p = p_bore - p_rod   targets: cylinders
+//
+// p of a line is its pressure above static, of a cylinder's flow the difference above the static
+// one; flows must vanish at p = 0. Example: formula: "c1*(max(p-9e6[Pa],0[Pa])/1e6[Pa])" with
+// c1_m3_per_s: 2e-7 on L2, a valve that opens 9 MPa above static. Not passive by construction: it
+// is what was measured.
 #pragma once
 
 #include "hydraulics/extension.h"

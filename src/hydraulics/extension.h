@@ -55,6 +55,10 @@ class FlowLaw {
   virtual double Drop(double time, double flow, double* slope) const noexcept = 0;
   /// rho l / A [kg/m4]; 0 = the flow follows the pressure at once.
   virtual double Inertance() const noexcept { return 0; }
+  /// True where the drop is the smoother of the two sides (turbulent flow: q ~ sqrt(dp), steep at
+  /// zero), so that a step is solved for the flow: Newton on dp = Drop(q) does not circle about
+  /// zero.
+  virtual bool SolvedByDrop() const noexcept { return false; }
 };
 
 /// Where a flow law begins and ends.
@@ -198,7 +202,7 @@ struct EffectParameter {
 struct EffectInfo {
   std::string name;
   std::string family;   ///< hydraulic, friction, mounting, instrument, environment
-  std::string targets;  ///< "cylinders", "lines" or "" (whole system)
+  std::string targets;  ///< "cylinders", "lines", "cylinders or lines" or "" (whole system)
   std::string text;     ///< the law in one line
   std::vector<EffectParameter> parameters;
   /// Adds the law. `value(name)` of every parameter is in `values`, defaults filled in.

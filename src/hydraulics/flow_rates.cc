@@ -102,9 +102,22 @@ void CalcGasRates(const Node& node, const NodeState& at, double ambient, double 
   }
 }
 
-// F(t, u) at an instant, and A: diagonal for the gases, the matrix for the flows.
+// Flow of a path at dp and its slope. With a flow `q` of the last iterate: linear about it where
+// the law is solved by its drop, q + (dp - Drop(q))/Drop'(q).
+double CalcFlow(const FlowLaw& law, double time, double dp, const double* q, double* slope) {
+  if (q == nullptr || !law.SolvedByDrop()) return law.Flow(time, dp, slope);
+  constexpr double kLeast = 1e3;  // [Pa s/m3] at rest without laminar resistance
+  double rise;
+  const double drop = law.Drop(time, *q, &rise);
+  *slope = 1 / std::max(rise, kLeast);
+  return *q + (dp - drop) * *slope;
+}
+
+// F(t, u) at an instant, and A: diagonal for the gases, the matrix for the flows. `flows`: those of
+// the last iterate by state, or null.
 void CalcDerivative(const CompiledPhs& sys, double time, const Instant& at, const double* speed,
-                    const double* state, double* rate, double* diagonal, Matrix* A) {
+                    const double* state, const double* flows, double* rate, double* diagonal,
+                    Matrix* A) {
   double inflow[kMaxNodes] = {};
   for (size_t i = 0; i < sys.cylinders.size(); ++i) {
     const CompiledCylinder& c = sys.cylinders[i];
@@ -121,7 +134,8 @@ void CalcDerivative(const CompiledPhs& sys, double time, const Instant& at, cons
       const double drop = path.law->Drop(time, flow, &slope);
       rate[path.flow] = (dp - drop) / path.law->Inertance();
     } else {
-      flow = path.law->Flow(time, dp, &slope);
+      flow =
+          CalcFlow(*path.law, time, dp, flows != nullptr ? &flows[path.volume] : nullptr, &slope);
     }
     rate[path.volume] = flow;
     if (path.from != kOpen) inflow[path.from] -= flow;
@@ -166,7 +180,7 @@ void HeatStep(const CompiledPhs& sys, double time, double h, const Instant& star
   const int count = sys.num_states(), first = sys.first_slow;
   double k1[kMaxStates], k2[kMaxStates], diagonal[kMaxStates] = {}, next[kMaxStates];
   double ignored[kMaxStates];
-  CalcDerivative(sys, time, start, speed, state, k1, diagonal, nullptr);
+  CalcDerivative(sys, time, start, speed, state, nullptr, k1, diagonal, nullptr);
   for (int i = first; i < count; ++i) {
     diagonal[i] = 1 / (1 - kGamma * h * diagonal[i]);
     k1[i] *= diagonal[i];
@@ -175,7 +189,7 @@ void HeatStep(const CompiledPhs& sys, double time, double h, const Instant& star
   std::copy(state, state + first, next);
   Instant end;
   PlaceAt(sys, time + h, h, start, speed, next, &end);
-  CalcDerivative(sys, time + h, end, speed, next, k2, ignored, nullptr);
+  CalcDerivative(sys, time + h, end, speed, next, nullptr, k2, ignored, nullptr);
   for (int i = first; i < count; ++i) {
     rate[i] = 1.5 * k1[i] + 0.5 * diagonal[i] * (k2[i] - 2 * k1[i]);
   }
@@ -187,13 +201,14 @@ void SolveStage(const CompiledPhs& sys, double time, double since, double a, con
                 const double* speed, const double* base, double* u, double* F) {
   const int count = sys.num_states(), first = sys.first_slow;
   const int first_flow = sys.paths[0].volume, flows = count - first_flow;
-  double diagonal[kMaxStates] = {};
+  double diagonal[kMaxStates] = {}, flow[kMaxStates];
   Matrix A(flows);
   Instant at;
   constexpr int kMostIterations = 30;
   for (int iteration = 0; iteration < kMostIterations; ++iteration) {
     PlaceAt(sys, time, since, start, speed, u, &at);
-    CalcDerivative(sys, time, at, speed, u, F, diagonal, &A);
+    for (int i = first_flow; i < count; ++i) flow[i] = (u[i] - base[i]) / a;
+    CalcDerivative(sys, time, at, speed, u, flow, F, diagonal, &A);
     double largest = 0;
     for (int i = first; i < first_flow; ++i) {
       const double change = (base[i] + a * F[i] - u[i]) / (1 - a * diagonal[i]);
@@ -242,7 +257,7 @@ void CalcHydraulicRates(const CompiledPhs& sys, double time, double h, const Ins
     return;
   }
   double now[kMaxStates], diagonal[kMaxStates];
-  CalcDerivative(sys, time, start, speed, state, now, diagonal, nullptr);
+  CalcDerivative(sys, time, start, speed, state, nullptr, now, diagonal, nullptr);
   std::copy(now + sys.first_slow, now + sys.num_states(), rate + sys.first_slow);
 }
 

@@ -220,9 +220,9 @@ Result<EffectParams> CompleteEffect(const PhsParams& params, const EffectParams&
                  Range{.min = p.min, .max = p.max}.Text()};
   }
   for (const std::string& target : full.targets) {
-    const bool known = info->targets == "cylinders" ? params.FindCylinder(target) >= 0
-                       : info->targets == "lines"   ? params.FindLine(target) >= 0
-                                                    : false;
+    const bool known =
+        (info->targets.starts_with("cylinders") && params.FindCylinder(target) >= 0) ||
+        (info->targets.ends_with("lines") && params.FindLine(target) >= 0);
     if (!known) {
       return Error{where + ".targets",
                    "\"" + target + "\" is none of the model's " +

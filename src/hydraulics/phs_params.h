@@ -106,7 +106,7 @@ struct EffectParams {
   std::string name;
   std::vector<std::string> targets;
   std::map<std::string, double> values;
-  std::string formula = {};  ///< effect `unlisted` only: its law (effects/force_formula.h)
+  std::string formula = {};  ///< effect `unlisted` only: its law (effects/formula.h)
 };
 
 /// How line pressures follow from volumes.

@@ -37,6 +37,7 @@ class SeriesFlow final : public FlowLaw {
     return q;
   }
   double Inertance() const noexcept override { return first_->Inertance() + second_->Inertance(); }
+  bool SolvedByDrop() const noexcept override { return true; }
 
  private:
   std::unique_ptr<FlowLaw> first_, second_;

@@ -27,6 +27,7 @@ class PipeFlow final : public FlowLaw {
   double Flow(double time, double dp, double* slope) const noexcept override;
   double Drop(double time, double flow, double* slope) const noexcept override;
   double Inertance() const noexcept override { return inertance_; }
+  bool SolvedByDrop() const noexcept override { return true; }
 
  private:
   Resistance forward_, backward_;

@@ -1,9 +1,10 @@
 // What the catalogue does not hold, on a rig with one cylinder: a force over direction, speed,
-// place, pressures and time (formula_search.h), sought in the residual of the load cell and added
-// as the effect `unlisted`.
+// place, pressures and time (formula_search.h), sought in the residual of the load cell, or a law
+// of a line (line_formula.h), added as the effect `unlisted`.
 #pragma once
 
 #include "identify/effect_variants.h"
+#include "identify/evidence.h"
 #include "identify/formula_search.h"
 #include "identify/search_fit.h"
 
@@ -14,7 +15,22 @@ namespace phs::identify::search {
 FoundFormula SearchForceFormula(const FitProblem& problem, const FreeModel& model,
                                 const FitResult& fit, const FormulaLimits& limits);
 
-/// The formula as an effect whose coefficients are free; bounds: `most` [N] to either side.
+/// A formula found and fitted together with all numbers of a model.
+struct FormulaTrial {
+  FoundFormula found;
+  Candidate candidate;
+  FreeModel model;  ///< with the formula
+  FitResult fit;    ///< not ok: nothing found
+  Evidence evidence;
+  double channel_gain = 0;  ///< share of the residual rms of its channel that went
+};
+/// A force over direction, speed, place, pressures and time for what the load cell still shows, or
+/// a law of a line (line_formula.h) for the pressures: the one that explains more.
+FormulaTrial TryFormula(const FitProblem& problem, const FitProblem& coarse, const FreeModel& model,
+                        const FitResult& fit, const FormulaLimits& limits, int threads);
+
+/// The formula as an effect whose coefficients are free; bounds: `most` (in its unit) to either
+/// side.
 Candidate FormulaCandidate(const FoundFormula& found, double most);
 
 }  // namespace phs::identify::search

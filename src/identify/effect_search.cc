@@ -6,36 +6,12 @@
 #include <mutex>
 
 #include "identify/driven_formula.h"
-#include "identify/effect_form.h"
+#include "identify/effect_trials.h"
+#include "identify/effect_verdict.h"
 #include "identify/near_fit.h"
-#include "identify/screening.h"
 
 namespace phs::identify::search {
 namespace {
-
-constexpr const char* kNotPlausible = "value not plausible";
-
-/// True if the amount of the candidate ended on a bound: not plausible, or not there. Where it has
-/// two amounts, one of them may be nil.
-bool OnBound(const FreeModel& model, const FitResult& fit, const Candidate& candidate) {
-  constexpr double kTiny = 1e-3;
-  const size_t base = model.free.size() - candidate.free.size();
-  int nil = 0;
-  for (int k = 0; k < candidate.mains; ++k) {
-    const FreeParameter& p = model.free[base + static_cast<size_t>(k)];
-    const double x = p.ToCoordinate(fit.values[base + static_cast<size_t>(k)]);
-    const double low = p.ToCoordinate(p.low), high = p.ToCoordinate(p.high);
-    if (high - x < kTiny * (high - low)) return true;
-    nil += x - low < kTiny * (high - low);
-  }
-  return nil == candidate.mains;
-}
-
-/// A screened candidate and, for the best, its form with options and its fit to the whole record.
-struct FullTrial : Trial {
-  Candidate form;
-  FitResult fit;
-};
 
 class Search {
  public:
@@ -44,6 +20,14 @@ class Search {
       : problem_(*problem), coarse_(*coarse), options_(options), progress_(progress) {}
 
   Result<Identification> Run(const hydraulics::PhsParams& declared) {
+    for (FitProblem* p : {&problem_, &coarse_}) p->SetGoOn([this] { return GoOn(); });
+    Result<Identification> out = SearchAll(declared);
+    for (FitProblem* p : {&problem_, &coarse_}) p->SetGoOn({});
+    return out;
+  }
+
+ private:
+  Result<Identification> SearchAll(const hydraulics::PhsParams& declared) {
     out_.declared = problem_.forward().Declared(declared);
     std::vector<double> start;
     for (const auto& p : out_.declared.free) start.push_back(p.start);
@@ -54,6 +38,8 @@ class Search {
       if (const Status s = coarse_.SetWeights(params); !s.ok()) return s.error();
       out_.before = problem_.Fit(out_.declared, out_.before.values, 10);
     }
+    out_.cancelled = cancelled_;
+    if (cancelled_) return std::move(out_);
     if (!out_.before.ok) {
       return Error{declared.name, "the declared model could not be fitted",
                    "a model that can follow the measured motion", "check model and data"};
@@ -67,101 +53,32 @@ class Search {
       Exchange();
       DropSuperfluous();
     }
-    TryFormula();
+    ChallengeByFormula();
+    AddFormula();
     RankEffects();
     out_.cancelled = cancelled_;
     return std::move(out_);
   }
 
- private:
   bool Tick(double part) {
     const std::lock_guard<std::mutex> lock(mutex_);
+    part_ = part;
     if (!cancelled_ && progress_ && !progress_(std::min(1.0, share_ + part))) cancelled_ = true;
     return !cancelled_;
   }
 
-  /// Where candidates are tried: the best fit and, where it lies elsewhere, the
-  /// fit to what most of the record says; a rare strong deviation may have
-  /// drawn the first far off.
-  std::vector<std::vector<double>> Points(const FreeModel& model, const FitResult& fit) const {
-    constexpr double kElsewhere = 0.03;
-    std::vector<std::vector<double>> points = {fit.values};
-    if (!options_.thorough) return points;
-    std::vector<double> start = fit.values;
-    for (size_t i = 0; i < out_.declared.free.size(); ++i) start[i] = model.free[i].start;
-    const FitResult most = FitNear(coarse_, model, start, {}, {.max_steps = 12, .robust = 2.5});
-    if (most.ok && AreApart(model, most.values, fit.values, kElsewhere)) {
-      points.push_back(most.values);
-    }
-    return points;
-  }
-
-  /// A strong effect may have bent the baseline's volumes so far that its own numbers have no way
-  /// back from there: hydraulic effects start from the declared volumes too.
-  bool AddDeclaredPoint(const FreeModel& model, std::vector<std::vector<double>>* points) const {
-    constexpr double kFar = 0.2;
-    std::vector<double> declared = points->front();
-    for (size_t i = 0; i < out_.declared.free.size(); ++i) {
-      const std::string& name = model.free[i].name;
-      if (name.ends_with("_volume_m3")) declared[i] = model.free[i].start;
-    }
-    for (const auto& point : *points) {
-      if (!AreApart(model, declared, point, kFar)) return false;
-    }
-    points->push_back(std::move(declared));
-    return true;
-  }
-
-  static bool AreApart(const FreeModel& model, const std::vector<double>& a,
-                       const std::vector<double>& b, double least) {
-    for (size_t i = 0; i < a.size(); ++i) {
-      const FreeParameter& p = model.free[i];
-      if (p.logarithmic && std::abs(p.ToCoordinate(a[i]) - p.ToCoordinate(b[i])) > least) {
-        return true;
-      }
-    }
-    return false;
-  }
-
-  /// Screens candidates on top of `model` and fits the best `full_fits` effects
-  /// in full.
   std::vector<FullTrial> Try(const FreeModel& model, const FitResult& fit,
                              const std::vector<Candidate>& list, int full_fits, double* reference) {
-    ScreeningOptions screening{
-        options_.threads, options_.coarse_fits,
-        options_.thorough && model.params.effects.size() == out_.declared.params.effects.size()};
-    std::vector<std::vector<double>> points = Points(model, fit);
-    if (screening.thorough && AddDeclaredPoint(model, &points)) {
-      screening.hydraulic_from = points.size() - 1;
-    }
-    std::vector<Trial> found = ScreenCandidates(
-        coarse_, model, points, list, screening, [&](double part) { return Tick(0.15 * part); },
+    const size_t own = out_.declared.params.effects.size();
+    const TrialOptions trying{.threads = options_.threads,
+                              .coarse_fits = options_.coarse_fits,
+                              .full_fits = full_fits,
+                              .elsewhere = options_.thorough,
+                              .thorough = options_.thorough && model.params.effects.size() == own,
+                              .declared = out_.declared.free.size()};
+    return TryEffects(
+        problem_, coarse_, model, fit, list, trying, [this](double part) { return Tick(part); },
         reference);
-    std::vector<FullTrial> trials;
-    for (Trial& trial : found) trials.push_back({std::move(trial), *trial.candidate, {}});
-    std::vector<int> chosen;
-    for (int i = 0; i < static_cast<int>(trials.size()); ++i) {
-      if (!trials[i].coarse.ok || static_cast<int>(chosen.size()) >= full_fits) continue;
-      const std::string& effect = trials[i].candidate->effect;
-      if (std::none_of(chosen.begin(), chosen.end(),
-                       [&](int k) { return trials[k].candidate->effect == effect; })) {
-        chosen.push_back(i);
-      }
-    }
-    std::atomic<int> done{0};
-    InParallel(static_cast<int>(chosen.size()), options_.threads, [&](int k) {
-      if (!Tick(0.15 + 0.15 * done++ / static_cast<double>(chosen.size()))) return;
-      FullTrial& trial = trials[chosen[k]];
-      trial.coarse = ShapeForm(coarse_, model, trial.coarse, &trial.form);
-      const FreeModel whole = WithCandidate(model, trial.form);
-      trial.fit =
-          FitNear(problem_, whole, trial.coarse.values, {}, {.first_own = 0, .max_steps = 1});
-      if (!trial.fit.ok) return;
-      const int count = static_cast<int>(trial.fit.values.size());
-      trial.fit = FitNear(problem_, whole, trial.fit.values, trial.fit.jacobian,
-                          {.first_own = count, .max_steps = 6, .final_jacobian = true});
-    });
-    return trials;
   }
 
   void Record(const std::vector<FullTrial>& trials, const FitResult& without, double reference,
@@ -185,21 +102,6 @@ class Search {
     }
   }
 
-  std::string Verdict(const FullTrial& trial, const Evidence& e, const FreeModel& model) const {
-    if (e.delta_bic < options_.min_delta_bic) return "not significant";
-    if (e.cross_validation_gain <= 0) return "no gain in cross-validation";
-    if (e.estimation_gain < options_.min_gain && e.best_channel_gain < options_.min_channel_gain) {
-      return "gain too small";
-    }
-    if (OnBound(model, trial.fit, trial.form)) return kNotPlausible;
-    const double least =
-        out_.effects.empty() ? options_.min_first_removed : options_.min_excess_removed;
-    if (e.excess_removed < least && e.best_channel_gain < 0.5) {
-      return "explains too little of what is left";
-    }
-    return "";
-  }
-
   bool AddOne(int round) {
     const std::vector<Candidate> list = problem_.forward().Candidates(out_.corrected.params);
     double reference = 0;
@@ -213,7 +115,8 @@ class Search {
       if (!trials[i].fit.ok) continue;
       CandidateRecord& record = out_.candidates[places[i]];
       const FreeModel model = WithCandidate(out_.corrected, trials[i].form);
-      record.verdict = Verdict(trials[i], record.evidence, model);
+      record.verdict = Verdict(record.evidence, OnBound(model, trials[i].fit, trials[i].form),
+                               out_.effects.empty(), options_);
       if (!record.verdict.empty()) continue;
       record.verdict = "another explains more";
       if (best < 0 ||
@@ -252,6 +155,13 @@ class Search {
       return true;
     }
     return false;
+  }
+
+  /// Asked before every run of the model, so that a stop is heard at once.
+  bool GoOn() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (!cancelled_ && progress_ && !progress_(std::min(1.0, share_ + part_))) cancelled_ = true;
+    return !cancelled_;
   }
 
   /// Others whose residual is within the margin and whose evidence is not far
@@ -340,47 +250,44 @@ class Search {
     }
   }
 
-  /// A force by formula for what the load cell still shows.
-  void TryFormula() {
-    constexpr double kNoise = 1.1, kMostForce_N = 1e5;
-    const int load = problem_.FindOutput("load_cell_N");
-    if (cancelled_ || load < 0 || out_.after.channel_ms[static_cast<size_t>(load)] < kNoise) return;
-    const FoundFormula found = SearchForceFormula(problem_, out_.corrected, out_.after,
-                                                  {.threshold = options_.min_delta_bic});
-    if (found.empty()) return;
-    const Candidate candidate = FormulaCandidate(found, kMostForce_N);
-    const FreeModel whole = WithCandidate(out_.corrected, candidate);
-    std::vector<double> start = out_.after.values;
-    start.insert(start.end(), candidate.starts[0].begin(), candidate.starts[0].end());
-    const FitResult with = FitNear(problem_, whole, start, out_.after.jacobian,
-                                   {.first_own = static_cast<int>(out_.after.values.size()),
-                                    .max_steps = 8,
-                                    .final_jacobian = true});
-    if (!with.ok) return;
-    CandidateRecord record{"unlisted",
-                           found.text,
-                           0,
-                           found.gain,
-                           found.gain,
-                           true,
-                           Compare(problem_, out_.after, with),
-                           "accepted"};
-    const Evidence& e = record.evidence;
-    const double load_gain = 1 - std::sqrt(with.channel_ms[static_cast<size_t>(load)] /
-                                           out_.after.channel_ms[static_cast<size_t>(load)]);
-    if (e.delta_bic < options_.min_delta_bic) {
-      record.verdict = "not significant";
-    } else if (e.cross_validation_gain <= 0) {
-      record.verdict = "no gain in cross-validation";
-    } else if (load_gain <
-                   (out_.effects.empty() ? options_.min_channel_gain : options_.min_formula_gain) ||
-               e.excess_removed < options_.min_first_removed) {
-      record.verdict = "explains too little of what is left";
-    }
-    out_.candidates.push_back(record);
-    if (record.verdict != "accepted") return;
-    out_.effects.push_back({candidate, e, {}});
-    out_.corrected = whole, out_.after = with, out_.formula = found;
+  /// A law by formula for what the accepted model still leaves.
+  void AddFormula() {
+    if (cancelled_ || !out_.formula.empty()) return;
+    const FormulaTrial trial = TryFormula(problem_, coarse_, out_.corrected, out_.after,
+                                          {.threshold = options_.min_delta_bic}, options_.threads);
+    if (!trial.fit.ok) return;
+    const std::string no =
+        FormulaVerdict(trial.evidence, trial.channel_gain, out_.effects.empty(), options_);
+    RecordFormula(trial, no.empty() ? "accepted" : no);
+    if (no.empty()) TakeFormula(trial, trial.evidence);
+  }
+
+  /// No listed effect is bent to stand for what is on no list: where a formula of one term says
+  /// more than the only effect accepted, the effect goes.
+  void ChallengeByFormula() {
+    if (cancelled_ || out_.effects.size() != 1) return;
+    const FormulaTrial trial =
+        TryFormula(problem_, coarse_, out_.declared, out_.before,
+                   {.max_terms = 1, .threshold = options_.min_delta_bic}, options_.threads);
+    if (!trial.fit.ok) return;
+    const Evidence over = Compare(problem_, out_.after, trial.fit);
+    const std::string no = Verdict(over, false, true, options_);
+    if (!no.empty()) return;
+    Withdraw(out_.effects[0].candidate.effect, "a formula on no list explains more",
+             &out_.candidates);
+    RecordFormula(trial, "accepted");
+    out_.effects.clear();
+    TakeFormula(trial, trial.evidence);
+  }
+
+  void RecordFormula(const FormulaTrial& trial, const std::string& verdict) {
+    out_.candidates.push_back({"unlisted", trial.found.text, 0, trial.found.gain, trial.found.gain,
+                               true, trial.evidence, verdict});
+  }
+
+  void TakeFormula(const FormulaTrial& trial, const Evidence& evidence) {
+    out_.effects.push_back({trial.candidate, evidence, {}});
+    out_.corrected = trial.model, out_.after = trial.fit, out_.formula = trial.found;
   }
 
   void RankEffects() {
@@ -396,7 +303,7 @@ class Search {
   Identification out_;
   std::mutex mutex_;
   std::atomic<bool> cancelled_{false};
-  double share_ = 0;
+  double share_ = 0, part_ = 0;
 };
 
 }  // namespace

@@ -2,32 +2,16 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Cholesky>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numeric>
 
-#include "effects/force_formula.h"
+#include "effects/formula.h"
 
 namespace phs::identify {
 namespace {
 
-using effects::ForceFormula;
+using effects::Formula;
 using hydraulics::ForcePlace;
-
-/// Least part of a term (of its norm) that the model's free numbers cannot imitate: below, it would
-/// only take over what a listed law says.
-constexpr double kOwnShare = 0.1;
-
-/// A term on trial: one or two columns.
-struct Trial {
-  std::string text, second;
-  int factors = 1;          ///< for preferring the simpler of two
-  double looked_at = 0;     ///< ln of how many were looked at to find this one (waves)
-  Eigen::MatrixXd columns;  ///< weighted, what the model can imitate taken out
-};
 
 /// `value` rounded to one digit 1, 2 or 5: scales that read well.
 double Rounded(double value) {
@@ -62,31 +46,15 @@ Scale MeasureScale(const FormulaPlaces& places) {
           Rounded(largest.T)};
 }
 
-class Library {
+class ForceTerms final : public TermLibrary {
  public:
-  Library(const FormulaData& data, const Eigen::MatrixXd& model_space)
-      : data_(data), model_space_(model_space), scale_(MeasureScale(data.places)) {
+  ForceTerms(const FormulaData& data, const Eigen::MatrixXd& model_space)
+      : TermLibrary(model_space), data_(data), scale_(MeasureScale(data.places)) {
     AddPowers();
-  }
-  std::vector<Trial>& trials() { return trials_; }
-
-  /// Column of a term (coefficient 1 N) with what the model can imitate taken out.
-  Eigen::VectorXd Column(const std::string& term, double* whole) const {
-    Result<ForceFormula> formula = ForceFormula::Parse("c1*" + term, {{"c1", 1.0}});
-    PHS_CHECK(formula.ok());
-    std::vector<std::vector<double>> force;
-    for (const auto& run : data_.places) {
-      std::vector<double>& row = force.emplace_back();
-      row.reserve(run.size());
-      for (const ForcePlace& at : run) row.push_back(formula.value().Force(at));
-    }
-    const Eigen::VectorXd c = data_.column(force);
-    *whole = c.norm();
-    return c - model_space_ * (model_space_.transpose() * c);
   }
 
   /// The strongest wave over x in this residual, plain and times s.
-  void AddWaves(const Eigen::VectorXd& residual) {
+  void AddForResidual(const Eigen::VectorXd& residual) override {
     for (const bool turned : {false, true}) {
       const double wave = FindWave(residual, turned);
       if (!(wave > 0)) continue;
@@ -97,16 +65,24 @@ class Library {
   }
 
  private:
+  /// Column of a term (coefficient 1 N).
+  Eigen::VectorXd Column(const std::string& term) const {
+    Result<Formula> formula = Formula::Parse("c1*" + term, {{"c1", 1.0}});
+    PHS_CHECK(formula.ok());
+    std::vector<std::vector<double>> force;
+    for (const auto& run : data_.places) {
+      std::vector<double>& row = force.emplace_back();
+      row.reserve(run.size());
+      for (const ForcePlace& at : run) row.push_back(formula.value().Value(at));
+    }
+    return data_.column(force);
+  }
+
   void Add(const std::string& text, const std::string& second, int factors, double looked_at) {
-    Trial trial{text, second, factors, looked_at, {}};
-    double whole = 0, whole_second = 0;
-    const Eigen::VectorXd first = Column(text, &whole);
-    trial.columns.resize(first.size(), second.empty() ? 1 : 2);
-    trial.columns.col(0) = first;
-    if (!second.empty()) trial.columns.col(1) = Column(second, &whole_second);
-    const bool own = trial.columns.col(0).norm() > kOwnShare * whole &&
-                     (second.empty() || trial.columns.col(1).norm() > kOwnShare * whole_second);
-    if (own) trials_.push_back(std::move(trial));
+    Eigen::MatrixXd columns(data_.residual.size(), second.empty() ? 1 : 2);
+    columns.col(0) = Column(text);
+    if (!second.empty()) columns.col(1) = Column(second);
+    AddColumns(text, second, factors, looked_at, columns);
   }
 
   void AddPowers() {
@@ -206,155 +182,19 @@ class Library {
   }
 
   const FormulaData& data_;
-  const Eigen::MatrixXd& model_space_;
   const Scale scale_;
-  std::vector<Trial> trials_;
   bool places_known_ = false;
   std::vector<size_t> row_;
   std::vector<double> row_x_, row_s_, row_weight_;
   double x_low_ = INFINITY, x_high_ = -INFINITY, waves_ = 1;
 };
 
-Eigen::MatrixXd Joined(const std::vector<Trial>& terms) {
-  Eigen::Index count = 0;
-  for (const Trial& t : terms) count += t.columns.cols();
-  Eigen::MatrixXd out(terms.empty() ? 0 : terms[0].columns.rows(), count);
-  Eigen::Index at = 0;
-  for (const Trial& t : terms) {
-    out.middleCols(at, t.columns.cols()) = t.columns;
-    at += t.columns.cols();
-  }
-  return out;
-}
-
-Eigen::VectorXd Solve(const Eigen::MatrixXd& columns, const Eigen::VectorXd& residual) {
-  return columns.colPivHouseholderQr().solve(residual);
-}
-
-/// Evidence for going from `before` to `after` with `count` more numbers.
-double Evidence(const FormulaData& data, const Eigen::VectorXd& before,
-                const Eigen::VectorXd& after, Eigen::Index count, double tried) {
-  const double n = data.independent(after);
-  return n * std::log(before.squaredNorm() / std::max(after.squaredNorm(), 1e-300)) -
-         static_cast<double>(count) * std::log(n) - 2 * tried;
-}
-
-/// Share of the rms that the terms remove from blocks on which they were not fitted.
-double CrossValidate(const Eigen::MatrixXd& columns, const Eigen::VectorXd& residual) {
-  constexpr int kBlocks = 8;
-  const Eigen::Index n = residual.size();
-  double held = 0;
-  for (int b = 0; b < kBlocks; ++b) {
-    const Eigen::Index begin = b * n / kBlocks, count = (b + 1) * n / kBlocks - begin;
-    Eigen::MatrixXd c = columns;
-    Eigen::VectorXd r = residual;
-    c.middleRows(begin, count).setZero();
-    r.segment(begin, count).setZero();
-    const Eigen::VectorXd x = Solve(c, r);
-    held += (residual.segment(begin, count) - columns.middleRows(begin, count) * x).squaredNorm();
-  }
-  return 1 - std::sqrt(held / std::max(residual.squaredNorm(), 1e-300));
-}
-
-/// Orthonormal basis of what the model's free numbers can imitate.
-Eigen::MatrixXd ModelSpace(const Eigen::MatrixXd& jacobian, Eigen::Index rows) {
-  if (jacobian.cols() == 0) return Eigen::MatrixXd(rows, 0);
-  Eigen::MatrixXd scaled = jacobian;
-  for (Eigen::Index j = 0; j < scaled.cols(); ++j) {
-    const double norm = scaled.col(j).norm();
-    if (norm > 0) scaled.col(j) /= norm;
-  }
-  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(scaled);
-  qr.setThreshold(1e-7);
-  return qr.householderQ() * Eigen::MatrixXd::Identity(rows, qr.rank());
-}
-
-void DropSuperfluous(const FormulaData& data, const FormulaLimits& limits,
-                     const Eigen::VectorXd& residual, double tried, std::vector<Trial>* terms) {
-  for (size_t i = 0; i < terms->size() && terms->size() > 1;) {
-    std::vector<Trial> rest = *terms;
-    rest.erase(rest.begin() + static_cast<long>(i));
-    const Eigen::MatrixXd with = Joined(*terms), without = Joined(rest);
-    const Eigen::VectorXd after = residual - with * Solve(with, residual);
-    const Eigen::VectorXd before = residual - without * Solve(without, residual);
-    const double evidence =
-        Evidence(data, before, after, (*terms)[i].columns.cols(), tried + (*terms)[i].looked_at);
-    if (evidence < limits.threshold) {
-      *terms = rest;
-      i = 0;
-    } else {
-      ++i;
-    }
-  }
-}
-
 }  // namespace
 
 FoundFormula SearchFormula(const FormulaData& data, const FormulaLimits& limits) {
-  FoundFormula out;
   const Eigen::MatrixXd space = ModelSpace(data.jacobian, data.residual.size());
-  const Eigen::VectorXd residual = data.residual - space * (space.transpose() * data.residual);
-  Library library(data, space);
-  std::vector<Trial> terms;
-  std::vector<FormulaTerm> words;
-  Eigen::VectorXd now = residual;
-  const double tried = std::log(std::max<size_t>(2, library.trials().size()));
-  for (int round = 0; round < limits.max_terms; ++round) {
-    const size_t lasting = library.trials().size();
-    library.AddWaves(now);
-    const Trial* best = nullptr;
-    double best_score = -std::numeric_limits<double>::infinity(), best_evidence = 0, best_gain = 0;
-    const double independent = data.independent(now);
-    const Eigen::MatrixXd taken =
-        terms.empty() ? Eigen::MatrixXd(now.size(), 0) : ModelSpace(Joined(terms), now.size());
-    for (const Trial& trial : library.trials()) {
-      const Eigen::MatrixXd own = trial.columns - taken * (taken.transpose() * trial.columns);
-      const Eigen::MatrixXd normal = own.transpose() * own;
-      // A term that those taken already imitate brings nothing.
-      if (normal.diagonal().minCoeff() < 1e-6 * trial.columns.squaredNorm()) continue;
-      const Eigen::VectorXd right = own.transpose() * now;
-      const double taken_off = right.dot(normal.ldlt().solve(right)) / now.squaredNorm();
-      if (!(taken_off > 0 && taken_off < 1)) continue;
-      const double score = -independent * std::log(1 - taken_off) - 2 * trial.looked_at -
-                           2 * trial.factors -
-                           static_cast<double>(trial.columns.cols()) * std::log(independent);
-      if (score > best_score) best = &trial, best_score = score;
-    }
-    if (best != nullptr) {
-      std::vector<Trial> joined = terms;
-      joined.push_back(*best);
-      const Eigen::MatrixXd columns = Joined(joined);
-      const Eigen::VectorXd after = residual - columns * Solve(columns, residual);
-      best_evidence = Evidence(data, now, after, best->columns.cols(), tried + best->looked_at);
-      best_gain = 1 - after.norm() / std::max(now.norm(), 1e-300);
-    }
-    if (best == nullptr || best_evidence < limits.threshold || best_gain < limits.min_gain) break;
-    terms.push_back(*best);
-    words.push_back({best->text, best->second, best_evidence, best_gain});
-    library.trials().resize(lasting);
-    const Eigen::MatrixXd columns = Joined(terms);
-    now = residual - columns * Solve(columns, residual);
-  }
-  if (terms.empty()) return out;
-  DropSuperfluous(data, limits, residual, tried, &terms);
-  std::erase_if(words, [&](const FormulaTerm& w) {
-    return std::none_of(terms.begin(), terms.end(),
-                        [&](const Trial& t) { return t.text == w.text; });
-  });
-  const Eigen::MatrixXd columns = Joined(terms);
-  const Eigen::VectorXd x = Solve(columns, residual);
-  out.gain = 1 - (residual - columns * x).norm() / std::max(residual.norm(), 1e-300);
-  out.cross_validation_gain = CrossValidate(columns, residual);
-  if (out.cross_validation_gain <= 0) return {};
-  out.terms = std::move(words);
-  out.coefficients.assign(x.data(), x.data() + x.size());
-  int k = 0;
-  for (const FormulaTerm& term : out.terms) {
-    for (const std::string& text : {term.text, term.second}) {
-      if (!text.empty()) out.text += fmt::format("{}c{}*{}", k > 0 ? " + " : "", k + 1, text), ++k;
-    }
-  }
-  return out;
+  ForceTerms terms(data, space);
+  return SelectTerms(data, space, limits, &terms);
 }
 
 }  // namespace phs::identify

@@ -110,6 +110,7 @@ PhsParams FitProblem::Params(const FreeModel& model, const std::vector<double>& 
 
 Eigen::VectorXd FitProblem::Residual(const FreeModel& model,
                                      const std::vector<double>& values) const {
+  if (go_on_ && !go_on_()) return {};
   Channels predicted;
   if (!forward_->Run(Params(model, values), ForwardModel::Span::kEstimation, &predicted).ok()) {
     return {};

@@ -86,6 +86,8 @@ class FitProblem {
   Result<std::vector<hydraulics::ForcePlace>> Places(const hydraulics::PhsParams& params) const;
   /// A value of an output on the rows of the residual -> weighted; 0 where nothing was measured.
   Eigen::VectorXd Weighted(int output, const std::vector<double>& on_rows) const;
+  /// Asked before every run of the model: false = stop; every residual is empty from then on.
+  void SetGoOn(std::function<bool()> go_on) { go_on_ = std::move(go_on); }
   /// Sets weights anew with this model's sensitivity to speed.
   Status SetWeights(const hydraulics::PhsParams& params);
 
@@ -95,6 +97,7 @@ class FitProblem {
   std::shared_ptr<const ForwardModel> forward_;
   std::vector<int> rows_;                    ///< rows of the estimation span in its window
   std::vector<std::vector<double>> weight_;  ///< [channel][row], 0 = missing
+  std::function<bool()> go_on_;
 };
 
 /// Mean squares and half widths of the 95 % intervals from residual and Jacobian of a fit;

@@ -1,4 +1,4 @@
-#include "effects/force_formula.h"
+#include "effects/formula.h"
 
 #include <algorithm>
 #include <cctype>
@@ -10,13 +10,23 @@
 namespace phs::effects {
 namespace {
 
-using Step = ForceFormula::Step;
-using Code = ForceFormula::Code;
+using Step = Formula::Step;
+using Code = Formula::Code;
 
 /// Exponents of m, kg, s, K.
 using Dimension = std::array<double, 4>;
 constexpr Dimension kPlain = {0, 0, 0, 0};
 constexpr Dimension kNewton = {1, 1, -2, 0};
+
+/// What a formula may give: its dimension, its suffix, and in words.
+struct Kind {
+  Dimension dimension;
+  const char* suffix;
+  const char* words;
+};
+constexpr Kind kKinds[] = {{kNewton, "N", "force [N]"},
+                           {{3, 0, 0, 0}, "m3", "volume [m^3]"},
+                           {{3, 0, -1, 0}, "m3_per_s", "flow [m^3/s]"}};
 
 struct Symbol {
   const char* name;
@@ -50,19 +60,24 @@ Dimension Joined(const Dimension& a, const Dimension& b, double sign) {
 
 class Parser {
  public:
-  Parser(const std::string& text, const std::map<std::string, double>& coefficients)
-      : text_(text), coefficients_(coefficients) {}
+  Parser(const std::string& text, const std::map<std::string, double>& coefficients,
+         const Kind& kind)
+      : text_(text), coefficients_(coefficients), kind_(kind) {}
 
   Result<std::vector<Step>> Parse() {
     const Dimension whole = Sum();
     Skip();
     if (at_ < text_.size()) Fail("unexpected \"" + text_.substr(at_, 8) + "\"");
-    if (error_.empty() && whole != kNewton) Fail("the whole is no force [N]");
+    if (error_.empty() && whole != kind_.dimension) {
+      Fail(std::string("the whole is no ") + kind_.words);
+    }
     if (!error_.empty()) {
-      return Error{"formula \"" + text_ + "\"", error_,
-                   "x, v, s, p, q, t, dT, c1 … c6, numbers with [unit], + - * / ^, sin, cos, exp, "
-                   "tanh, abs, sqrt, pi; a force [N]",
-                   ""};
+      return Error{
+          "formula \"" + text_ + "\"", error_,
+          std::string("x, v, s, p, q, t, dT, c1 … c6, numbers with [unit], + - * / ^, sin, "
+                      "cos, exp, tanh, abs, sqrt, max, pi; a ") +
+              kind_.words,
+          ""};
     }
     return std::move(steps_);
   }
@@ -84,7 +99,7 @@ class Parser {
     const bool leaf = step.code == Code::kNumber || step.code == Code::kVariable;
     const bool binary = step.code >= Code::kAdd && step.code <= Code::kPower;
     stack_ += leaf ? 1 : binary ? -1 : 0;
-    if (stack_ > ForceFormula::kMaxDepth || steps_.size() > 400) Fail("too long");
+    if (stack_ > Formula::kMaxDepth || steps_.size() > 400) Fail("too long");
     steps_.push_back(step);
   }
 
@@ -190,6 +205,7 @@ class Parser {
       Push({Code::kVariable, 0, static_cast<int>(i)});
       return kVariables[i].dimension;
     }
+    if (name == "max") return Larger();
     for (const Function& f : kFunctions) {
       if (name != f.name) continue;
       if (!Take('(')) Fail("a bracket is missing");
@@ -207,11 +223,21 @@ class Parser {
       return kPlain;
     }
     Push({Code::kNumber, found->second});
-    return kNewton;
+    return kind_.dimension;
+  }
+  Dimension Larger() {
+    if (!Take('(')) Fail("a bracket is missing");
+    const Dimension d = Sum();
+    if (!Take(',')) Fail("max needs two values");
+    if (error_.empty() && Sum() != d) Fail("max of unequal dimensions");
+    if (!Take(')')) Fail("a bracket is not closed");
+    Push({Code::kMax});
+    return d;
   }
 
   const std::string& text_;
   const std::map<std::string, double>& coefficients_;
+  const Kind& kind_;
   std::vector<Step> steps_;
   std::string error_;
   size_t at_ = 0;
@@ -228,6 +254,8 @@ double Apply(Code code, double a, double b) {
       return a * b;
     case Code::kDivide:
       return a / b;
+    case Code::kMax:
+      return std::max(a, b);
     default:
       return std::pow(a, b);
   }
@@ -254,14 +282,27 @@ double Apply(Code code, double a) {
 
 }  // namespace
 
-Result<ForceFormula> ForceFormula::Parse(const std::string& text,
-                                         const std::map<std::string, double>& coefficients) {
-  Result<std::vector<Step>> steps = Parser(text, coefficients).Parse();
+const char* UnitSuffix(FormulaUnit unit) { return kKinds[static_cast<int>(unit)].suffix; }
+
+Result<Formula> Formula::Parse(const std::string& text,
+                               const std::map<std::string, double>& coefficients,
+                               FormulaUnit unit) {
+  Result<std::vector<Step>> steps =
+      Parser(text, coefficients, kKinds[static_cast<int>(unit)]).Parse();
   if (!steps.ok()) return steps.error();
-  return ForceFormula(std::move(steps.value()));
+  return Formula(std::move(steps.value()));
 }
 
-double ForceFormula::Force(const hydraulics::ForcePlace& place) const noexcept {
+std::string Formula::VariableOtherThan(const std::string& allowed) const {
+  for (const Step& step : steps_) {
+    if (step.code != Code::kVariable) continue;
+    const std::string name = kVariables[step.variable].name;
+    if (allowed.find(name) == std::string::npos) return name;
+  }
+  return {};
+}
+
+double Formula::Value(const hydraulics::ForcePlace& place) const noexcept {
   const double variables[] = {place.piston,   place.speed, place.direction,  place.bore_rise,
                               place.rod_rise, place.time,  place.temperature};
   double stack[kMaxDepth + 1];

@@ -1,4 +1,4 @@
-#include "effects/force_formula.h"
+#include "effects/formula.h"
 
 #include <gtest/gtest.h>
 
@@ -10,17 +10,17 @@ namespace phs::effects {
 namespace {
 
 double Value(const std::string& text, const hydraulics::ForcePlace& place) {
-  const auto formula = ForceFormula::Parse(text, {{"c1", 3.0}, {"c2", -2.0}});
+  const auto formula = Formula::Parse(text, {{"c1", 3.0}, {"c2", -2.0}});
   EXPECT_TRUE(formula.ok()) << (formula.ok() ? "" : formula.error().Line());
-  return formula.ok() ? formula.value().Force(place) : NAN;
+  return formula.ok() ? formula.value().Value(place) : NAN;
 }
 
 std::string Refusal(const std::string& text) {
-  const auto formula = ForceFormula::Parse(text, {{"c1", 3.0}});
+  const auto formula = Formula::Parse(text, {{"c1", 3.0}});
   return formula.ok() ? "" : formula.error().Line();
 }
 
-TEST(ForceFormula, EvaluatesAsWritten) {
+TEST(Formula, EvaluatesAsWritten) {
   hydraulics::ForcePlace at;
   at.piston = 0.01, at.speed = -0.2, at.direction = -1, at.bore_rise = 3e5, at.time = 7;
   at.temperature = 5;
@@ -34,7 +34,7 @@ TEST(ForceFormula, EvaluatesAsWritten) {
   EXPECT_DOUBLE_EQ(Value("-c1^1*2", at), -6);
 }
 
-TEST(ForceFormula, DimensionsAndNamesAreChecked) {
+TEST(Formula, DimensionsAndNamesAreChecked) {
   EXPECT_NE(Refusal("c1 + x").find("unequal dimensions"), std::string::npos);
   EXPECT_NE(Refusal("c1*x").find("no force"), std::string::npos);
   EXPECT_NE(Refusal("c1*sin(x)").find("dimension"), std::string::npos);

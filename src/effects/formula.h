@@ -1,0 +1,73 @@
+// A law written as a formula, evaluated in the model: what the effect `unlisted` takes.
+//
+//   formula: "c1*s*(p/5e5[Pa]) + c2*sin(2*pi*x/0.0025[m])"
+//
+// Variables: x position [m], v speed [m/s], s direction of friction (-1 … 1, turns over the
+// friction's presliding or ramp, so nothing flickers at rest), p and q pressure of bore and rod
+// above static [Pa] (element bench: p is its pressure channel; a line: p is its own), t time [s],
+// dT temperature above the model's [K]. Coefficients c1 … c6 have the unit of the whole. Numbers
+// may carry a unit in brackets: 0.0025[m], 3[N/m], 2[m/s]. Operators + - * / ^ (a plain number as
+// exponent), functions sin, cos, exp, tanh, abs, sqrt, max(a, b), constant pi. The dimension of
+// every part is checked: sums need equal dimensions, functions plain numbers, the whole is what is
+// asked for: a force [N], a volume [m^3] or a flow [m^3/s].
+//
+// Evaluation does not allocate.
+#pragma once
+
+#include <array>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "hydraulics/extension.h"
+
+namespace phs::effects {
+
+/// What a formula gives.
+enum class FormulaUnit { kForce, kVolume, kFlow };
+/// "N", "m3", "m3_per_s": as in names of coefficients, c1_N.
+const char* UnitSuffix(FormulaUnit unit);
+
+class Formula {
+ public:
+  /// `coefficients`: values of c1 … in that unit. Errors: syntax, unknown names, dimensions, depth.
+  static Result<Formula> Parse(const std::string& text,
+                               const std::map<std::string, double>& coefficients,
+                               FormulaUnit unit = FormulaUnit::kForce);
+  double Value(const hydraulics::ForcePlace& place) const noexcept;
+  /// Symbol of the first variable that is not among `allowed`; empty if there is none.
+  std::string VariableOtherThan(const std::string& allowed) const;
+
+  static constexpr int kMaxDepth = 24;  ///< of the evaluation stack
+
+  enum class Code {
+    kNumber,
+    kVariable,
+    kAdd,
+    kSubtract,
+    kMultiply,
+    kDivide,
+    kMax,
+    kPower,
+    kNegate,
+    kSin,
+    kCos,
+    kExp,
+    kTanh,
+    kAbs,
+    kSqrt
+  };
+  /// One step of the reverse Polish form.
+  struct Step {
+    Code code = Code::kNumber;
+    double number = 0;
+    int variable = 0;
+  };
+
+ private:
+  explicit Formula(std::vector<Step> steps) : steps_(std::move(steps)) {}
+  std::vector<Step> steps_;
+};
+
+}  // namespace phs::effects

@@ -1,0 +1,104 @@
+#include "identify/effect_trials.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+#include "identify/effect_form.h"
+#include "identify/near_fit.h"
+
+namespace phs::identify::search {
+namespace {
+
+bool AreApart(const FreeModel& model, const std::vector<double>& a, const std::vector<double>& b,
+              double least) {
+  for (size_t i = 0; i < a.size(); ++i) {
+    const FreeParameter& p = model.free[i];
+    if (p.logarithmic && std::abs(p.ToCoordinate(a[i]) - p.ToCoordinate(b[i])) > least) return true;
+  }
+  return false;
+}
+
+/// Where candidates are tried: the best fit and, where it lies elsewhere, the fit to what most of
+/// the record says; a rare strong deviation may have drawn the first far off.
+std::vector<std::vector<double>> Points(const FitProblem& coarse, const FreeModel& model,
+                                        const FitResult& fit, const TrialOptions& options) {
+  constexpr double kElsewhere = 0.03;
+  std::vector<std::vector<double>> points = {fit.values};
+  if (!options.elsewhere) return points;
+  std::vector<double> start = fit.values;
+  for (size_t i = 0; i < options.declared; ++i) start[i] = model.free[i].start;
+  const FitResult most = FitNear(coarse, model, start, {}, {.max_steps = 12, .robust = 2.5});
+  if (most.ok && AreApart(model, most.values, fit.values, kElsewhere)) {
+    points.push_back(most.values);
+  }
+  return points;
+}
+
+/// A strong effect may have bent the baseline so far that its own numbers have no way back from
+/// there: where the volumes have moved far, hydraulic effects start from the declared model too.
+bool AddDeclaredPoint(const FreeModel& model, size_t declared,
+                      std::vector<std::vector<double>>* points) {
+  constexpr double kFar = 0.2;
+  std::vector<double> volumes = points->front(), all = volumes;
+  for (size_t i = 0; i < declared; ++i) {
+    all[i] = model.free[i].start;
+    if (model.free[i].name.ends_with("_volume_m3")) volumes[i] = all[i];
+  }
+  for (const auto& point : *points) {
+    if (!AreApart(model, volumes, point, kFar)) return false;
+  }
+  points->push_back(std::move(all));
+  return true;
+}
+
+/// The first trials with a coarse fit, each of another effect.
+std::vector<int> BestOfEach(const std::vector<FullTrial>& trials, int most) {
+  std::vector<int> chosen;
+  for (int i = 0; i < static_cast<int>(trials.size()); ++i) {
+    if (!trials[i].coarse.ok || static_cast<int>(chosen.size()) >= most) continue;
+    const std::string& effect = trials[i].candidate->effect;
+    if (std::none_of(chosen.begin(), chosen.end(),
+                     [&](int k) { return trials[k].candidate->effect == effect; })) {
+      chosen.push_back(i);
+    }
+  }
+  return chosen;
+}
+
+}  // namespace
+
+std::vector<FullTrial> TryEffects(const FitProblem& problem, const FitProblem& coarse,
+                                  const FreeModel& model, const FitResult& fit,
+                                  const std::vector<Candidate>& list, const TrialOptions& options,
+                                  const std::function<bool(double)>& tick, double* reference) {
+  ScreeningOptions screening{options.threads, options.coarse_fits, options.thorough};
+  std::vector<std::vector<double>> points = Points(coarse, model, fit, options);
+  if (screening.thorough && AddDeclaredPoint(model, options.declared, &points)) {
+    screening.hydraulic_from = points.size() - 1;
+  }
+  std::vector<Trial> found = ScreenCandidates(
+      coarse, model, points, list, screening, [&](double part) { return tick(0.15 * part); },
+      reference);
+  std::vector<FullTrial> trials;
+  for (Trial& trial : found) {
+    const Candidate form = *trial.candidate;
+    trials.push_back({std::move(trial), form, {}});
+  }
+  const std::vector<int> chosen = BestOfEach(trials, options.full_fits);
+  std::atomic<int> done{0};
+  InParallel(static_cast<int>(chosen.size()), options.threads, [&](int k) {
+    if (!tick(0.15 + 0.15 * done++ / static_cast<double>(chosen.size()))) return;
+    FullTrial& trial = trials[chosen[k]];
+    trial.coarse = ShapeForm(coarse, model, trial.coarse, &trial.form);
+    const FreeModel whole = WithCandidate(model, trial.form);
+    trial.fit = FitNear(problem, whole, trial.coarse.values, {}, {.first_own = 0, .max_steps = 1});
+    if (!trial.fit.ok) return;
+    const int count = static_cast<int>(trial.fit.values.size());
+    trial.fit = FitNear(problem, whole, trial.fit.values, trial.fit.jacobian,
+                        {.first_own = count, .max_steps = 6, .final_jacobian = true});
+  });
+  return trials;
+}
+
+}  // namespace phs::identify::search

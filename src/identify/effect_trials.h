@@ -1,0 +1,36 @@
+// Effects tried on top of a model: screened on the coarse record, the best fitted in full.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "identify/effect_variants.h"
+#include "identify/screening.h"
+#include "identify/search_fit.h"
+
+namespace phs::identify::search {
+
+/// A screened candidate and, for the best, its form with options and its fit to the whole record.
+struct FullTrial : Trial {
+  Candidate form;
+  FitResult fit;
+};
+
+struct TrialOptions {
+  int threads = 2;
+  int coarse_fits = 16;   ///< variants fitted on the coarse record
+  int full_fits = 4;      ///< effects fitted in full
+  bool elsewhere = true;  ///< tried away from the best fit too (fast models)
+  bool thorough = true;   ///< every start is judged by a short fit
+  size_t declared = 0;    ///< so many of the model's numbers are the declared model's own
+};
+
+/// Screens `list` on top of `model` as fitted by `fit` and fits the best `full_fits` effects in
+/// full. `tick(share)`: progress from 0 to 0.3, false = stop. `reference`: mean log square of the
+/// model alone on the coarse record. Candidates of `list` must outlive the result.
+std::vector<FullTrial> TryEffects(const FitProblem& problem, const FitProblem& coarse,
+                                  const FreeModel& model, const FitResult& fit,
+                                  const std::vector<Candidate>& list, const TrialOptions& options,
+                                  const std::function<bool(double)>& tick, double* reference);
+
+}  // namespace phs::identify::search

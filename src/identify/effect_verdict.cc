@@ -1,0 +1,53 @@
+#include "identify/effect_verdict.h"
+
+namespace phs::identify::search {
+
+bool OnBound(const FreeModel& model, const FitResult& fit, const Candidate& candidate) {
+  constexpr double kTiny = 1e-3;
+  const size_t base = model.free.size() - candidate.free.size();
+  int nil = 0;
+  for (int k = 0; k < candidate.mains; ++k) {
+    const FreeParameter& p = model.free[base + static_cast<size_t>(k)];
+    const double x = p.ToCoordinate(fit.values[base + static_cast<size_t>(k)]);
+    const double low = p.ToCoordinate(p.low), high = p.ToCoordinate(p.high);
+    if (high - x < kTiny * (high - low)) return true;
+    nil += x - low < kTiny * (high - low);
+  }
+  return nil == candidate.mains;
+}
+
+namespace {
+
+std::string Significance(const Evidence& e, const SearchOptions& options) {
+  if (e.delta_bic < options.min_delta_bic) return "not significant";
+  if (e.cross_validation_gain <= 0) return "no gain in cross-validation";
+  return "";
+}
+
+}  // namespace
+
+std::string Verdict(const Evidence& e, bool on_bound, bool first, const SearchOptions& options) {
+  constexpr double kMuch = 0.5;  // of one channel's residual: enough whatever the others show
+  if (const std::string no = Significance(e, options); !no.empty()) return no;
+  if (e.estimation_gain < options.min_gain && e.best_channel_gain < options.min_channel_gain) {
+    return "gain too small";
+  }
+  if (on_bound) return kNotPlausible;
+  const double least = first ? options.min_first_removed : options.min_excess_removed;
+  if (e.excess_removed < least && e.best_channel_gain < kMuch) {
+    return "explains too little of what is left";
+  }
+  return "";
+}
+
+std::string FormulaVerdict(const Evidence& e, double gain, bool first,
+                           const SearchOptions& options) {
+  if (const std::string no = Significance(e, options); !no.empty()) return no;
+  const double least = first ? options.min_channel_gain : options.min_formula_gain;
+  if (gain < least || e.excess_removed < options.min_first_removed) {
+    return "explains too little of what is left";
+  }
+  return "";
+}
+
+}  // namespace phs::identify::search

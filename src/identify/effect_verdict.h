@@ -1,0 +1,24 @@
+// Whether a fitted effect is accepted, and if not, why: the words that stand in the result.
+#pragma once
+
+#include <string>
+
+#include "identify/effect_search.h"
+
+namespace phs::identify::search {
+
+inline constexpr const char* kNotPlausible = "value not plausible";
+
+/// True if the amount of the candidate ended on a bound: not plausible, or not there. Where it has
+/// two amounts, one of them may be nil. `model` ends with the candidate's numbers.
+bool OnBound(const FreeModel& model, const FitResult& fit, const Candidate& candidate);
+
+/// Empty if the effect may be accepted. `first`: nothing was accepted before it.
+std::string Verdict(const Evidence& evidence, bool on_bound, bool first,
+                    const SearchOptions& options);
+
+/// The same of a formula. `load_gain`: share of its channel's residual rms that it takes.
+std::string FormulaVerdict(const Evidence& evidence, double gain, bool first,
+                           const SearchOptions& options);
+
+}  // namespace phs::identify::search

@@ -1,0 +1,188 @@
+#include "identify/line_formula.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "effects/formula.h"
+
+namespace phs::identify::search {
+namespace {
+
+using effects::FormulaUnit;
+using hydraulics::EffectParams;
+using hydraulics::PhsParams;
+
+/// Where a law may act, and the pressure that it sees: lowest and highest above static.
+struct LinePlace {
+  FormulaUnit unit = FormulaUnit::kVolume;
+  std::vector<std::string> targets;
+  double low = 0, high = 0;
+};
+
+struct Model {
+  const FitProblem& problem;
+  const FreeModel& free;
+  const std::vector<double>& values;
+  Eigen::VectorXd residual;
+};
+
+double Rounded(double value) {
+  const double ten = std::pow(10.0, std::floor(std::log10(std::max(value, 1e-30))));
+  const double lead = value / ten;
+  return ten * (lead < 1.5 ? 1 : lead < 3.5 ? 2 : lead < 7.5 ? 5 : 10);
+}
+
+class LineTerms final : public TermLibrary {
+ public:
+  LineTerms(const Model& model, const LinePlace& place, const Eigen::MatrixXd& model_space)
+      : TermLibrary(model_space),
+        model_(model),
+        place_(place),
+        scale_(Rounded(std::max(std::abs(place.low), place.high))) {
+    const std::string p = fmt::format("(p/{:g}[Pa])", scale_);
+    Add(p, 1), Add(p + "^2", 2), Add(p + "^3", 3);
+    Add(p + "*abs" + p, 2);
+    if (place.unit != FormulaUnit::kFlow) return;
+    const double end = model.problem.data().estimation[1];
+    Add(fmt::format("(t/{:g}[s])*", Rounded(end)) + p, 2);
+  }
+
+  /// The ramps that fit best beyond a pressure, above and below static.
+  void AddForResidual(const Eigen::VectorXd& residual) override {
+    for (const double end : {place_.high, place_.low}) {
+      if (std::abs(end) < 0.05 * scale_) continue;
+      for (const int power : {1, 2}) AddBestRamp(residual, end, power);
+    }
+  }
+
+ private:
+  static constexpr int kScan = 12, kRefine = 5;
+
+  std::string Ramp(double share, double end, int power) const {
+    const double onset = std::abs(share * end);
+    const std::string beyond = end > 0 ? fmt::format("max(p-{:.4g}[Pa],0[Pa])", onset)
+                                       : fmt::format("max(-p-{:.4g}[Pa],0[Pa])", onset);
+    return fmt::format("({}/{:g}[Pa]){}", beyond, scale_, power == 2 ? "^2" : "");
+  }
+
+  /// Share of the residual's square that a term takes.
+  double Taken(const Eigen::VectorXd& residual, const std::string& term) const {
+    const Eigen::VectorXd c = Column(term);
+    const double norm = c.squaredNorm();
+    return norm > 0 ? std::pow(c.dot(residual), 2) / norm : 0;
+  }
+
+  void AddBestRamp(const Eigen::VectorXd& residual, double end, int power) {
+    double best = 0.5, most = -1;
+    const auto look = [&](double share) {
+      const double taken = Taken(residual, Ramp(share, end, power));
+      if (taken > most) most = taken, best = share;
+    };
+    for (int k = 0; k < kScan; ++k) look(k / static_cast<double>(kScan));
+    double step = 0.5 / kScan;
+    for (int k = 0; k < kRefine; ++k, step /= 2) {
+      for (const double share : {best - step, best + step}) {
+        if (share > 0 && share < 1) look(share);
+      }
+    }
+    Add(Ramp(best, end, power), power + 1, std::log(kScan + 2 * kRefine));
+  }
+
+  /// What the model answers to the term (coefficient 1), weighted; zeros where it refuses it.
+  Eigen::VectorXd Column(const std::string& term) const {
+    const double amount = place_.unit == FormulaUnit::kVolume ? 1e-8 : 1e-10;
+    FreeModel with = model_.free;
+    EffectParams effect;
+    effect.name = "unlisted";
+    effect.targets = place_.targets;
+    effect.formula = "c1*" + term;
+    effect.values[std::string("c1_") + effects::UnitSuffix(place_.unit)] = amount;
+    with.params.effects.push_back(std::move(effect));
+    const Eigen::VectorXd r = model_.problem.Residual(with, model_.values);
+    if (r.size() == 0) return Eigen::VectorXd::Zero(model_.residual.size());
+    return (model_.residual - r) / amount;
+  }
+
+  void Add(const std::string& term, int factors, double looked_at = 0) {
+    AddColumns(term, "", factors, looked_at, Column(term));
+  }
+
+  const Model& model_;
+  const LinePlace& place_;
+  const double scale_;
+};
+
+/// Lines of the first cylinder, each alone and together, and its piston.
+std::vector<LinePlace> Places(const FitProblem& problem, const PhsParams& params) {
+  std::vector<int> rows(static_cast<size_t>(problem.samples()));
+  std::iota(rows.begin(), rows.end(), 0);
+  const auto at = problem.Places(params);
+  if (!at.ok() || params.cylinders.empty()) return {};
+  const auto& cylinder = params.cylinders.front();
+  LinePlace bore, rod, across;
+  for (const auto& p : at.value()) {
+    const auto widen = [](LinePlace* place, double rise) {
+      place->low = std::min(place->low, rise), place->high = std::max(place->high, rise);
+    };
+    widen(&bore, p.bore_rise), widen(&rod, p.rod_rise), widen(&across, p.bore_rise - p.rod_rise);
+  }
+  std::vector<LinePlace> out;
+  const bool has_bore = params.FindLine(cylinder.bore_line) >= 0;
+  const bool has_rod = params.FindLine(cylinder.rod_line) >= 0;
+  for (const FormulaUnit unit : {FormulaUnit::kVolume, FormulaUnit::kFlow}) {
+    if (has_bore) out.push_back({unit, {cylinder.bore_line}, bore.low, bore.high});
+    if (has_rod) out.push_back({unit, {cylinder.rod_line}, rod.low, rod.high});
+    if (!has_bore || !has_rod) continue;
+    out.push_back({unit,
+                   {cylinder.bore_line, cylinder.rod_line},
+                   std::min(bore.low, rod.low),
+                   std::max(bore.high, rod.high)});
+    if (unit == FormulaUnit::kFlow && params.FindLine(cylinder.name) < 0) {
+      out.push_back({unit, {cylinder.name}, across.low, across.high});
+    }
+  }
+  return out;
+}
+
+double TotalEvidence(const FoundFormula& found) {
+  double sum = 0;
+  for (const FormulaTerm& term : found.terms) sum += term.evidence;
+  return sum;
+}
+
+}  // namespace
+
+FoundFormula SearchLineFormula(const FitProblem& problem, const FreeModel& model,
+                               const std::vector<double>& values, const FormulaLimits& limits,
+                               int threads) {
+  Model at{problem, model, values, {}};
+  SelectionData data;
+  if (!problem.Linearise(model, values, 0, &at.residual, &data.jacobian)) return {};
+  data.residual = at.residual;
+  const int channels = problem.num_channels(), n = problem.samples();
+  data.independent = [=](const Eigen::VectorXd& r) {
+    double sum = 0;
+    for (int c = 0; c < channels; ++c) sum += EffectiveSamples(r, c * n, n);
+    return sum;
+  };
+  const Eigen::MatrixXd space = ModelSpace(data.jacobian, data.residual.size());
+  const std::vector<LinePlace> places = Places(problem, problem.Params(model, values));
+  std::vector<FoundFormula> found(places.size());
+  InParallel(static_cast<int>(places.size()), threads, [&](int k) {
+    const LinePlace& place = places[static_cast<size_t>(k)];
+    LineTerms terms(at, place, space);
+    FoundFormula& formula = found[static_cast<size_t>(k)];
+    formula = SelectTerms(data, space, limits, &terms);
+    formula.unit = effects::UnitSuffix(place.unit);
+    formula.targets = place.targets;
+  });
+  const auto best = std::max_element(found.begin(), found.end(), [](const auto& a, const auto& b) {
+    return TotalEvidence(a) < TotalEvidence(b);
+  });
+  return best == found.end() ? FoundFormula{} : *best;
+}
+
+}  // namespace phs::identify::search

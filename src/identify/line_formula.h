@@ -1,0 +1,24 @@
+// What the catalogue does not hold, in a line: a volume that it takes up over its pressure, or a
+// flow out of it (or from bore to rod) over pressure and time, sought in the residual of all
+// channels and added as the effect `unlisted`.
+//
+// A term's column is what the model itself answers to a small amount of it, so that compliance,
+// memory and every channel are in it: column = (r(0) - r(c))/c, r the weighted residual. Terms are
+// p/P, its square and cube, p |p|/P², t p/(T P), and beyond a pressure p_c from a scan max(p - p_c,
+// 0)/P and its square, above and below the static pressure.
+#pragma once
+
+#include <vector>
+
+#include "identify/formula_selection.h"
+#include "identify/search_fit.h"
+
+namespace phs::identify::search {
+
+/// The formula that this residual asks for at one place (a line, all lines, a piston), the place
+/// whose evidence is largest; empty if there is none. `problem`: the coarse one will do.
+FoundFormula SearchLineFormula(const FitProblem& problem, const FreeModel& model,
+                               const std::vector<double>& values, const FormulaLimits& limits,
+                               int threads);
+
+}  // namespace phs::identify::search
