@@ -1,7 +1,5 @@
 #include "effects/moving_mass.h"
 
-#include "effects/targets.h"
-
 namespace phs::effects {
 namespace {
 
@@ -10,7 +8,11 @@ using hydraulics::EffectParams;
 using hydraulics::Extension;
 
 Status Install(const EffectParams& effect, Extension* extension) {
-  if (!IsBenchPart(extension->params())) return NotABenchPart(effect.name);
+  if (extension->params().cylinders.size() != 1) {
+    return Error{"effects." + effect.name, "acts on one part or one cylinder on a rig only",
+                 "a model of one cylinder (rig: element, cylinder or quarter)",
+                 "give the bodies of a bogie their mass in its own file"};
+  }
   extension->element().mass_kg += effect.values.at("mass_kg");
   return {};
 }
@@ -21,7 +23,7 @@ const EffectInfo& MovingMassInfo() {
   static const EffectInfo info = {"moving_mass",
                                   "element",
                                   "",
-                                  "force m a beyond the declared mass",
+                                  "force m a beyond the declared mass, at the load cell",
                                   {{"mass_kg", "kg", 1, 0, 1e6, 0, 1e4, "m"}},
                                   Install};
   return info;

@@ -1,5 +1,5 @@
-// Mass that moves with a part on a bench: F = m a. Element rig only; on a vehicle masses belong to
-// its bodies.
+// Mass that moves with a part on a bench, or with a cylinder on a rig behind its load cell: F = m
+// a. One part or one cylinder only; on a vehicle masses belong to its bodies.
 #pragma once
 
 #include "hydraulics/extension.h"

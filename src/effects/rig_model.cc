@@ -271,6 +271,14 @@ void RigModel::Impl::RunFull(const RigMotion& motion, const std::vector<std::vec
   }
 }
 
+/// Force of a mass that moves with the actuator behind the load cell, tension > 0.
+void AddMovedMass(double mass_kg, const std::vector<double>& speed, double step_s,
+                  std::vector<double>* load) {
+  if (mass_kg == 0) return;
+  const std::vector<double> acceleration = DifferentiateMotion(speed, step_s);
+  for (size_t i = 0; i < load->size(); ++i) (*load)[i] += mass_kg * acceleration[i];
+}
+
 Status RigModel::Run(const RigMotion& motion, RigPrediction* prediction) const {
   if (Status s = CheckMotion(impl_->kind, motion); !s.ok()) return s;
   const size_t n = static_cast<size_t>(motion.num_samples());
@@ -292,6 +300,8 @@ Status RigModel::Run(const RigMotion& motion, RigPrediction* prediction) const {
       break;
     default:
       impl_->RunCylinder(motion, speed[0], prediction);
+      AddMovedMass(impl_->system.element().mass_kg, speed[0], motion.step_s,
+                   &prediction->channels[1]);
       break;
   }
   ApplyInstruments(impl_->kind, impl_->system, motion.t0_s, motion.step_s, prediction);

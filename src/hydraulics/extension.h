@@ -156,11 +156,12 @@ struct InstrumentTerms {
   bool present = false;
 };
 
-/// Temperature of surroundings and oil: static + rate t up to `limit` + amplitude sin(2 pi
-/// t/period).
+/// Temperature of surroundings and oil: static + ramp up to `limit` + amplitude sin(2 pi t/period);
+/// ramp: rate t, or rate T_s (1 - exp(-t/T_s)) for one that settles with the time T_s.
 struct TemperatureTerms {
   bool present = false;
   double rate_K_per_s = 0;
+  double settling_s = 0;  ///< T_s; 0 = never settles
   double amplitude_K = 0, period_s = 86400;
   double limit_K = 40;           ///< |rate t| stays below this
   double expansion_1_per_K = 0;  ///< of the oil against its housing

@@ -42,8 +42,10 @@ Result<PhsSystem> PhsSystem::Load(const std::string& path, const EffectTable* ef
 double CompiledPhs::Ambient(double time) const {
   const double T0 = params.temperature_K;
   if (!temperature.present) return T0;
+  const double settling = temperature.settling_s;
+  const double counted = settling > 0 ? -settling * std::expm1(-time / settling) : time;
   const double ramp =
-      std::clamp(temperature.rate_K_per_s * time, -temperature.limit_K, temperature.limit_K);
+      std::clamp(temperature.rate_K_per_s * counted, -temperature.limit_K, temperature.limit_K);
   return T0 + ramp + temperature.amplitude_K * std::sin(2 * M_PI * time / temperature.period_s);
 }
 

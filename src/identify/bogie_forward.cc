@@ -172,13 +172,13 @@ Status BogieForward::Run(const PhsParams& params, Span span, Channels* out) cons
   return RunScenario(std::move(scenario).value(), span, out);
 }
 
-Status BogieForward::Uncertainty(const PhsParams& params, Channels* deviation) const {
+Status BogieForward::Uncertainty(const PhsParams& params, Span span, Channels* deviation) const {
   auto scenario = ScenarioWith(model_, params);
   if (!scenario.ok()) return scenario.status();
   Channels own;
-  if (Status s = RunScenario(scenario.value(), Span::kEstimation, &own); !s.ok()) return s;
+  if (Status s = RunScenario(scenario.value(), span, &own); !s.ok()) return s;
   scenario.value().creep = scenario.value().creep == "polach" ? "fastsim" : "polach";
-  if (Status s = RunScenario(scenario.value(), Span::kEstimation, deviation); !s.ok()) return s;
+  if (Status s = RunScenario(scenario.value(), span, deviation); !s.ok()) return s;
   for (size_t c = 0; c < own.size(); ++c) {
     double square = 0;
     for (size_t k = 0; k < own[c].size(); ++k) {

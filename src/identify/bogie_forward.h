@@ -57,7 +57,8 @@ class BogieForward final : public ForwardModel {
   Status Run(const hydraulics::PhsParams& params, Span span, Channels* out) const override;
   /// What the creep theory leaves open: rms difference over the span between two laws of creep that
   /// agree where slip is small (Kalker's linear theory) and differ towards saturation.
-  Status Uncertainty(const hydraulics::PhsParams& params, Channels* deviation) const override;
+  Status Uncertainty(const hydraulics::PhsParams& params, Span span,
+                     Channels* deviation) const override;
   FreeModel Declared(const hydraulics::PhsParams& declared) const override;
   std::vector<Candidate> Candidates(const hydraulics::PhsParams& params) const override;
   std::shared_ptr<const ForwardModel> Thinned(int stride) const override;

@@ -20,17 +20,18 @@ FoundFormula SearchForceFormula(const FitProblem& problem, const FreeModel& mode
   Result<std::vector<hydraulics::ForcePlace>> places =
       problem.Places(problem.Params(model, fit.values));
   if (!places.ok()) return {};
-  const int n = problem.samples();
+  const int n = problem.samples(), channels = problem.num_channels();
   FormulaData data;
-  data.residual = fit.residual.segment(channel * n, n);
-  data.jacobian = fit.jacobian.middleRows(channel * n, n);
+  // All channels: what the model's own numbers could do for the load cell shows in the pressures.
+  data.residual = fit.residual;
+  data.jacobian = fit.jacobian;
   data.places = {std::move(places.value())};
   data.column = [&](const std::vector<std::vector<double>>& force) {
-    return problem.Weighted(channel, force.front());
+    Eigen::VectorXd out = Eigen::VectorXd::Zero(n * channels);
+    out.segment(channel * n, n) = problem.Weighted(channel, force.front());
+    return out;
   };
-  data.independent = [](const Eigen::VectorXd& r) {
-    return EffectiveSamples(r, 0, static_cast<int>(r.size()));
-  };
+  data.independent = [=](const Eigen::VectorXd& r) { return IndependentSamples(r, channels); };
   data.has_pressure = true;
   data.has_rod_pressure = kind == effects::RigKind::kQuarter;
   return SearchFormula(data, limits);
@@ -38,28 +39,65 @@ FoundFormula SearchForceFormula(const FitProblem& problem, const FreeModel& mode
 
 namespace {
 
-/// Fits the formula together with all numbers of the model.
+/// Fits the formula together with all numbers of the model, from `values` of these and a `part`
+/// of the formula: the linear estimate of a strong law may lie beyond where the model
+/// holds.
 FormulaTrial FitFormula(const FitProblem& problem, const FreeModel& model, const FitResult& fit,
-                        const FoundFormula& found, double most) {
+                        const std::vector<double>& values, const FoundFormula& found, double most,
+                        double part = 0.01) {
   FormulaTrial out;
   if (found.empty()) return out;
   out.found = found;
   out.candidate = FormulaCandidate(found, most);
   out.model = WithCandidate(model, out.candidate);
-  std::vector<double> start = fit.values;
-  start.insert(start.end(), out.candidate.starts[0].begin(), out.candidate.starts[0].end());
+  std::vector<double> start = values;
+  for (const double c : out.candidate.starts[0]) start.push_back(part * c);
   out.fit = FitNear(
       problem, out.model, start, fit.jacobian,
-      {.first_own = static_cast<int>(fit.values.size()), .max_steps = 8, .final_jacobian = true});
+      {.first_own = static_cast<int>(values.size()), .max_steps = 15, .final_jacobian = true});
   if (out.fit.ok) out.evidence = Compare(problem, fit, out.fit);
   return out;
+}
+
+bool Better(const FitProblem& problem, const FormulaTrial& a, const FormulaTrial& b) {
+  if (!a.fit.ok || !b.fit.ok) return a.fit.ok;
+  const int channels = problem.num_channels();
+  return MeanLogSquare(a.fit.residual, channels) < MeanLogSquare(b.fit.residual, channels);
+}
+
+/// A law of a line: sought at the fit and, as a strong law bends the columns themselves, again
+/// about the model that has it.
+FormulaTrial TryLineFormula(const FitProblem& problem, const FitProblem& coarse,
+                            const FreeModel& model, const FitResult& fit,
+                            const FormulaLimits& limits, int threads) {
+  constexpr double kMostOil = 1e-3;  // [m3], [m3/s]
+  constexpr int kRounds = 3;
+  const size_t base = fit.values.size();
+  FormulaTrial best =
+      FitFormula(problem, model, fit, fit.values,
+                 SearchLineFormula(coarse, model, fit.values, limits, threads), kMostOil);
+  for (int round = 0; round < kRounds && best.fit.ok; ++round) {
+    const FormulaTrial about = best;
+    const std::vector<double> values(about.fit.values.begin(),
+                                     about.fit.values.begin() + static_cast<long>(base));
+    for (const bool thresholds_only : {false, true}) {
+      const FoundFormula anew = SearchAnew(coarse, about.model, about.fit.values, base, about.found,
+                                           thresholds_only, limits);
+      if (anew.text == about.found.text) continue;
+      FormulaTrial trial = FitFormula(problem, model, fit, values, anew, kMostOil, 1);
+      if (Better(problem, trial, best)) best = std::move(trial);
+    }
+    if (best.found.text == about.found.text) break;
+  }
+  best.channel_gain = best.evidence.best_channel_gain;
+  return best;
 }
 
 }  // namespace
 
 FormulaTrial TryFormula(const FitProblem& problem, const FitProblem& coarse, const FreeModel& model,
                         const FitResult& fit, const FormulaLimits& limits, int threads) {
-  constexpr double kNoise = 1.1, kMostForce_N = 1e5, kMostOil = 1e-3;
+  constexpr double kNoise = 1.1, kMostForce_N = 1e5;
   double pressures = 0, load = 0;
   for (int c = 0; c < problem.num_channels(); ++c) {
     const std::string& name = problem.data().outputs[static_cast<size_t>(c)].name;
@@ -68,24 +106,17 @@ FormulaTrial TryFormula(const FitProblem& problem, const FitProblem& coarse, con
   }
   FormulaTrial force, line;
   if (load > kNoise) {
-    force = FitFormula(problem, model, fit, SearchForceFormula(problem, model, fit, limits),
-                       kMostForce_N);
+    force = FitFormula(problem, model, fit, fit.values,
+                       SearchForceFormula(problem, model, fit, limits), kMostForce_N);
     if (force.fit.ok) {
       const auto c = static_cast<size_t>(problem.FindOutput("load_cell_N"));
       force.channel_gain = 1 - std::sqrt(force.fit.channel_ms[c] / fit.channel_ms[c]);
     }
   }
   if (pressures > kNoise && problem.data().kind != effects::RigKind::kFull) {
-    line = FitFormula(problem, model, fit,
-                      SearchLineFormula(coarse, model, fit.values, limits, threads), kMostOil);
-    line.channel_gain = line.evidence.best_channel_gain;
+    line = TryLineFormula(problem, coarse, model, fit, limits, threads);
   }
-  if (!line.fit.ok) return force;
-  if (!force.fit.ok) return line;
-  const int channels = problem.num_channels();
-  const bool better =
-      MeanLogSquare(line.fit.residual, channels) < MeanLogSquare(force.fit.residual, channels);
-  return better ? line : force;
+  return Better(problem, line, force) ? line : force;
 }
 
 Candidate FormulaCandidate(const FoundFormula& found, double most) {

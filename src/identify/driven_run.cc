@@ -117,6 +117,9 @@ Result<IdentifyOutcome> SearchAndWrite(const Manifest& manifest, const PhsParams
   Result<Channels> after = problem->Predict(corrected);
   if (!before.ok()) return before.error();
   if (!after.ok()) return after.error();
+  const Result<std::vector<double>> over_noise =
+      problem->OverNoise(corrected, after.value(), data.validation);
+  if (!over_noise.ok()) return over_noise.error();
   Json& result = outcome.result;
   result = Head(manifest, data);
   result["channels"] = ScoreBoth(data, before.value(), after.value(), data.validation);
@@ -124,8 +127,8 @@ Result<IdentifyOutcome> SearchAndWrite(const Manifest& manifest, const PhsParams
   result["effects"] = EffectList(found);
   result["fitted"] = Parameters(found.corrected, found.after, 0, found.declared.free.size(), true);
   result["localised"] = Localise(data, before.value(), found.before);
-  result["unexplained"] = Unexplained(data, after.value(), found);
-  result["next_test"] = NextTests(found);
+  result["unexplained"] = Unexplained(data, after.value(), over_noise.value(), found);
+  result["next_test"] = NextTests(found, result["unexplained"]);
   result["candidates"] = CandidateList(found);
   result["model"] = "model.yaml";
   for (const Status& s :

@@ -13,6 +13,8 @@
 namespace phs::identify::search {
 namespace {
 
+constexpr const char* kBeaten = "another explains more";
+
 class Search {
  public:
   Search(FitProblem* problem, FitProblem* coarse, const SearchOptions& options,
@@ -70,11 +72,12 @@ class Search {
   std::vector<FullTrial> Try(const FreeModel& model, const FitResult& fit,
                              const std::vector<Candidate>& list, int full_fits, double* reference) {
     const size_t own = out_.declared.params.effects.size();
+    const size_t present = model.params.effects.size() - own;
     const TrialOptions trying{.threads = options_.threads,
-                              .coarse_fits = options_.coarse_fits,
-                              .full_fits = full_fits,
-                              .elsewhere = options_.thorough,
-                              .thorough = options_.thorough && model.params.effects.size() == own,
+                              .coarse_fits = options_.coarse_fits / (present > 0 ? 2 : 1),
+                              .full_fits = std::max(2, full_fits - static_cast<int>(present)),
+                              .elsewhere = options_.thorough && present < 2,
+                              .thorough = options_.thorough && present == 0,
                               .declared = out_.declared.free.size()};
     return TryEffects(
         problem_, coarse_, model, fit, list, trying, [this](double part) { return Tick(part); },
@@ -118,13 +121,14 @@ class Search {
       record.verdict = Verdict(record.evidence, OnBound(model, trials[i].fit, trials[i].form),
                                out_.effects.empty(), options_);
       if (!record.verdict.empty()) continue;
-      record.verdict = "another explains more";
+      record.verdict = kBeaten;
       if (best < 0 ||
           record.evidence.delta_bic > out_.candidates[places[best]].evidence.delta_bic) {
         best = static_cast<int>(i);
       }
     }
     if (best < 0 || Overruled(trials, places, best)) return false;
+    best = Simplest(trials, places, best);
     CandidateRecord& chosen = out_.candidates[places[best]];
     chosen.verdict = "accepted";
     AcceptedEffect accepted{trials[best].form, chosen.evidence, {}};
@@ -137,6 +141,25 @@ class Search {
     out_.after = trials[best].fit;
     out_.effects.push_back(std::move(accepted));
     return true;
+  }
+
+  /// Of those that explain practically as much as the best, the one with the fewest numbers: what
+  /// differs by direction must show that it does.
+  int Simplest(const std::vector<FullTrial>& trials, const std::vector<size_t>& places,
+               int best) const {
+    constexpr double kSame = 0.005, kSameChannel = 0.01;  // of the residual's rms
+    int simplest = best;
+    for (size_t i = 0; i < trials.size(); ++i) {
+      if (!trials[i].fit.ok || out_.candidates[places[i]].verdict != kBeaten) continue;
+      if (trials[i].form.free.size() >= trials[static_cast<size_t>(simplest)].form.free.size()) {
+        continue;
+      }
+      const Evidence e = Compare(problem_, trials[i].fit, trials[static_cast<size_t>(best)].fit);
+      if (e.estimation_gain < kSame && e.best_channel_gain < kSameChannel) {
+        simplest = static_cast<int>(i);
+      }
+    }
+    return simplest;
   }
 
   /// True if one whose numbers are not plausible explains far more than the best plausible one: the
@@ -229,15 +252,20 @@ class Search {
     }
   }
 
+  /// Every effect must still earn its place beside the others, by the rules of its acceptance.
   void DropSuperfluous() {
-    for (size_t i = 0; i < out_.effects.size() && out_.effects.size() > 1;) {
+    for (size_t i = 0; i < out_.effects.size() && !cancelled_;) {
       FreeModel model;
-      const FitResult rest = Without(i, &model);
+      const FitResult rest = out_.effects.size() > 1 ? Without(i, &model) : out_.before;
+      if (out_.effects.size() == 1) model = out_.declared;
       if (!rest.ok) return;
       const Evidence e = Compare(problem_, rest, out_.after);
-      if (e.delta_bic >= options_.min_delta_bic && e.cross_validation_gain > 0 &&
-          (e.estimation_gain > options_.min_gain ||
-           e.best_channel_gain > options_.min_channel_gain)) {
+      const bool alone = out_.effects.size() == 1;
+      // Beside others its share of what exceeds the noise may be small.
+      SearchOptions rules = options_;
+      if (!alone) rules.min_excess_removed = 0;
+      const std::string no = Verdict(e, false, alone, rules);
+      if (no.empty()) {
         out_.effects[i].evidence = e;
         ++i;
         continue;
@@ -263,18 +291,24 @@ class Search {
   }
 
   /// No listed effect is bent to stand for what is on no list: where a formula of one term says
-  /// more than the only effect accepted, the effect goes.
+  /// more than all the effects accepted, they go.
   void ChallengeByFormula() {
-    if (cancelled_ || out_.effects.size() != 1) return;
+    if (cancelled_ || out_.effects.empty()) return;
     const FormulaTrial trial =
         TryFormula(problem_, coarse_, out_.declared, out_.before,
                    {.max_terms = 1, .threshold = options_.min_delta_bic}, options_.threads);
     if (!trial.fit.ok) return;
     const Evidence over = Compare(problem_, out_.after, trial.fit);
-    const std::string no = Verdict(over, false, true, options_);
-    if (!no.empty()) return;
-    Withdraw(out_.effects[0].candidate.effect, "a formula on no list explains more",
-             &out_.candidates);
+    SearchOptions rules = options_;
+    // With fewer numbers it need not take a large share of what the others leave.
+    if (trial.fit.values.size() < out_.after.values.size()) rules.min_first_removed = 0;
+    if (!Verdict(over, false, true, rules).empty()) {
+      RecordFormula(trial, kBeaten);
+      return;
+    }
+    for (const AcceptedEffect& effect : out_.effects) {
+      Withdraw(effect.candidate.effect, "a formula on no list explains more", &out_.candidates);
+    }
     RecordFormula(trial, "accepted");
     out_.effects.clear();
     TakeFormula(trial, trial.evidence);

@@ -6,7 +6,6 @@
 
 #include "identify/effect_form.h"
 #include "identify/near_fit.h"
-
 namespace phs::identify::search {
 namespace {
 

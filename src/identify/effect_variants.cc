@@ -226,8 +226,11 @@ const std::vector<Recipe>& InstrumentAndEnvironment() {
       {"sensor_gain", Spread::kAll, {"p_bore"}, {{1}}},
       {"sensor_gain", Spread::kAll, {"p_rod"}, {{1}}},
       {"sensor_gain", Spread::kAll, {"piston"}, {{1}}},
-      {"temperature_drift", Spread::kAll, {"rate_K_per_s"}, {{0.002}, {-0.002}}},
-      {"temperature_drift", Spread::kAll, {"rate_K_per_s", "limit_K"}, {{0.04, 2}, {-0.04, 2}}},
+      {"moving_mass", Spread::kAll, {"mass_kg"}, {{30}, {300}}},
+      {"temperature_drift",
+       Spread::kAll,
+       {"rate_K_per_s", "settling_s"},
+       {{0.04, 50}, {-0.04, 50}, {0.002, 1000}, {-0.002, 1000}}},
       {"temperature_drift",
        Spread::kAll,
        {"amplitude_K", "period_s"},
@@ -276,6 +279,7 @@ const std::vector<OptionRow>& Options() {
       {"pressure_friction", {"difference_N_per_Pa"}, {{0}}},
       {"position_friction", {"slope_1_per_m"}, {{0}}},
       {"viscous_friction", {"exponent"}, {{0.7}, {1.6}}},
+      {"temperature_drift", {"expansion_1_per_K"}, {{4e-4}}},
       {"mount_compliance", {"hardening_1_per_m2"}, {{1e5}, {3e6}, {1e8}, {3e9}}},
       {"mount_compliance", {"tension_ratio"}, {{1}}},
       {"bush_viscoelastic",
@@ -362,7 +366,10 @@ Candidate MakeCandidate(const EffectInfo& info, const std::vector<const char*>& 
                    (info.name == "check_restriction" || info.name == "viscous_friction" ||
                     info.name == "pressure_friction" ||
                     candidate.free[1].name.find("_cosine") != std::string::npos);
-  candidate.mains = two ? 2 : 1;
+  // A hose that never stiffens is oil volume, which is free already.
+  const bool stiffens =
+      candidate.free.size() > 1 && candidate.free[1].name.ends_with("stiffening_Pa");
+  candidate.mains = two || stiffens ? 2 : 1;
   candidate.hydraulic = info.family == "hydraulic";
   candidate.has_onset = candidate.hydraulic || info.family == "mounting" ||
                         info.name == "presliding" || info.name == "dwell_friction";

@@ -19,8 +19,10 @@ bool OnBound(const FreeModel& model, const FitResult& fit, const Candidate& cand
 namespace {
 
 std::string Significance(const Evidence& e, const SearchOptions& options) {
+  constexpr double kWorse = -50;  // whitened: what is fast gets worse for the sake of what is slow
   if (e.delta_bic < options.min_delta_bic) return "not significant";
   if (e.cross_validation_gain <= 0) return "no gain in cross-validation";
+  if (e.whitened_bic < kWorse) return "makes the fast part of the residual worse";
   return "";
 }
 

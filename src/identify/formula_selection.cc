@@ -89,10 +89,14 @@ Eigen::MatrixXd ModelSpace(const Eigen::MatrixXd& jacobian, Eigen::Index rows) {
   return qr.householderQ() * Eigen::MatrixXd::Identity(rows, qr.rank());
 }
 
+Eigen::MatrixXd TermLibrary::Own(const Eigen::MatrixXd& columns) const {
+  return columns - model_space_ * (model_space_.transpose() * columns);
+}
+
 void TermLibrary::AddColumns(const std::string& text, const std::string& second, int factors,
                              double looked_at, const Eigen::MatrixXd& columns) {
   TermTrial trial{text, second, factors, looked_at, {}};
-  trial.columns = columns - model_space_ * (model_space_.transpose() * columns);
+  trial.columns = Own(columns);
   for (Eigen::Index j = 0; j < columns.cols(); ++j) {
     if (!(trial.columns.col(j).norm() > kOwnShare * columns.col(j).norm())) return;
   }

@@ -70,6 +70,8 @@ class TermLibrary {
   /// Takes a term with its weighted columns (coefficient 1) unless the model can imitate it.
   void AddColumns(const std::string& text, const std::string& second, int factors, double looked_at,
                   const Eigen::MatrixXd& columns);
+  /// Columns with what the model can imitate taken out.
+  Eigen::MatrixXd Own(const Eigen::MatrixXd& columns) const;
 
  private:
   const Eigen::MatrixXd& model_space_;

@@ -26,9 +26,10 @@ class ForwardModel {
   virtual ~ForwardModel() = default;
   /// What would have been measured. Errors: numbers that the model refuses.
   virtual Status Run(const hydraulics::PhsParams& params, Span span, Channels* out) const = 0;
-  /// By how much (standard deviation) the outputs over kEstimation are uncertain though the model
-  /// be right: through what drives it, or through what its theory leaves open.
-  virtual Status Uncertainty(const hydraulics::PhsParams& params, Channels* deviation) const = 0;
+  /// By how much (standard deviation) the outputs over the span are uncertain though the model be
+  /// right: through what drives it, or through what its theory leaves open.
+  virtual Status Uncertainty(const hydraulics::PhsParams& params, Span span,
+                             Channels* deviation) const = 0;
   /// What a force of the (first) cylinder may depend on at `rows` of kEstimation, as the model says
   /// it. Error: no rig of one cylinder.
   virtual Result<std::vector<hydraulics::ForcePlace>> Places(const hydraulics::PhsParams& params,

@@ -27,6 +27,7 @@ struct Model {
   const FreeModel& free;
   const std::vector<double>& values;
   Eigen::VectorXd residual;
+  bool has_law = false;  ///< its last effect is a law of this place
 };
 
 double Rounded(double value) {
@@ -37,11 +38,13 @@ double Rounded(double value) {
 
 class LineTerms final : public TermLibrary {
  public:
-  LineTerms(const Model& model, const LinePlace& place, const Eigen::MatrixXd& model_space)
+  LineTerms(const Model& model, const LinePlace& place, const Eigen::MatrixXd& model_space,
+            bool thresholds_only)
       : TermLibrary(model_space),
         model_(model),
         place_(place),
         scale_(Rounded(std::max(std::abs(place.low), place.high))) {
+    if (thresholds_only) return;
     const std::string p = fmt::format("(p/{:g}[Pa])", scale_);
     Add(p, 1), Add(p + "^2", 2), Add(p + "^3", 3);
     Add(p + "*abs" + p, 2);
@@ -70,7 +73,7 @@ class LineTerms final : public TermLibrary {
 
   /// Share of the residual's square that a term takes.
   double Taken(const Eigen::VectorXd& residual, const std::string& term) const {
-    const Eigen::VectorXd c = Column(term);
+    const Eigen::VectorXd c = Own(Column(term));
     const double norm = c.squaredNorm();
     return norm > 0 ? std::pow(c.dot(residual), 2) / norm : 0;
   }
@@ -95,12 +98,16 @@ class LineTerms final : public TermLibrary {
   Eigen::VectorXd Column(const std::string& term) const {
     const double amount = place_.unit == FormulaUnit::kVolume ? 1e-8 : 1e-10;
     FreeModel with = model_.free;
-    EffectParams effect;
-    effect.name = "unlisted";
-    effect.targets = place_.targets;
-    effect.formula = "c1*" + term;
-    effect.values[std::string("c1_") + effects::UnitSuffix(place_.unit)] = amount;
-    with.params.effects.push_back(std::move(effect));
+    const std::string unit = effects::UnitSuffix(place_.unit);
+    if (model_.has_law) {
+      EffectParams& law = with.params.effects.back();
+      law.formula += " + c6*" + term;
+      law.values["c6_" + unit] = amount;
+    } else {
+      EffectParams law{"unlisted", place_.targets, {{"c1_" + unit, amount}}};
+      law.formula = "c1*" + term;
+      with.params.effects.push_back(std::move(law));
+    }
     const Eigen::VectorXd r = model_.problem.Residual(with, model_.values);
     if (r.size() == 0) return Eigen::VectorXd::Zero(model_.residual.size());
     return (model_.residual - r) / amount;
@@ -147,6 +154,16 @@ std::vector<LinePlace> Places(const FitProblem& problem, const PhsParams& params
   return out;
 }
 
+FoundFormula SearchAt(const Model& at, const LinePlace& place, const SelectionData& data,
+                      const Eigen::MatrixXd& space, const FormulaLimits& limits,
+                      bool thresholds_only = false) {
+  LineTerms terms(at, place, space, thresholds_only);
+  FoundFormula found = SelectTerms(data, space, limits, &terms);
+  found.unit = effects::UnitSuffix(place.unit);
+  found.targets = place.targets;
+  return found;
+}
+
 double TotalEvidence(const FoundFormula& found) {
   double sum = 0;
   for (const FormulaTerm& term : found.terms) sum += term.evidence;
@@ -162,27 +179,42 @@ FoundFormula SearchLineFormula(const FitProblem& problem, const FreeModel& model
   SelectionData data;
   if (!problem.Linearise(model, values, 0, &at.residual, &data.jacobian)) return {};
   data.residual = at.residual;
-  const int channels = problem.num_channels(), n = problem.samples();
-  data.independent = [=](const Eigen::VectorXd& r) {
-    double sum = 0;
-    for (int c = 0; c < channels; ++c) sum += EffectiveSamples(r, c * n, n);
-    return sum;
-  };
+  const int channels = problem.num_channels();
+  data.independent = [=](const Eigen::VectorXd& r) { return IndependentSamples(r, channels); };
   const Eigen::MatrixXd space = ModelSpace(data.jacobian, data.residual.size());
   const std::vector<LinePlace> places = Places(problem, problem.Params(model, values));
   std::vector<FoundFormula> found(places.size());
   InParallel(static_cast<int>(places.size()), threads, [&](int k) {
-    const LinePlace& place = places[static_cast<size_t>(k)];
-    LineTerms terms(at, place, space);
-    FoundFormula& formula = found[static_cast<size_t>(k)];
-    formula = SelectTerms(data, space, limits, &terms);
-    formula.unit = effects::UnitSuffix(place.unit);
-    formula.targets = place.targets;
+    found[static_cast<size_t>(k)] =
+        SearchAt(at, places[static_cast<size_t>(k)], data, space, limits);
   });
   const auto best = std::max_element(found.begin(), found.end(), [](const auto& a, const auto& b) {
     return TotalEvidence(a) < TotalEvidence(b);
   });
   return best == found.end() ? FoundFormula{} : *best;
+}
+
+FoundFormula SearchAnew(const FitProblem& problem, const FreeModel& model,
+                        const std::vector<double>& values, size_t base, const FoundFormula& law,
+                        bool thresholds_only, const FormulaLimits& limits) {
+  Model at{problem, model, values, {}, true};
+  SelectionData data;
+  Eigen::MatrixXd whole;
+  if (!problem.Linearise(model, values, 0, &at.residual, &whole)) return {};
+  data.residual = at.residual;
+  for (size_t k = base; k < values.size(); ++k) {
+    data.residual -=
+        model.free[k].ToCoordinate(values[k]) * whole.col(static_cast<Eigen::Index>(k));
+  }
+  data.jacobian = whole.leftCols(static_cast<Eigen::Index>(base));
+  const int channels = problem.num_channels();
+  data.independent = [=](const Eigen::VectorXd& r) { return IndependentSamples(r, channels); };
+  const Eigen::MatrixXd space = ModelSpace(data.jacobian, data.residual.size());
+  for (const LinePlace& place : Places(problem, problem.Params(model, values))) {
+    if (place.targets != law.targets || effects::UnitSuffix(place.unit) != law.unit) continue;
+    return SearchAt(at, place, data, space, limits, thresholds_only);
+  }
+  return {};
 }
 
 }  // namespace phs::identify::search

@@ -21,4 +21,12 @@ FoundFormula SearchLineFormula(const FitProblem& problem, const FreeModel& model
                                const std::vector<double>& values, const FormulaLimits& limits,
                                int threads);
 
+/// The same at the place of a law found before, linearised about the model that has it, so that a
+/// strong law's own doing is in the columns: what it takes off is given back, and the terms compete
+/// for it anew: all of them or, as powers imitate a threshold, those beyond a pressure only.
+/// `model` ends with the law's coefficients, `base` numbers come before.
+FoundFormula SearchAnew(const FitProblem& problem, const FreeModel& model,
+                        const std::vector<double>& values, size_t base, const FoundFormula& law,
+                        bool thresholds_only, const FormulaLimits& limits);
+
 }  // namespace phs::identify::search

@@ -87,17 +87,22 @@ Json Localise(const FitData& data, const Channels& predicted, const FitResult& f
           {"residual_over_noise", over}};
 }
 
-Json Unexplained(const FitData& data, const Channels& after, const Identification& found) {
-  const FitResult& fit = found.after;
-  const Json localised = Localise(data, after, fit);
-  const size_t c = WorstChannel(fit);
-  const std::vector<double> r = Finite(Residual(data, after, c, data.validation));
+Json Unexplained(const FitData& data, const Channels& after, const std::vector<double>& over_noise,
+                 const Identification& found) {
+  const auto c = static_cast<size_t>(std::max_element(over_noise.begin(), over_noise.end()) -
+                                     over_noise.begin());
+  const std::vector<double> r = Residual(data, after, c, data.validation);
   const ChannelScore score = Score(data.time_s, data.outputs[c].values, after[c], data.validation);
+  Json depends = Json::array();
+  for (const Dependence& d : MapResidual(data, r, data.validation)) {
+    if (d.share > 0.05 && depends.size() < 3) depends.push_back(d.variable);
+  }
   return {{"channel", data.outputs[c].name},
           {"nrmse", score.nrmse},
-          {"whiteness_p", WhitenessP(r)},
-          {"residual_over_noise", std::sqrt(fit.channel_ms[c])},
-          {"depends_on", localised["depends_on"]},
+          {"whiteness_p", WhitenessP(Finite(r))},
+          {"residual_over_noise", over_noise[c]},
+          {"estimation_over_noise", std::sqrt(found.after.channel_ms[c])},
+          {"depends_on", depends},
           {"formula", found.formula.empty() ? Json(nullptr) : Json(found.formula.text)}};
 }
 
@@ -154,8 +159,17 @@ Json CandidateList(const Identification& found) {
 }
 
 /// What would separate effects that this record cannot.
-std::vector<std::string> NextTests(const Identification& found) {
+std::vector<std::string> NextTests(const Identification& found, const Json& unexplained) {
+  constexpr double kMuch = 2;  // times as much as in estimation, and as noise
   std::vector<std::string> out;
+  const double left = unexplained["residual_over_noise"].get<double>();
+  const double before = unexplained["estimation_over_noise"].get<double>();
+  if (left > kMuch && left > kMuch * before) {
+    out.push_back(fmt::format(
+        "the validation window excites what the estimation window does not: {} is {:.1f} times its "
+        "noise there and {:.1f} times in estimation; identify again with such motion in both",
+        unexplained["channel"].get<std::string>(), left, before));
+  }
   for (const AcceptedEffect& effect : found.effects) {
     if (effect.confusable_with.empty()) continue;
     const auto* info = effects::Catalogue().Find(effect.candidate.effect);

@@ -20,14 +20,16 @@ Json ScoreBoth(const FitData& data, const Channels& before, const Channels& afte
 /// Where the residual of the declared model lives: channel and variables it depends on.
 Json Localise(const FitData& data, const Channels& predicted, const FitResult& fit);
 /// What the corrected model leaves.
-Json Unexplained(const FitData& data, const Channels& after, const Identification& found);
+/// What the corrected model leaves in the validation window. `over_noise`: by channel, there.
+Json Unexplained(const FitData& data, const Channels& after, const std::vector<double>& over_noise,
+                 const Identification& found);
 /// Values and intervals of the free numbers [begin, end).
 Json Parameters(const FreeModel& model, const FitResult& fit, size_t begin, size_t end,
                 bool whole_name);
 Json EffectList(const Identification& found);
 Json CandidateList(const Identification& found);
 /// What would separate effects that this record cannot.
-std::vector<std::string> NextTests(const Identification& found);
+std::vector<std::string> NextTests(const Identification& found, const Json& unexplained);
 /// Noise of each channel.
 Json NoiseLevels(const FitData& data);
 Json FindingList(const std::vector<DataFinding>& findings);

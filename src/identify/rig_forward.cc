@@ -63,14 +63,16 @@ Status RigForward::Run(const PhsParams& params, Span span, Channels* out) const 
   return RunMotion(params, span == Span::kWhole ? full_ : short_, out);
 }
 
-Status RigForward::Uncertainty(const PhsParams& params, Channels* deviation) const {
+Status RigForward::Uncertainty(const PhsParams& params, Span span, Channels* deviation) const {
   Channels fast, slow;
-  RigMotion shifted = short_;
+  const RigMotion& motion = span == Span::kWhole ? full_ : short_;
+  const int stride = span == Span::kWhole ? 1 : stride_;
+  RigMotion shifted = motion;
   for (const double sign : {1.0, -1.0}) {
     for (size_t a = 0; a < shifted.speed_m_s.size(); ++a) {
       for (size_t i = 0; i < shifted.speed_m_s[a].size(); ++i) {
         shifted.speed_m_s[a][i] =
-            short_.speed_m_s[a][i] + sign * data_.motion[a].speed_deviation[i * stride_];
+            motion.speed_m_s[a][i] + sign * data_.motion[a].speed_deviation[i * stride];
       }
     }
     if (Status s = RunMotion(params, shifted, sign > 0 ? &fast : &slow); !s.ok()) return s;

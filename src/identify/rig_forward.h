@@ -17,7 +17,8 @@ class RigForward final : public ForwardModel {
   Status Run(const hydraulics::PhsParams& params, Span span, Channels* out) const override;
   /// Through what remains uncertain of the driving speed: where friction is steep (near standstill)
   /// a sample says little.
-  Status Uncertainty(const hydraulics::PhsParams& params, Channels* deviation) const override;
+  Status Uncertainty(const hydraulics::PhsParams& params, Span span,
+                     Channels* deviation) const override;
   Result<std::vector<hydraulics::ForcePlace>> Places(const hydraulics::PhsParams& params,
                                                      const std::vector<int>& rows) const override;
   FreeModel Declared(const hydraulics::PhsParams& declared) const override;

@@ -67,7 +67,9 @@ Result<FitProblem> FitProblem::Thinned(const PhsParams& declared, int stride) co
 
 Status FitProblem::SetWeights(const PhsParams& params) {
   Channels uncertain;
-  if (Status s = forward_->Uncertainty(params, &uncertain); !s.ok()) return s;
+  if (Status s = forward_->Uncertainty(params, ForwardModel::Span::kEstimation, &uncertain);
+      !s.ok())
+    return s;
   weight_.assign(data_->outputs.size(), std::vector<double>(rows_.size(), 0.0));
   for (size_t c = 0; c < weight_.size(); ++c) {
     const MeasuredChannel& channel = data_->outputs[c];
@@ -78,6 +80,26 @@ Status FitProblem::SetWeights(const PhsParams& params) {
     }
   }
   return {};
+}
+
+Result<std::vector<double>> FitProblem::OverNoise(const PhsParams& params,
+                                                  const Channels& predicted,
+                                                  const std::array<double, 2>& window) const {
+  Channels uncertain;
+  const Status s = forward_->Uncertainty(params, ForwardModel::Span::kWhole, &uncertain);
+  if (!s.ok()) return s.error();
+  std::vector<double> out;
+  for (size_t c = 0; c < data_->outputs.size(); ++c) {
+    const MeasuredChannel& channel = data_->outputs[c];
+    double sum = 0, count = 0;
+    for (size_t i = 0; i < data_->time_s.size(); ++i) {
+      const double t = data_->time_s[i], r = channel.values[i] - predicted[c][i];
+      if (t < window[0] || t >= window[1] || !std::isfinite(r)) continue;
+      sum += std::pow(r / std::hypot(channel.noise, uncertain[c][i]), 2), ++count;
+    }
+    out.push_back(std::sqrt(sum / std::max(count, 1.0)));
+  }
+  return out;
 }
 
 int FitProblem::FindOutput(const std::string& name) const {
@@ -292,6 +314,13 @@ double EffectiveSamples(const Eigen::VectorXd& residual, int begin, int count) {
     stride = lag < 20 ? 1 : lag / 10;
   }
   return std::max(4.0, count / sum);
+}
+
+double IndependentSamples(const Eigen::VectorXd& residual, int channels) {
+  const int n = static_cast<int>(residual.size()) / channels;
+  double sum = 0;
+  for (int c = 0; c < channels; ++c) sum += EffectiveSamples(residual, c * n, n);
+  return sum;
 }
 
 void InParallel(int n, int threads, const std::function<void(int)>& work) {

@@ -79,6 +79,11 @@ class FitProblem {
   FitResult Fit(const FreeModel& model, const std::vector<double>& start, int max_steps) const;
   /// Measured channels as predicted on the whole time axis.
   Result<std::vector<std::vector<double>>> Predict(const hydraulics::PhsParams& params) const;
+  /// Residual of whole-record predictions over noise and the model's own uncertainty, root mean
+  /// square per channel over a window [s].
+  Result<std::vector<double>> OverNoise(const hydraulics::PhsParams& params,
+                                        const std::vector<std::vector<double>>& predicted,
+                                        const std::array<double, 2>& window) const;
   /// Index of a measured output; -1 if it was not measured.
   int FindOutput(const std::string& name) const;
   /// What a force of the (first) cylinder may depend on, on the rows of the residual, as the model
@@ -116,6 +121,9 @@ Eigen::VectorXd ClusteredDeviation(const Eigen::MatrixXd& jacobian, const Eigen:
 /// Independent samples in a correlated residual of N samples: N / (1 + 2 sum rho_k), over the lags
 /// until rho falls below 0.05 (Bayley and Hammersley 1946).
 double EffectiveSamples(const Eigen::VectorXd& residual, int begin, int count);
+
+/// The same of several channels of equal length, one after the other.
+double IndependentSamples(const Eigen::VectorXd& residual, int channels);
 
 /// Calls work(i) for i in 0 … n-1 on at most `threads` threads.
 void InParallel(int n, int threads, const std::function<void(int)>& work);

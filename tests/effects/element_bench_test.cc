@@ -113,8 +113,26 @@ TEST(ElementBench, WarmFrictionIsLowerByItsSlope) {
   EXPECT_NEAR(warm[10] / cold[10], 0.8, 1e-12);
 }
 
+TEST(ElementBench, MassBehindTheLoadCellOfARigAddsItsInertia) {
+  const hydraulics::PhsParams p = FindPhsParams("quarter_setup2").value();
+  const double w = 2 * M_PI * 5, a = 1e-3, step = 1e-3;
+  const RigMotion motion = Sine(a, 5, step, 1000);
+  RigPrediction plain, heavy;
+  for (auto [params, out] :
+       {std::pair{p, &plain}, std::pair{With(p, "moving_mass", {{"mass_kg", 200}}), &heavy}}) {
+    const auto rig = RigModel::Create(RigKind::kQuarter, params);
+    ASSERT_TRUE(rig.ok()) << rig.error().Line();
+    ASSERT_TRUE(rig.value().Run(motion, out).ok());
+  }
+  for (size_t i = 50; i < 950; i += 37) {
+    const double inertia = -200 * a * w * w * std::sin(w * step * static_cast<double>(i));
+    EXPECT_NEAR(heavy.channels[1][i] - plain.channels[1][i], inertia, 1e-3 * 200 * a * w * w);
+    EXPECT_EQ(heavy.channels[2][i], plain.channels[2][i]) << "pressures know nothing of it";
+  }
+}
+
 TEST(ElementBench, BenchEffectsAreRefusedInACylinderWithLines) {
-  for (const char* effect : {"pressure_area", "moving_mass", "load_flexibility"}) {
+  for (const char* effect : {"pressure_area", "load_flexibility"}) {
     hydraulics::PhsParams p = FindPhsParams("quarter_setup2").value();
     ASSERT_TRUE(AddEffect(&p, effect).ok());
     const auto system = CreatePhsSystem(p);

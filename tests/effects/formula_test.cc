@@ -1,10 +1,12 @@
 #include "effects/formula.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "effects/catalogue.h"
+#include "tests/effects/driven_cylinder.h"
 
 namespace phs::effects {
 namespace {
@@ -46,6 +48,77 @@ TEST(Formula, DimensionsAndNamesAreChecked) {
   std::string deep;
   for (int i = 0; i < 3000; ++i) deep += "(";
   EXPECT_FALSE(Refusal(deep).empty());
+}
+
+TEST(Formula, LargerOfTwoAndOtherUnits) {
+  hydraulics::ForcePlace at;
+  at.bore_rise = 3e6;
+  EXPECT_DOUBLE_EQ(Value("c1*max(p-1e6[Pa],0[Pa])/1e6[Pa]", at), 6);
+  EXPECT_DOUBLE_EQ(Value("c1*max(p-4e6[Pa],0[Pa])/1e6[Pa]", at), 0);
+  EXPECT_NE(Refusal("c1*max(p,0)").find("unequal dimensions"), std::string::npos);
+  EXPECT_NE(Refusal("c1*max(p)").find("two values"), std::string::npos);
+  const std::map<std::string, double> c = {{"c1", 2.0}};
+  const auto volume = Formula::Parse("c1*(p/1e6[Pa])^2 + 1e-6[m^3]", c, FormulaUnit::kVolume);
+  ASSERT_TRUE(volume.ok()) << volume.error().Line();
+  EXPECT_DOUBLE_EQ(volume.value().Value(at), 18 + 1e-6);
+  const auto flow = Formula::Parse("c1*(p/1e6[Pa])*(t/1[s])", c, FormulaUnit::kFlow);
+  ASSERT_TRUE(flow.ok());
+  EXPECT_EQ(flow.value().VariableOtherThan("p"), "t");
+  EXPECT_EQ(flow.value().VariableOtherThan("pt"), "");
+  EXPECT_FALSE(Formula::Parse("c1 + 1[m]", c, FormulaUnit::kFlow).ok());
+}
+
+/// Bore pressure of the quarter rig with one unlisted effect, compressed and held for a time.
+double HeldBorePressure(const std::string& formula, const std::string& coefficient, double value,
+                        const std::string& target, double duration) {
+  hydraulics::PhsParams params = FindPhsParams("quarter_setup2").value();
+  hydraulics::EffectParams effect{"unlisted", {target}, {{coefficient, value}}};
+  effect.formula = formula;
+  if (!formula.empty()) params.effects.push_back(effect);
+  const auto system = CreatePhsSystem(params);
+  EXPECT_TRUE(system.ok()) << (system.ok() ? "" : system.error().Line());
+  return system.ok() ? Hold(system.value(), -2e-3, duration).p_bore : NAN;
+}
+
+TEST(Unlisted, VolumeOfALineAddsToItsCompliance) {
+  // c1 (p/P) with c1/P = V_oil/beta is as much oil again.
+  hydraulics::PhsParams twice = FindPhsParams("quarter_setup2").value();
+  auto& line = twice.lines[static_cast<size_t>(twice.FindLine("L2"))];
+  const double more = line.oil_volume_m3 / line.bulk_modulus_Pa * 1e6;
+  line.oil_volume_m3 *= 2;
+  const double expected = Hold(CreatePhsSystem(twice).value(), -2e-3, 0).p_bore;
+  EXPECT_NEAR(HeldBorePressure("c1*(p/1e6[Pa])", "c1_m3", more, "L2", 0), expected,
+              1e-5 * expected);
+}
+
+TEST(Unlisted, ReliefValveHoldsALineNearItsOpening) {
+  const double closed = HeldBorePressure("", "", 0, "L2", 0);
+  ASSERT_GT(closed, 4e6);
+  const std::string valve = "c1*(max(p-1e6[Pa],0[Pa])/1e6[Pa])";
+  EXPECT_NEAR(HeldBorePressure(valve, "c1_m3_per_s", 1e-4, "L2", 5), 2.8e6, 1e3)
+      << "bled down to the opening, 1 MPa above static";
+  EXPECT_NEAR(HeldBorePressure(valve, "c1_m3_per_s", 1e-4, "L1", 5), closed, 1e3)
+      << "the other line lies below it";
+}
+
+TEST(Unlisted, RefusesWhatHasNoMeaning) {
+  const auto refusal = [](const std::string& formula, std::map<std::string, double> values,
+                          std::vector<std::string> targets) {
+    hydraulics::PhsParams params = FindPhsParams("quarter_setup2").value();
+    hydraulics::EffectParams effect{"unlisted", std::move(targets), std::move(values)};
+    effect.formula = formula;
+    params.effects.push_back(effect);
+    const auto system = CreatePhsSystem(params);
+    return system.ok() ? "" : system.error().Line();
+  };
+  using testing::HasSubstr;
+  EXPECT_THAT(refusal("c1*(x/1[m])", {{"c1_m3", 1e-6}}, {"L1"}), HasSubstr("over x"));
+  EXPECT_THAT(refusal("c1", {{"c1_m3_per_s", 1e-9}}, {"L1"}), HasSubstr("vanish at rest"));
+  EXPECT_THAT(refusal("c1*(p/1[Pa])", {{"c1_m3_per_s", 1e-9}}, {}), HasSubstr("without targets"));
+  EXPECT_THAT(refusal("c1", {{"c1_N", 5}}, {"L1"}), HasSubstr("not on lines"));
+  EXPECT_THAT(refusal("c1*(p/1[Pa])", {{"c1_m3", 1e-9}}, {"1"}), HasSubstr("not to cylinders"));
+  EXPECT_THAT(refusal("c1*s", {{"c1_N", 5}, {"c1_m3", 1e-9}}, {}), HasSubstr("two units"));
+  EXPECT_THAT(refusal("c1*s", {{"c1_N", 5}}, {"L9"}), HasSubstr("none of the model's"));
 }
 
 TEST(Unlisted, ActsInACylinderAndIsWrittenBack) {

@@ -64,6 +64,30 @@ TEST(LineResistance, FollowsTheViscosityAtTheStaticTemperature) {
   EXPECT_NEAR(drop(253.15) / drop(293.15), ratio, 0.01 * ratio);
 }
 
+TEST(LineResistance, TurbulentFlowEqualisesInTheTimeOfTheClosedForm) {
+  // Two compliances C1, C2 behind K q²: d(dp)/dt = -q (1/C1 + 1/C2), so sqrt(dp) falls linearly and
+  // is zero at t* = 2 sqrt(dp0 K)/(1/C1 + 1/C2).
+  const double K = 1e15, x = -2e-4, share = 0.2;
+  PhsParams params = Frictionless();
+  for (auto& l : params.lines) l.gas_volume_m3 = 0;
+  const PhsSystem s = Compile(
+      With(params, "line_resistance",
+           {{"laminar_Pas_per_m3", 1e3}, {"turbulent_Pas2_per_m6", K}, {"oil_share", share}}));
+  const auto& bore = params.lines[1];
+  const double C1 = share * bore.oil_volume_m3 / bore.bulk_modulus_Pa;
+  const double C2 = (1 - share) * bore.oil_volume_m3 / bore.bulk_modulus_Pa;
+  const double dp0 = -params.cylinders[0].BoreArea() * x / C1;
+  const double end = 2 * std::sqrt(dp0 * K) / (1 / C1 + 1 / C2);
+  const double settled = 1.8e6 + dp0 * C1 / (C1 + C2);
+  const auto ahead = [&](double t) {
+    return (Hold(s, x, t, end / 100).p_bore - settled) * (C1 + C2) / C2;
+  };
+  EXPECT_NEAR(ahead(0), dp0, 1e-3 * dp0);
+  EXPECT_NEAR(ahead(0.5 * end), dp0 / 4, 5e-3 * dp0);
+  EXPECT_NEAR(ahead(0.9 * end), dp0 / 100, 2e-3 * dp0);
+  EXPECT_NEAR(ahead(1.5 * end), 0, 1e-3 * dp0) << "and stays there";
+}
+
 TEST(PistonLeakage, FallsWithTheViscosityAtTheStaticTemperature) {
   // The same time constant as at 20 °C after a time longer by the ratio of viscosities.
   auto left = [](double temperature_K, double time) {
@@ -203,6 +227,16 @@ TEST(TemperatureDrift, WarmsGasAndExpandsOil) {
   const PhsSystem e = Compile(
       With(oil, "temperature_drift", {{"rate_K_per_s", 0.1}, {"expansion_1_per_K", 6.65e-4}}));
   EXPECT_NEAR(Hold(e, 0, 10, 1).p_bore - 1.8e6, 1.4e9 * 6.65e-4, 2e3);
+}
+
+TEST(TemperatureDrift, SettlesWhereItIsToldTo) {
+  PhsParams p = Frictionless();
+  for (auto& l : p.lines) l.oil_volume_m3 = 1e-6;
+  const PhsSystem s =
+      Compile(With(p, "temperature_drift",
+                   {{"rate_K_per_s", 0.1}, {"settling_s", 50}, {"expansion_1_per_K", 0}}));
+  EXPECT_NEAR(s.Ambient(50) - p.temperature_K, 5 * (1 - std::exp(-1)), 1e-9);
+  EXPECT_NEAR(s.Ambient(1000) - p.temperature_K, 5, 1e-6);
 }
 
 TEST(Effects, ResistanceAndInertanceOnOneChamberAddUp) {

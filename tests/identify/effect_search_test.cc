@@ -6,60 +6,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <random>
 
-#include "effects/catalogue.h"
 #include "identify/data_checks.h"
+#include "tests/identify/search_record.h"
 
 namespace phs::identify::search {
 namespace {
-
-/// 60 s at 100 Hz: sines of two speeds, holds at rest; white sensor noise.
-FitData Record(const hydraulics::PhsParams& truth) {
-  FitData data;
-  data.step_s = 0.01;
-  data.estimation = {0, 40};
-  data.validation = {40, 60};
-  std::mt19937 random(7);
-  std::normal_distribution<double> normal;
-  effects::RigMotion motion{0, data.step_s, {{}}, {}, {}};
-  for (int i = 0; i < 6000; ++i) {
-    const double t = i * data.step_s;
-    data.time_s.push_back(t);
-    const double phase = std::fmod(t, 20.0);
-    const double x =
-        phase < 16 ? 2e-3 * std::sin(2 * M_PI * phase / 4) + 4e-4 * std::sin(2 * M_PI * phase) : 0;
-    motion.position_m[0].push_back(x);
-  }
-  const auto rig = effects::RigModel::Create(effects::RigKind::kQuarter, truth);
-  effects::RigPrediction clean;
-  EXPECT_TRUE(rig.value().Run(motion, &clean).ok());
-  data.inputs.push_back({"actuator_m", motion.position_m[0], 5e-7});
-  for (double& x : data.inputs[0].values) x += 5e-7 * normal(random);
-  data.motion.push_back(SmoothPosition(data.inputs[0].values, {}, data.step_s, 5e-7));
-  const double noise[] = {1.5e-6, 40, 1e4, 1e4};
-  for (size_t c = 0; c < 4; ++c) {
-    data.outputs.push_back({rig.value().output_names()[c], clean.channels[c], noise[c]});
-    for (double& y : data.outputs.back().values) y += noise[c] * normal(random);
-  }
-  return data;
-}
-
-Identification Find(const hydraulics::PhsParams& declared, const FitData& data) {
-  auto problem = FitProblem::Create(data, declared);
-  auto found = Identify(&problem.value(), declared, {}, nullptr);
-  EXPECT_TRUE(found.ok());
-  return found.value();
-}
-
-hydraulics::PhsParams Declared() { return effects::FindPhsParams("quarter_setup2").value(); }
-
-hydraulics::PhsParams OffDeclared() {
-  hydraulics::PhsParams truth = Declared();
-  truth.lines[0].oil_volume_m3 *= 1.2, truth.lines[1].gas_volume_m3 *= 0.8;
-  truth.friction.scale = 0.85;
-  return truth;
-}
 
 TEST(EffectSearchTest, FindsNothingWhereTheDeclaredModelSuffices) {
   const FitData data = Record(OffDeclared());
@@ -93,19 +45,6 @@ TEST(EffectSearchTest, FindsAnOrificeLeakAndItsExponent) {
     if (free[i].name == "effects.piston_leakage.exponent") exponent = found.after.values[i];
   }
   EXPECT_NEAR(exponent, 0.5, 0.15);
-}
-
-TEST(EffectSearchTest, DescribesAForceThatNoEffectHolds) {
-  hydraulics::PhsParams truth = OffDeclared();
-  hydraulics::EffectParams cogging{"unlisted", {}, {{"c1_N", 250}}};
-  cogging.formula = "c1*sin(2*pi*x/0.0007[m])";
-  truth.effects.push_back(cogging);
-  const FitData data = Record(truth);
-  const Identification found = Find(Declared(), data);
-  ASSERT_EQ(found.effects.size(), 1u);
-  EXPECT_EQ(found.effects[0].candidate.effect, "unlisted");
-  EXPECT_THAT(found.formula.text, testing::HasSubstr("sin(2*pi*x/0.000"));
-  EXPECT_LT(found.after.channel_ms[1], 0.2 * found.before.channel_ms[1]);
 }
 
 TEST(ClusteredDeviation, IsThatOfTheBlocksWhereAResidualIsEvenInEach) {

@@ -18,7 +18,7 @@ constexpr int kBlocks = 6, kRows = 50;  // of a block
 class NoModel : public ForwardModel {
  public:
   Status Run(const hydraulics::PhsParams&, Span, Channels*) const override { return {}; }
-  Status Uncertainty(const hydraulics::PhsParams&, Channels* deviation) const override {
+  Status Uncertainty(const hydraulics::PhsParams&, Span, Channels* deviation) const override {
     deviation->assign(1, std::vector<double>(kBlocks * kRows, 0.0));
     return {};
   }

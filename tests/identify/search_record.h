@@ -1,0 +1,61 @@
+// A small record of the quarter rig, made with the rig model itself, and the search on it.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "effects/catalogue.h"
+#include "identify/effect_search.h"
+
+namespace phs::identify::search {
+
+/// 60 s at 100 Hz: sines of two speeds, holds at rest; white sensor noise.
+inline FitData Record(const hydraulics::PhsParams& truth) {
+  FitData data;
+  data.step_s = 0.01;
+  data.estimation = {0, 40};
+  data.validation = {40, 60};
+  std::mt19937 random(7);
+  std::normal_distribution<double> normal;
+  effects::RigMotion motion{0, data.step_s, {{}}, {}, {}, {}};
+  for (int i = 0; i < 6000; ++i) {
+    const double t = i * data.step_s;
+    data.time_s.push_back(t);
+    const double phase = std::fmod(t, 20.0);
+    const double x =
+        phase < 16 ? 2e-3 * std::sin(2 * M_PI * phase / 4) + 4e-4 * std::sin(2 * M_PI * phase) : 0;
+    motion.position_m[0].push_back(x);
+  }
+  const auto rig = effects::RigModel::Create(effects::RigKind::kQuarter, truth);
+  effects::RigPrediction clean;
+  EXPECT_TRUE(rig.value().Run(motion, &clean).ok());
+  data.inputs.push_back({"actuator_m", motion.position_m[0], 5e-7});
+  for (double& x : data.inputs[0].values) x += 5e-7 * normal(random);
+  data.motion.push_back(SmoothPosition(data.inputs[0].values, {}, data.step_s, 5e-7));
+  const double noise[] = {1.5e-6, 40, 1e4, 1e4};
+  for (size_t c = 0; c < 4; ++c) {
+    data.outputs.push_back({rig.value().output_names()[c], clean.channels[c], noise[c]});
+    for (double& y : data.outputs.back().values) y += noise[c] * normal(random);
+  }
+  return data;
+}
+
+inline Identification Find(const hydraulics::PhsParams& declared, const FitData& data) {
+  auto problem = FitProblem::Create(data, declared);
+  auto found = Identify(&problem.value(), declared, {}, nullptr);
+  EXPECT_TRUE(found.ok());
+  return found.value();
+}
+
+inline hydraulics::PhsParams Declared() { return effects::FindPhsParams("quarter_setup2").value(); }
+
+inline hydraulics::PhsParams OffDeclared() {
+  hydraulics::PhsParams truth = Declared();
+  truth.lines[0].oil_volume_m3 *= 1.2, truth.lines[1].gas_volume_m3 *= 0.8;
+  truth.friction.scale = 0.85;
+  return truth;
+}
+
+}  // namespace phs::identify::search
