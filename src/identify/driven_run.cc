@@ -154,7 +154,11 @@ Result<IdentifyOutcome> IdentifyDriven(const Manifest& manifest, const SearchOpt
     corrected.description = "Identified from " + data.source + "; declared " + declared.name;
     return WriteFileAtomically(dir.File("model.yaml"), hydraulics::ToYaml(corrected));
   };
-  return SearchAndWrite(manifest, declared, &problem.value(), options, progress, write_model, dir);
+  SearchOptions asked = options;
+  asked.formula = data.candidates.empty() ||
+                  std::find(data.candidates.begin(), data.candidates.end(), "unlisted") !=
+                      data.candidates.end();
+  return SearchAndWrite(manifest, declared, &problem.value(), asked, progress, write_model, dir);
 }
 
 }  // namespace phs::identify::search

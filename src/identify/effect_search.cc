@@ -5,6 +5,7 @@
 #include <cmath>
 #include <mutex>
 
+#include "effects/catalogue.h"
 #include "identify/driven_formula.h"
 #include "identify/effect_trials.h"
 #include "identify/effect_verdict.h"
@@ -280,10 +281,10 @@ class Search {
 
   /// A law by formula for what the accepted model still leaves.
   void AddFormula() {
-    if (cancelled_ || !out_.formula.empty()) return;
+    if (cancelled_ || !options_.formula || !out_.formula.empty()) return;
     const FormulaTrial trial = TryFormula(problem_, coarse_, out_.corrected, out_.after,
                                           {.threshold = options_.min_delta_bic}, options_.threads);
-    if (!trial.fit.ok) return;
+    if (!trial.fit.ok || IsTheirForm(trial.found)) return;
     const std::string no =
         FormulaVerdict(trial.evidence, trial.channel_gain, out_.effects.empty(), options_);
     RecordFormula(trial, no.empty() ? "accepted" : no);
@@ -293,11 +294,11 @@ class Search {
   /// No listed effect is bent to stand for what is on no list: where a formula of one term says
   /// more than all the effects accepted, they go.
   void ChallengeByFormula() {
-    if (cancelled_ || out_.effects.empty()) return;
+    if (cancelled_ || !options_.formula || out_.effects.empty()) return;
     const FormulaTrial trial =
         TryFormula(problem_, coarse_, out_.declared, out_.before,
                    {.max_terms = 1, .threshold = options_.min_delta_bic}, options_.threads);
-    if (!trial.fit.ok) return;
+    if (!trial.fit.ok || IsTheirForm(trial.found)) return;
     const Evidence over = Compare(problem_, out_.after, trial.fit);
     SearchOptions rules = options_;
     // With fewer numbers it need not take a large share of what the others leave.
@@ -312,6 +313,20 @@ class Search {
     RecordFormula(trial, "accepted");
     out_.effects.clear();
     TakeFormula(trial, trial.evidence);
+  }
+
+  /// A force with the direction or over the speed is friction: beside or instead of a listed
+  /// friction effect it is no more than the form of that.
+  bool IsTheirForm(const FoundFormula& found) const {
+    const bool friction =
+        std::any_of(out_.effects.begin(), out_.effects.end(), [](const AcceptedEffect& e) {
+          const auto* info = effects::Catalogue().Find(e.candidate.effect);
+          return info != nullptr && info->family == "friction";
+        });
+    return friction && std::all_of(found.terms.begin(), found.terms.end(), [](const auto& term) {
+             return term.text.starts_with("s*") || term.text.starts_with("s^") ||
+                    term.text.find('v') != std::string::npos;
+           });
   }
 
   void RecordFormula(const FormulaTrial& trial, const std::string& verdict) {

@@ -49,6 +49,7 @@ struct SearchOptions {
   /// A formula beside listed effects must take this much of the load cell's residual rms: less may
   /// be no more than the form of the listed ones not being quite right.
   double min_formula_gain = 0.4;
+  bool formula = true;   ///< what no effect explains is described
   bool thorough = true;  ///< the first round judges every start by a short fit (fast models)
   double margin = 0.02;  ///< residual rms within this: cannot be told apart
 };

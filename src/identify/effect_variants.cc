@@ -389,6 +389,17 @@ std::vector<Candidate> ListCandidates(const PhsParams& params, effects::RigKind 
   return out;
 }
 
+std::vector<std::string> CandidateNames() {
+  std::vector<std::string> names;
+  for (const auto* rows : {&Hydraulic(), &FrictionAndMounting(), &InstrumentAndEnvironment()}) {
+    for (const Recipe& recipe : *rows) {
+      if (names.empty() || names.back() != recipe.effect) names.emplace_back(recipe.effect);
+    }
+  }
+  names.emplace_back("unlisted");
+  return names;
+}
+
 Candidate WithOption(const Candidate& candidate, size_t option) {
   Candidate out = candidate;
   for (const FreeParameter& p : candidate.options[option].free) out.free.push_back(p);

@@ -38,6 +38,9 @@ Candidate MakeCandidate(const hydraulics::EffectInfo& info, const std::vector<co
 /// All candidates for a model of these lines, leaving out effects already in it.
 std::vector<Candidate> ListCandidates(const hydraulics::PhsParams& params, effects::RigKind kind);
 
+/// Names of the effects that ListCandidates can give, and `unlisted`.
+std::vector<std::string> CandidateNames();
+
 /// The candidate with one of its options free as well (taken off the list of its options).
 Candidate WithOption(const Candidate& candidate, size_t option);
 

@@ -113,8 +113,8 @@ Result<Manifest> LoadManifest(const std::string& path, WindowNeed need) {
   for (const std::string& key : factors.Keys()) m.factors[key] = factors.Number(key, {});
   m.free = map.Texts("free");
   m.candidates = map.Texts("candidates");
-  if (!m.candidates.empty() && m.rig != "bogie") {
-    map.Fail("candidates", "is for rig: bogie", "the bogie rig; the others try every effect");
+  if (!m.candidates.empty() && (m.rig == "element" || m.rig == "steps")) {
+    map.Fail("candidates", "is not for rig: " + m.rig, "cylinder, quarter, full, bogie");
   }
   m.compare_below_Hz = map.Number("compare_below_Hz", {.min = 0}, 0.0);
   m.low_pass_Hz = map.Number("low_pass_Hz", {.min = 0}, 0.0);

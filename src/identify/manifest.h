@@ -14,7 +14,8 @@
 //                                         from the ending: _mm, _ms, _bar, _MPa, _kPa, _kN, …
 //   factors: {force_N: 35.15}             on top of that, for a channel given in another quantity
 //   free: [L1.gas_volume_m3, …]           free parameters of the baseline, instead of the usual
-//   candidates: [cant_error, …]           effects to look for, instead of all (bogie)
+//   candidates: [cant_error, …]           effects to look for, instead of all (driven
+//                                         rigs and bogie; there also unlisted: a formula)
 //   compare_below_Hz: 40                  element bench: model and measurement are compared below
 //                                         this frequency, both filtered alike (band_limit.h)
 //   low_pass_Hz: 20                       all channels, forwards and backwards (no lag)

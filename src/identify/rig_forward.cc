@@ -120,7 +120,13 @@ Result<std::vector<hydraulics::ForcePlace>> RigForward::Places(const PhsParams& 
 FreeModel RigForward::Declared(const PhsParams& declared) const { return DeclaredModel(declared); }
 
 std::vector<Candidate> RigForward::Candidates(const PhsParams& params) const {
-  return ListCandidates(params, data_.kind);
+  std::vector<Candidate> out = ListCandidates(params, data_.kind);
+  const auto& asked = data_.candidates;
+  if (asked.empty()) return out;
+  std::erase_if(out, [&](const Candidate& c) {
+    return std::find(asked.begin(), asked.end(), c.effect) == asked.end();
+  });
+  return out;
 }
 
 std::shared_ptr<const ForwardModel> RigForward::Thinned(int stride) const {

@@ -10,6 +10,7 @@
 #include "effects/catalogue.h"
 #include "identify/channel_noise.h"
 #include "identify/data_checks.h"
+#include "identify/effect_variants.h"
 #include "identify/rig_data.h"
 
 namespace phs::identify::search {
@@ -117,7 +118,22 @@ void TakeOutput(Channel* channel, const RigRun& run, const std::vector<char>& in
   data->outputs.push_back(std::move(out));
 }
 
+namespace {
+
+Status CheckCandidates(const std::vector<std::string>& asked) {
+  const std::vector<std::string> known = CandidateNames();
+  for (const std::string& name : asked) {
+    if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+    return Error{"candidates: " + name, "is no effect that a rig is searched for", JoinWords(known),
+                 DidYouMean(name, known)};
+  }
+  return {};
+}
+
+}  // namespace
+
 Result<FitData> ReadFitData(const Manifest& manifest) {
+  if (Status s = CheckCandidates(manifest.candidates); !s.ok()) return s.error();
   Result<effects::RigKind> kind = effects::ParseRigKind(manifest.rig);
   if (!kind.ok()) return kind.error();
   Result<hydraulics::PhsParams> params = effects::FindPhsParams(manifest.model);
@@ -133,6 +149,7 @@ Result<FitData> ReadFitData(const Manifest& manifest) {
   FitData data;
   data.kind = kind.value();
   data.options = manifest.options;
+  data.candidates = manifest.candidates;
   data.source = run.source;
   data.step_s = run.step_s;
   data.estimation = {run.estimation.begin, run.estimation.end};

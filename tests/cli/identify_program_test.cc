@@ -51,6 +51,14 @@ TEST_F(IdentifyProgramTest, ConstantInput) {
   ExpectRefused("nothing can be identified from a constant input");
 }
 
+TEST_F(IdentifyProgramTest, UnknownCandidate) {
+  Write(2500, [](double t) { return 1e-3 * std::sin(t); });
+  dir_.Write("manifest.yaml",
+             "rig: quarter\nmodel: quarter_setup2\ndata: run.csv\n"
+             "estimation: [0, 30]\nvalidation: [30, 50]\ncandidates: [backlsh]\n");
+  ExpectRefused("did you mean 'backlash'?");
+}
+
 TEST_F(IdentifyProgramTest, NoReversal) {
   Write(2500, [](double t) { return 1e-4 * t; });
   ExpectRefused("friction and stiffness cannot be told apart");

@@ -30,6 +30,15 @@ TEST(EffectSearchTest, FindsMountCompliance) {
   EXPECT_NEAR(found.after.values.back(), 4.1e7, 0.05 * 4.1e7);
 }
 
+TEST(EffectSearchTest, AFrictionLawIsNotReplacedByAFormulaOfItsOwnForm) {
+  hydraulics::PhsParams truth = OffDeclared();
+  truth.effects.push_back({"position_friction", {}, {{"slope_1_per_m", 60}}});
+  const FitData data = Record(truth);
+  const Identification found = Find(Declared(), data);
+  ASSERT_EQ(found.effects.size(), 1u);
+  EXPECT_EQ(found.effects[0].candidate.effect, "position_friction");
+}
+
 TEST(EffectSearchTest, FindsAnOrificeLeakAndItsExponent) {
   hydraulics::PhsParams truth = OffDeclared();
   truth.effects.push_back(

@@ -73,6 +73,16 @@ TEST(UnlistedSearchTest, AStopIsHeardWithinARunOfTheModel) {
   EXPECT_LE(after, 4) << "once by each thread, and no run of the model after that";
 }
 
+TEST(CandidatesTest, OnlyThoseAskedForAreTried) {
+  FitData data = Record(OffDeclared());
+  data.candidates = {"backlash", "sensor_offset"};
+  const auto problem = FitProblem::Create(data, Declared());
+  for (const Candidate& c : problem.value().forward().Candidates(Declared())) {
+    EXPECT_TRUE(c.effect == "backlash" || c.effect == "sensor_offset") << c.effect;
+  }
+  EXPECT_THAT(CandidateNames(), testing::IsSupersetOf({"backlash", "gas_thermal", "unlisted"}));
+}
+
 TEST(Unexplained, SaysWhatTheValidationWindowAloneExcites) {
   FitData data = Record(OffDeclared());
   for (size_t i = 0; i < data.time_s.size(); ++i) {
