@@ -4,7 +4,6 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   const std::string text = phs::fuzz::Text(data, size);
-  phs::fuzz::ExpectValueOrLine(
-      phs::effects::Formula::Parse(text, {{"c1", 100.0}, {"c2", -3.0}}));
+  phs::fuzz::ExpectValueOrLine(phs::effects::Formula::Parse(text, {{"c1", 100.0}, {"c2", -3.0}}));
   return 0;
 }
