@@ -33,7 +33,7 @@ const EffectInfo& PositionFrictionInfo() {
       "cylinders",
       "level times 1 + s y + c y^2 + tight spot b exp(-((y-y0)/w)^2) + wave",
       {
-          {"slope_1_per_m", "1/m", 20, -1e5, 1e5, -200, 200, "s"},
+          {"slope_1_per_m", "1/m", 20, -1e5, 1e5, -500, 500, "s"},
           {"curvature_1_per_m2", "1/m2", 0, -1e9, 1e9, -1e5, 1e5, "c"},
           {"spot_share", "-", 0, -1, 20, -0.5, 2, "b"},
           {"spot_centre_m", "m", 0, -1, 1, -0.03, 0.03, "y0"},

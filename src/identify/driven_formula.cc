@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "identify/fit_intervals.h"
 #include "identify/line_formula.h"
 #include "identify/near_fit.h"
 

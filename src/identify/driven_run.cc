@@ -155,6 +155,8 @@ Result<IdentifyOutcome> IdentifyDriven(const Manifest& manifest, const SearchOpt
     return WriteFileAtomically(dir.File("model.yaml"), hydraulics::ToYaml(corrected));
   };
   SearchOptions asked = options;
+  // Four cylinders and a beam: a run costs ten times as much, and there are more places to try.
+  asked.thorough = options.thorough && data.kind != effects::RigKind::kFull;
   asked.formula = data.candidates.empty() ||
                   std::find(data.candidates.begin(), data.candidates.end(), "unlisted") !=
                       data.candidates.end();

@@ -1,6 +1,7 @@
 #include "identify/effect_form.h"
 
 #include "identify/evidence.h"
+#include "identify/fit_intervals.h"
 #include "identify/near_fit.h"
 
 namespace phs::identify::search {

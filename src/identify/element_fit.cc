@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "identify/fit_intervals.h"
 #include "identify/least_squares.h"
 #include "identify/series.h"
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/table.h"
+#include "identify/fit_intervals.h"
 #include "identify/residual_map.h"
 
 namespace phs::identify::element {

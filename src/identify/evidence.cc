@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "identify/fit_intervals.h"
+
 namespace phs::identify::search {
 namespace {
 

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "effects/formula.h"
+#include "identify/fit_intervals.h"
 
 namespace phs::identify::search {
 namespace {
@@ -175,14 +176,16 @@ double TotalEvidence(const FoundFormula& found) {
 FoundFormula SearchLineFormula(const FitProblem& problem, const FreeModel& model,
                                const std::vector<double>& values, const FormulaLimits& limits,
                                int threads) {
+  const std::vector<LinePlace> places = Places(problem, problem.Params(model, values));
   Model at{problem, model, values, {}};
   SelectionData data;
-  if (!problem.Linearise(model, values, 0, &at.residual, &data.jacobian)) return {};
+  if (places.empty() || !problem.Linearise(model, values, 0, &at.residual, &data.jacobian)) {
+    return {};
+  }
   data.residual = at.residual;
   const int channels = problem.num_channels();
   data.independent = [=](const Eigen::VectorXd& r) { return IndependentSamples(r, channels); };
   const Eigen::MatrixXd space = ModelSpace(data.jacobian, data.residual.size());
-  const std::vector<LinePlace> places = Places(problem, problem.Params(model, values));
   std::vector<FoundFormula> found(places.size());
   InParallel(static_cast<int>(places.size()), threads, [&](int k) {
     found[static_cast<size_t>(k)] =

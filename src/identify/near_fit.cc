@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "identify/fit_intervals.h"
+
 namespace phs::identify::search {
 namespace {
 

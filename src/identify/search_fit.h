@@ -105,26 +105,6 @@ class FitProblem {
   std::function<bool()> go_on_;
 };
 
-/// Mean squares and half widths of the 95 % intervals from residual and Jacobian of a fit;
-/// correlated residuals widen them.
-void SetIntervals(const FitProblem& problem, FitResult* result);
-
-/// Standard deviations of least-squares estimates whose residuals are correlated and whose model is
-/// not quite right: (J'J)^-1 [sum_b g_b g_b'] (J'J)^-1 with g_b = J_b' r_b the score of block b,
-/// blocks far longer than the residual remembers (Liang and Zeger 1986, Biometrika 73, 13), times
-/// the root of B/(B - k). `block_of_row`: 0 … blocks-1. Times `*quantile`: half width of the 95 %
-/// interval (Student, B - k degrees of freedom). Empty if there are too few blocks.
-Eigen::VectorXd ClusteredDeviation(const Eigen::MatrixXd& jacobian, const Eigen::VectorXd& residual,
-                                   const std::vector<int>& block_of_row, int blocks,
-                                   double* quantile);
-
-/// Independent samples in a correlated residual of N samples: N / (1 + 2 sum rho_k), over the lags
-/// until rho falls below 0.05 (Bayley and Hammersley 1946).
-double EffectiveSamples(const Eigen::VectorXd& residual, int begin, int count);
-
-/// The same of several channels of equal length, one after the other.
-double IndependentSamples(const Eigen::VectorXd& residual, int channels);
-
 /// Calls work(i) for i in 0 … n-1 on at most `threads` threads.
 void InParallel(int n, int threads, const std::function<void(int)>& work);
 

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "identify/data_checks.h"
+#include "identify/fit_intervals.h"
 #include "tests/identify/search_record.h"
 
 namespace phs::identify::search {

@@ -1,0 +1,35 @@
+// The effects of the catalogue as a search tries them: a table of variants, and of the numbers that
+// may be freed on top of each.
+#pragma once
+
+#include <utility>
+#include <vector>
+
+namespace phs::identify::search {
+
+enum class Spread { kAll, kEachLine };  // on all targets only, or also on each line alone
+
+/// One row: the effect, its free numbers, the starts, numbers held at other
+/// than default values.
+struct Recipe {
+  const char* effect;
+  Spread spread;
+  std::vector<const char*> free;
+  std::vector<std::vector<double>> starts;
+  std::vector<std::pair<const char*, double>> fixed = {};
+};
+
+const std::vector<Recipe>& Hydraulic();
+const std::vector<Recipe>& FrictionAndMounting();
+const std::vector<Recipe>& InstrumentAndEnvironment();
+
+/// What a form may take on beyond its core, by effect.
+struct OptionRow {
+  const char* effect;
+  std::vector<const char*> free;
+  std::vector<std::vector<double>> starts;
+};
+
+const std::vector<OptionRow>& Options();
+
+}  // namespace phs::identify::search
