@@ -49,7 +49,7 @@ class Search {
     }
     out_.corrected = out_.declared, out_.after = out_.before;
     for (int round = 0; round < options_.max_effects; ++round) {
-      share_ = 0.02 + 0.9 * round / options_.max_effects;
+      share_ = 0.02 + 0.6 * round / options_.max_effects;
       if (!AddOne(round)) break;
     }
     if (out_.effects.size() > 1) {
@@ -66,7 +66,7 @@ class Search {
   bool Tick(double part) {
     const std::lock_guard<std::mutex> lock(mutex_);
     part_ = part;
-    if (!cancelled_ && progress_ && !progress_(std::min(1.0, share_ + part))) cancelled_ = true;
+    if (!cancelled_ && progress_ && !progress_(std::min(0.99, share_ + part))) cancelled_ = true;
     return !cancelled_;
   }
 
@@ -184,7 +184,7 @@ class Search {
   /// Asked before every run of the model, so that a stop is heard at once.
   bool GoOn() {
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (!cancelled_ && progress_ && !progress_(std::min(1.0, share_ + part_))) cancelled_ = true;
+    if (!cancelled_ && progress_ && !progress_(std::min(0.99, share_ + part_))) cancelled_ = true;
     return !cancelled_;
   }
 
@@ -225,7 +225,7 @@ class Search {
   /// Tries to replace each accepted effect but the last by another.
   void Exchange() {
     for (size_t i = 0; i + 1 < out_.effects.size() && !cancelled_; ++i) {
-      share_ = 0.85;
+      share_ = 0.68 + 0.1 * static_cast<double>(i);
       FreeModel model;
       const FitResult rest = Without(i, &model);
       if (!rest.ok) continue;
