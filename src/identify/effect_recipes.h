@@ -7,7 +7,7 @@
 
 namespace phs::identify::search {
 
-enum class Spread { kAll, kEachLine };  // on all targets only, or also on each line alone
+enum class Spread { kAll, kEach };  // on all targets only, or also on each alone
 
 /// One row: the effect, its free numbers, the starts, numbers held at other
 /// than default values.

@@ -57,12 +57,18 @@ void AddVariants(const Recipe& recipe, const PhsParams& params, std::vector<Cand
   Candidate candidate = MakeCandidate(*info, recipe.free, recipe.starts, recipe.fixed);
   AddOptions(*info, recipe, &candidate);
   out->push_back(candidate);
-  if (recipe.spread == Spread::kAll || params.lines.size() < 2) return;
+  std::vector<std::string> places;
+  if (info->targets == "lines") {
+    for (const auto& line : params.lines) places.push_back(line.name);
+  } else {
+    for (const auto& cylinder : params.cylinders) places.push_back(cylinder.name);
+  }
+  if (recipe.spread == Spread::kAll || places.size() < 2) return;
   std::erase_if(candidate.options, [](const EffectOption& option) {
     return option.free[0].name.ends_with(".rod_ratio");
   });
-  for (const auto& line : params.lines) {
-    candidate.params.targets = {line.name};
+  for (const std::string& place : places) {
+    candidate.params.targets = {place};
     out->push_back(candidate);
   }
 }

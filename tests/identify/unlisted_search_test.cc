@@ -83,6 +83,20 @@ TEST(CandidatesTest, OnlyThoseAskedForAreTried) {
   EXPECT_THAT(CandidateNames(), testing::IsSupersetOf({"backlash", "gas_thermal", "unlisted"}));
 }
 
+TEST(CandidatesTest, ALeakMayBeInOneCylinderOfFour) {
+  const auto four = effects::FindPhsParams("bo_bo").value();
+  std::vector<std::vector<std::string>> places;
+  for (const Candidate& c : ListCandidates(four, effects::RigKind::kFull)) {
+    if (c.effect == "piston_leakage") places.push_back(c.params.targets);
+  }
+  EXPECT_THAT(places, testing::IsSupersetOf<std::vector<std::string>>({{}, {"1"}, {"4"}}));
+  int alone = 0;
+  for (const Candidate& c : ListCandidates(Declared(), effects::RigKind::kQuarter)) {
+    alone += c.effect == "piston_leakage" && !c.params.targets.empty();
+  }
+  EXPECT_EQ(alone, 0) << "one cylinder is all of them";
+}
+
 TEST(Unexplained, SaysWhatTheValidationWindowAloneExcites) {
   FitData data = Record(OffDeclared());
   for (size_t i = 0; i < data.time_s.size(); ++i) {
