@@ -88,6 +88,17 @@ TEST(LineResistance, TurbulentFlowEqualisesInTheTimeOfTheClosedForm) {
   EXPECT_NEAR(ahead(1.5 * end), 0, 1e-3 * dp0) << "and stays there";
 }
 
+TEST(LineResistance, TurbulentFlowMayReverseInCoarseSteps) {
+  const auto swing = [](double t) { return 2e-3 * std::sin(2 * M_PI * 0.7 * t); };
+  const PhsSystem s = Compile(
+      With(Frictionless(), "line_resistance",
+           {{"laminar_Pas_per_m3", 3e7}, {"turbulent_Pas2_per_m6", 1e13}, {"oil_share", 0.2}}));
+  for (double t = 2.0; t < 3.5; t += 0.1) {
+    const double fine = Drive(s, t, 2e-4, swing).p_bore, coarse = Drive(s, t, 0.02, swing).p_bore;
+    EXPECT_NEAR(coarse, fine, 3e3) << t;
+  }
+}
+
 TEST(PistonLeakage, FallsWithTheViscosityAtTheStaticTemperature) {
   // The same time constant as at 20 °C after a time longer by the ratio of viscosities.
   auto left = [](double temperature_K, double time) {
