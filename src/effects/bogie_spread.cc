@@ -44,7 +44,7 @@ PhsParams SpreadOverBogie(const PhsParams& quarter) {
   }
   for (EffectParams effect : quarter.effects) {
     const auto* info = Catalogue().Find(effect.name);
-    if (info != nullptr && std::string(info->family) == "instrument") continue;
+    if (info != nullptr && (info->family == "instrument" || info->family == "element")) continue;
     std::vector<std::string> targets;
     for (const std::string& target : effect.targets) {
       if (target == rod.name) targets.insert(targets.end(), {"L1", "L4"});

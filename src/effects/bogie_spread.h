@@ -5,7 +5,8 @@
 // line the diagonal lines L2 (bores 1, 3) and L3 (bores 2, 4), each with the oil, gas and
 // accumulator of the rig's line. Static friction becomes presliding friction of the same level (its
 // stiffness, damping and elastic share as in the file, by default those of bo_bo). Effects act on
-// the lines and cylinders that theirs became; instrument effects, which no bogie has, stay behind.
+// the lines and cylinders that theirs became; those of instruments, and a mass that moved with the
+// rig's load cell, stay behind.
 #pragma once
 
 #include "hydraulics/phs_params.h"

@@ -161,13 +161,7 @@ Result<FitData> ReadBogieData(const Manifest& manifest, BogieModel* model) {
   if (Status s = NameUnknown(manifest, known, &run); !s.ok()) return s.error();
   Result<SmoothMotion> motion = ReadPlace(*model, &run);
   if (!motion.ok()) return motion.error();
-  FitData data;
-  data.source = run.source;
-  data.step_s = run.step_s;
-  data.estimation = {run.estimation.begin, run.estimation.end};
-  data.validation = {run.validation.begin, run.validation.end};
-  for (int i = 0; i < run.num_samples; ++i) data.time_s.push_back(run.Time(i));
-  data.findings = run.findings;
+  FitData data = StartData(run);
   SetSpeed(motion.value(), run, model, &data.findings);
   data.inputs.push_back({"s_m", motion.value().position, 0});
   data.motion.push_back(std::move(motion).value());

@@ -13,14 +13,6 @@ namespace {
 using effects::Formula;
 using hydraulics::ForcePlace;
 
-/// `value` rounded to one digit 1, 2 or 5: scales that read well.
-double Rounded(double value) {
-  if (!(value > 0) || !std::isfinite(value)) return 1;
-  const double ten = std::pow(10.0, std::floor(std::log10(value)));
-  const double lead = value / ten;
-  return ten * (lead < 1.5 ? 1 : lead < 3.5 ? 2 : lead < 7.5 ? 5 : 10);
-}
-
 struct Scale {
   double x = 1e-3, v = 1e-3, p = 1e5, q = 1e5, t = 1, T = 1;
 };
@@ -38,12 +30,12 @@ Scale MeasureScale(const FormulaPlaces& places) {
       largest.T = std::max(largest.T, std::abs(at.temperature));
     }
   }
-  return {Rounded(0.5 * (x_high - x_low)),
-          Rounded(largest.v),
-          Rounded(largest.p),
-          Rounded(largest.q),
-          Rounded(largest.t),
-          Rounded(largest.T)};
+  return {RoundScale(0.5 * (x_high - x_low)),
+          RoundScale(largest.v),
+          RoundScale(largest.p),
+          RoundScale(largest.q),
+          RoundScale(largest.t),
+          RoundScale(largest.T)};
 }
 
 class ForceTerms final : public TermLibrary {

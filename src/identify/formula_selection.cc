@@ -77,6 +77,13 @@ void DropSuperfluous(const SelectionData& data, const FormulaLimits& limits,
 
 }  // namespace
 
+double RoundScale(double value) {
+  if (!(value > 0) || !std::isfinite(value)) return 1;
+  const double ten = std::pow(10.0, std::floor(std::log10(value)));
+  const double lead = value / ten;
+  return ten * (lead < 1.5 ? 1 : lead < 3.5 ? 2 : lead < 7.5 ? 5 : 10);
+}
+
 Eigen::MatrixXd ModelSpace(const Eigen::MatrixXd& jacobian, Eigen::Index rows) {
   if (jacobian.cols() == 0) return Eigen::MatrixXd(rows, 0);
   Eigen::MatrixXd scaled = jacobian;

@@ -78,6 +78,9 @@ class TermLibrary {
   std::vector<TermTrial> trials_;
 };
 
+/// `value` rounded to one digit 1, 2 or 5: scales that read well. 1 if it is no positive number.
+double RoundScale(double value);
+
 /// Orthonormal basis of what the model's free numbers can imitate.
 Eigen::MatrixXd ModelSpace(const Eigen::MatrixXd& jacobian, Eigen::Index rows);
 

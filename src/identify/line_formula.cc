@@ -31,12 +31,6 @@ struct Model {
   bool has_law = false;  ///< its last effect is a law of this place
 };
 
-double Rounded(double value) {
-  const double ten = std::pow(10.0, std::floor(std::log10(std::max(value, 1e-30))));
-  const double lead = value / ten;
-  return ten * (lead < 1.5 ? 1 : lead < 3.5 ? 2 : lead < 7.5 ? 5 : 10);
-}
-
 class LineTerms final : public TermLibrary {
  public:
   LineTerms(const Model& model, const LinePlace& place, const Eigen::MatrixXd& model_space,
@@ -44,14 +38,14 @@ class LineTerms final : public TermLibrary {
       : TermLibrary(model_space),
         model_(model),
         place_(place),
-        scale_(Rounded(std::max(std::abs(place.low), place.high))) {
+        scale_(RoundScale(std::max(std::abs(place.low), place.high))) {
     if (thresholds_only) return;
     const std::string p = fmt::format("(p/{:g}[Pa])", scale_);
     Add(p, 1), Add(p + "^2", 2), Add(p + "^3", 3);
     Add(p + "*abs" + p, 2);
     if (place.unit != FormulaUnit::kFlow) return;
     const double end = model.problem.data().estimation[1];
-    Add(fmt::format("(t/{:g}[s])*", Rounded(end)) + p, 2);
+    Add(fmt::format("(t/{:g}[s])*", RoundScale(end)) + p, 2);
   }
 
   /// The ramps that fit best beyond a pressure, above and below static.

@@ -132,6 +132,17 @@ Status CheckCandidates(const std::vector<std::string>& asked) {
 
 }  // namespace
 
+FitData StartData(const RigRun& run) {
+  FitData data;
+  data.source = run.source;
+  data.step_s = run.step_s;
+  data.estimation = {run.estimation.begin, run.estimation.end};
+  data.validation = {run.validation.begin, run.validation.end};
+  for (int i = 0; i < run.num_samples; ++i) data.time_s.push_back(run.Time(i));
+  data.findings = run.findings;
+  return data;
+}
+
 Result<FitData> ReadFitData(const Manifest& manifest) {
   if (Status s = CheckCandidates(manifest.candidates); !s.ok()) return s.error();
   Result<effects::RigKind> kind = effects::ParseRigKind(manifest.rig);
@@ -146,17 +157,11 @@ Result<FitData> ReadFitData(const Manifest& manifest) {
   if (!read.ok()) return read.error();
   RigRun& run = read.value();
   if (Status s = CheckWindows(run); !s.ok()) return s.error();
-  FitData data;
+  FitData data = StartData(run);
   data.kind = kind.value();
   data.options = manifest.options;
   data.candidates = manifest.candidates;
-  data.source = run.source;
-  data.step_s = run.step_s;
-  data.estimation = {run.estimation.begin, run.estimation.end};
-  data.validation = {run.validation.begin, run.validation.end};
-  for (int i = 0; i < run.num_samples; ++i) data.time_s.push_back(run.Time(i));
   data.row_time_s = run.row_time;
-  data.findings = run.findings;
   std::vector<char> rest;
   for (Channel& input : run.inputs) {
     MendInputScale(params.value(), &input, &data.findings);

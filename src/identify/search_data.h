@@ -38,6 +38,9 @@ struct FitData {
   std::vector<DataFinding> findings;  ///< what was found wrong, and mended or left out
 };
 
+/// What a record says of itself: source, clock, windows, findings; no channel yet.
+FitData StartData(const RigRun& run);
+
 /// Both windows hold enough samples to tell an effect from noise.
 Status CheckWindows(const RigRun& run);
 /// Takes one channel into `data` as an output to be explained, its stuck stretches, spikes and the

@@ -44,5 +44,24 @@ TEST(BogieSpreadTest, EffectsFollowTheirLinesAndInstrumentsStayBehind) {
   EXPECT_TRUE(CreatePhsSystem(spread).ok());
 }
 
+TEST(BogieSpreadTest, WhatARigOnNoListTaughtRunsInTheBogie) {
+  auto quarter = FindPhsParams("quarter_setup2").value();
+  quarter.effects.push_back({"moving_mass", {}, {{"mass_kg", 200}}});
+  hydraulics::EffectParams valve{"unlisted", {"L2"}, {{"c1_m3_per_s", 2e-8}}};
+  valve.formula = "c1*(max(p-2e6[Pa],0[Pa])/1e6[Pa])";
+  quarter.effects.push_back(valve);
+  const auto spread = SpreadOverBogie(quarter);
+  ASSERT_EQ(spread.effects.size(), 1u) << "the mass of the rig's load cell stays behind";
+  EXPECT_EQ(spread.effects[0].targets, (std::vector<std::string>{"L2", "L3"}));
+  const auto system = CreatePhsSystem(spread);
+  ASSERT_TRUE(system.ok()) << system.error().Line();
+  EXPECT_EQ(system.value().num_states(),
+            CreatePhsSystem(SpreadOverBogie(FindPhsParams("quarter_setup2").value()))
+                    .value()
+                    .num_states() +
+                2)
+      << "a flow out of each diagonal line";
+}
+
 }  // namespace
 }  // namespace phs::effects
