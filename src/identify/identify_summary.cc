@@ -9,6 +9,9 @@ namespace {
 std::string EffectLine(const Json& e) {
   std::string line = "effect " + e["name"].get<std::string>();
   if (e.contains("on")) line += " on " + JoinWords(e["on"].get<std::vector<std::string>>());
+  if (e.contains("formula") && e["formula"].is_string()) {
+    line += "  " + e["formula"].get<std::string>();
+  }
   for (const auto& [name, p] : e["parameters"].items()) {
     line += fmt::format("  {} {:.4g} [{:.4g}, {:.4g}]", name, p["value"].get<double>(),
                         p["low"].get<double>(), p["high"].get<double>());

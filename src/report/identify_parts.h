@@ -7,6 +7,10 @@
 namespace phs::report {
 
 // identify_words.cc
+/// `words` with spaces for underscores.
+std::string Spaced(std::string words);
+/// An accepted effect: name, the lines or cylinders it acts on, its formula if it is on no list.
+std::string DescribeEffect(const nlohmann::ordered_json& effect);
 /// A section of its own; nothing if the data are sound.
 void AddDataFindings(const IdentifyResults& results, ReportPage* page);
 void AddFindings(const IdentifyResults& results, ReportPage* page);

@@ -81,9 +81,34 @@ std::string CellText(const json& value) {
   return text;
 }
 
-std::string Spaced(std::string words) {
-  std::replace(words.begin(), words.end(), '_', ' ');
-  return words;
+/// One row per item, with whatever the items say of themselves as columns, numbers in front of
+/// texts.
+DataTable WideTable(const json& items, const std::string& caption, const std::string& what) {
+  std::vector<std::string> numbers;
+  std::vector<std::string> texts;
+  for (const json& item : items) {
+    for (const auto& [key, value] : item.items()) {
+      if (key == "name" || key == "effects") continue;
+      std::vector<std::string>& columns = value.is_number() ? numbers : texts;
+      if (std::find(columns.begin(), columns.end(), key) == columns.end()) columns.push_back(key);
+    }
+  }
+  std::erase_if(texts, [&](const std::string& key) {
+    return std::find(numbers.begin(), numbers.end(), key) != numbers.end();
+  });
+  std::vector<std::string> columns = numbers;
+  columns.insert(columns.end(), texts.begin(), texts.end());
+  DataTable table{.caption = caption, .head = {what}};
+  for (const std::string& column : columns) table.head.push_back(Spaced(column));
+  for (const json& item : items) {
+    const json name = item.contains("name") ? item["name"] : item.value("effects", json("?"));
+    std::vector<TableCell> row = {TableCell(Spaced(CellText(name)))};
+    for (const std::string& column : columns) {
+      row.emplace_back(item.contains(column) ? Spaced(CellText(item[column])) : "–");
+    }
+    table.rows.push_back(std::move(row));
+  }
+  return table;
 }
 
 }  // namespace
@@ -134,59 +159,36 @@ void AddEffectTable(const IdentifyResults& results, ReportPage* page) {
     return;
   }
   DataTable table{.caption = "Accepted effects, strongest first",
-                  .head = {"Effect, parameter", "value", "interval", "evidence"}};
+                  .head = {"Effect, parameter", "value", "interval"}};
+  json evidence = json::array();
   for (const json& effect : effects) {
-    std::string title = Spaced(effect.value("name", "?"));
+    std::string title = DescribeEffect(effect);
     const json twins = effect.value("confusable_with", json::array());
     if (!twins.empty()) title += "; with these data not to be told from " + Spaced(CellText(twins));
     table.rows.push_back({TableCell(title)});
-    const std::string evidence = Spaced(CellText(effect.value("evidence", json())));
-    bool first = true;
     const json parameters = effect.value("parameters", json::object());
     for (const auto& [name, parameter] : parameters.items()) {
       const ReadableName readable = Readable(name);
       table.rows.push_back(
           {TableCell(readable.unit == "–" ? name : readable.words + " [" + readable.unit + "]"),
            TableCell(FormatNumber(readable.factor * NumberAt(parameter, "/value"), 4), true),
-           TableCell(Interval(parameter, readable.factor)), TableCell(first ? evidence : "")});
-      first = false;
+           TableCell(Interval(parameter, readable.factor))});
     }
-    if (first) table.rows.push_back({TableCell("no parameter"), "", "", TableCell(evidence)});
+    if (parameters.empty()) table.rows.push_back({TableCell("no parameter"), "", ""});
+    const json grounds = effect.value("evidence", json());
+    if (!grounds.is_object() || grounds.empty()) continue;
+    evidence.push_back({{"name", effect.value("name", "?")}});
+    evidence.back().update(grounds);
   }
   page->Add(table);
+  if (!evidence.empty()) page->Add(WideTable(evidence, "Evidence", "Effect"));
 }
 
 void AddCandidateTable(const IdentifyResults& results, ReportPage* page) {
   const json candidates = results.all.value("candidates", json::array());
   if (candidates.empty()) return;
-  // Columns: whatever the candidates say of themselves, numbers in front of texts.
-  std::vector<std::string> numbers;
-  std::vector<std::string> texts;
-  for (const json& candidate : candidates) {
-    for (const auto& [key, value] : candidate.items()) {
-      if (key == "name" || key == "effects") continue;
-      std::vector<std::string>& columns = value.is_number() ? numbers : texts;
-      if (std::find(columns.begin(), columns.end(), key) == columns.end()) columns.push_back(key);
-    }
-  }
-  std::erase_if(texts, [&](const std::string& key) {
-    return std::find(numbers.begin(), numbers.end(), key) != numbers.end();
-  });
-  std::vector<std::string> columns = numbers;
-  columns.insert(columns.end(), texts.begin(), texts.end());
-  DataTable table{.caption = "Every candidate that was tried", .head = {"Candidate"}};
-  for (const std::string& column : columns) table.head.push_back(Spaced(column));
-  for (const json& candidate : candidates) {
-    const json name =
-        candidate.contains("name") ? candidate["name"] : candidate.value("effects", json("?"));
-    std::vector<TableCell> row = {TableCell(Spaced(CellText(name)))};
-    for (const std::string& column : columns) {
-      row.emplace_back(candidate.contains(column) ? Spaced(CellText(candidate[column])) : "–");
-    }
-    table.rows.push_back(std::move(row));
-  }
   page->BeginDetails(fmt::format("All {} candidates with their scores", candidates.size()));
-  page->Add(table);
+  page->Add(WideTable(candidates, "Every candidate that was tried", "Candidate"));
   page->EndDetails();
 }
 

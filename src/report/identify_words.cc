@@ -11,11 +11,6 @@ namespace {
 
 using json = nlohmann::ordered_json;
 
-std::string Spaced(std::string words) {
-  std::replace(words.begin(), words.end(), '_', ' ');
-  return words;
-}
-
 std::string Joined(const json& names) {
   std::string text;
   if (!names.is_array()) return text;
@@ -104,6 +99,22 @@ void AddTestOnce(const std::string& test, std::vector<std::string>* tests) {
 
 }  // namespace
 
+std::string Spaced(std::string words) {
+  std::replace(words.begin(), words.end(), '_', ' ');
+  return words;
+}
+
+std::string DescribeEffect(const json& effect) {
+  const bool unlisted = effect.value("name", "") == "unlisted";
+  std::string text = unlisted ? "an effect on no list" : Spaced(effect.value("name", "?"));
+  const std::string places = Joined(effect.value("on", json::array()));
+  if (!places.empty()) text += " on " + places;
+  if (effect.contains("formula") && effect["formula"].is_string()) {
+    text += ", " + effect["formula"].get<std::string>();
+  }
+  return text;
+}
+
 void AddDataFindings(const IdentifyResults& results, ReportPage* page) {
   const json findings = results.all.value("data_findings", json::array());
   if (findings.empty()) return;
@@ -123,7 +134,7 @@ void AddFindings(const IdentifyResults& results, ReportPage* page) {
         "Nothing to add.");
   } else {
     json names = json::array();
-    for (const json& effect : effects) names.push_back(effect.value("name", "?"));
+    for (const json& effect : effects) names.push_back(DescribeEffect(effect));
     page->Paragraph(
         fmt::format("The declared model lacks {}. {}", Joined(names), DescribeGain(results)),
         "Found.");

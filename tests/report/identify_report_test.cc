@@ -54,6 +54,19 @@ TEST_F(IdentifyReport, NothingFoundIsSaidPlainly) {
   EXPECT_TRUE(Lacks(html, "Found."));
 }
 
+TEST_F(IdentifyReport, AnEffectOnNoListStandsWithItsFormulaAndPlace) {
+  WriteResult(R"json({"rig":"quarter","channels":{"load_cell_N":{"before":{"nrmse":0.02},
+    "after":{"nrmse":0.01}}},"effects":[{"name":"unlisted","on":["L2"],
+    "formula":"c1*(max(p-7.5e+06[Pa],0[Pa])/1e+07[Pa])",
+    "parameters":{"c1_m3_per_s":{"value":1.5e-7,"low":1.4e-7,"high":1.6e-7}},
+    "evidence":{"delta_bic":123.0}}],"candidates":[]})json");
+  const std::string html = Html({.result = File("result.json")});
+  EXPECT_TRUE(Holds(html,
+                    "The declared model lacks an effect on no list on L2, "
+                    "c1*(max(p-7.5e+06[Pa],0[Pa])/1e+07[Pa])."));
+  EXPECT_TRUE(Holds(html, ">delta bic<")) << "evidence has a table of its own";
+}
+
 TEST_F(IdentifyReport, ARigRunHasOneModel) {
   WriteResult(R"({"rig":"element","channels":{"force_N":{"rmse":12.5,"nrmse":0.034}}})");
   std::ofstream(File("m.csv")) << "t_s,x_m,force_N\n0,0,1\n0.1,0.01,2\n0.2,0.02,4\n";
