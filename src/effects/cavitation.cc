@@ -54,7 +54,7 @@ const EffectInfo& CavitationInfo() {
       "air released below p_c: V = b V_oil p_a (1/p - 1/p_c)",
       {
           {"release_Pa", "Pa", 1e5, 1e2, 1e8, 2e3, 1.5e6, "p_c"},
-          {"solubility", "-", 0.09, 0, 0.5, 0.01, 0.12, "b"},
+          {"solubility", "-", 0.09, 0, 0.5, 0.01, 0.5, "b"},
           {"rod_ratio", "-", 1, 1e-3, 1e3, 0.2, 5, "air of rod lines over that of bore lines"},
       },
       Install};

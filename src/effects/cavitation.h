@@ -2,8 +2,9 @@
 // Boyle):
 //   V(p) = b V_oil p_a (1/p - 1/p_c) for p < p_c, else 0
 // b: solubility, volume of air at atmospheric pressure per oil volume dissolved per full release
-// (Bunsen coefficient of mineral oil 0.09). p_c [Pa] 2e3 … 1e6. Equilibrium, elastic: a pulled line
-// stays near p_c instead of going to zero.
+// (Bunsen coefficient of mineral oil 0.09, of silicone oils to 0.2; a cavity that opens at p_c, as
+// of vapour, looks like a still larger one, so up to 0.5 is taken for plausible). p_c [Pa] 2e3 …
+// 1e6. Equilibrium, elastic: a pulled line stays near p_c instead of going to zero.
 #pragma once
 
 #include "hydraulics/extension.h"

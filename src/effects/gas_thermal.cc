@@ -17,9 +17,13 @@ Status Install(const EffectParams& effect, Extension* extension) {
     l.reservoir.law = l.accumulator.law = law;
     const double time =
         effect.values.at("thermal_time_s") * LineFactor(effect, extension->params(), line);
-    l.reservoir.thermal_time_s = l.accumulator.thermal_time_s = time;
+    l.reservoir.thermal_time_s = time;
+    l.accumulator.thermal_time_s = time * effect.values.at("accumulator_ratio");
     l.reservoir.heat_capacity_ratio = l.accumulator.heat_capacity_ratio =
         effect.values.at("heat_capacity_ratio");
+    l.reservoir.wall_heat_ratio = l.accumulator.wall_heat_ratio =
+        effect.values.at("wall_heat_ratio");
+    l.reservoir.wall_time_s = l.accumulator.wall_time_s = effect.values.at("wall_time_s");
   }
   return {};
 }
@@ -36,8 +40,13 @@ const EffectInfo& GasThermalInfo() {
           {"thermal_time_s", "s", 3, 1e-4, 1e9, 0.1, 60, "tau"},
           {"heat_capacity_ratio", "-", 1, 1, 1e4, 1, 500,
            "(gas + filler or wall that stores heat with it) / gas"},
+          {"wall_heat_ratio", "-", 0, 0, 1e4, 0, 10,
+           "r: heat capacity of the gas over that of a wall that warms up"},
+          {"wall_time_s", "s", 60, 1e-3, 1e9, 2, 1000, "tau_w: wall with its surroundings"},
           {"rod_ratio", "-", 1, 1e-3, 1e3, 0.2, 5,
            "time constant of rod lines over that of bore lines"},
+          {"accumulator_ratio", "-", 1, 1e-4, 1e4, 1e-3, 100,
+           "time constant of blow-off accumulators over that of reservoirs"},
           {"real_gas", "-", 0, 0, 1, 0, 1, "1: Benedict-Webb-Rubin, 0: ideal gas"},
       },
       Install};

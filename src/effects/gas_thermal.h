@@ -2,8 +2,10 @@
 // tau: gas law `ideal` with energy equation (hydraulics/gas_law.h) for reservoir and accumulator,
 //   dT/dt = (T_s - T)/tau - p (dV/dt)/(m c_v),
 // or `bwr` (real gas). Fast: adiabatic; slow: isothermal. tau [s] 0.3 … 30 (Otis and Pourmovahed
-// 1985; thesis Table B-1). State: temperature deviation [K]. Loss: exergy destroyed by the heat
-// flow.
+// 1985; thesis Table B-1). Heat may also be stored by a filler at the gas's temperature
+// (heat_capacity_ratio) and by a wall between gas and surroundings (wall_heat_ratio r, wall_time_s:
+// gas_law.h). Blow-off accumulators may have another tau (accumulator_ratio). States: deviations of
+// gas and wall temperature [K]. Loss: exergy destroyed by the heat flows.
 #pragma once
 
 #include "hydraulics/extension.h"

@@ -26,11 +26,15 @@ class HoseVolume final : public hydraulics::VolumeLaw {
       : compliance_(compliance),
         stiffening_(stiffening),
         order_(order),
-        start_(1 + p0 / stiffening) {}
+        start_(1 + p0 / stiffening),
+        start_power_(std::pow(start_, 1 - order)) {}
   void Add(double pressure, double, double* volume, double* slope) const noexcept override {
-    const double a = 1 + pressure / stiffening_;
-    *volume += compliance_ * stiffening_ * PowerIntegral(start_, a, 1 - order_);
-    *slope += compliance_ * std::pow(a, -order_);
+    // a^(1-m) = a0^(1-m) (1 + g) serves both the integral and the slope.
+    const double a = 1 + pressure / stiffening_, e = 1 - order_;
+    const double log_ratio = std::log(a / start_), growth = std::expm1(e * log_ratio);
+    *volume += compliance_ * stiffening_ *
+               (std::abs(e) < 1e-9 ? log_ratio : start_power_ * growth / e);
+    *slope += compliance_ * start_power_ * (1 + growth) / a;
   }
   // p dV = C p_k² (a - 1) a^-m da.
   double Energy(double pressure, double) const noexcept override {
@@ -40,7 +44,7 @@ class HoseVolume final : public hydraulics::VolumeLaw {
   }
 
  private:
-  double compliance_, stiffening_, order_, start_;
+  double compliance_, stiffening_, order_, start_, start_power_;
 };
 
 /// Kelvin-Voigt element: w = C_c P m,  tau dm/dt = (p - p0)/P - m. Stored C_c (p0 P m + P² m²/2).

@@ -15,6 +15,7 @@ Status Install(const EffectParams& effect, Extension* extension) {
     f.presliding = true;
     f.presliding_stiffness_N_per_m = effect.values.at("stiffness_N_per_m");
     f.presliding_creeps = effect.values.at("creeping") >= 0.5;
+    f.presliding_exponent = effect.values.at("exponent");
     f.presliding_share = effect.values.at("share");
     f.presliding_breakaway_ratio = effect.values.at("breakaway_ratio");
   }
@@ -33,6 +34,7 @@ const EffectInfo& PreslidingInfo() {
           {"stiffness_N_per_m", "N/m", 3.6e7, 1e3, 1e12, 2e6, 5e8, "sigma0"},
           {"breakaway_ratio", "-", 0.7, 0, 0.99, 0.1, 0.95, "elastic share of the level"},
           {"creeping", "-", 0, 0, 1, 0, 1, "1: bristle of Dahl and LuGre, 0: elasto-plastic"},
+          {"exponent", "-", 1, 0.05, 10, 0.3, 4, "i of the creeping bristle (Dahl)"},
           {"share", "-", 1, 0.01, 1, 0.02, 1, "of the level that sticks; the rest slides at once"},
       },
       Install};

@@ -18,6 +18,11 @@ Status Install(const EffectParams& effect, Extension* extension) {
   t.amplitude_K = effect.values.at("amplitude_K");
   t.period_s = effect.values.at("period_s");
   t.expansion_1_per_K = effect.values.at("expansion_1_per_K");
+  t.softening_1_per_K = effect.values.at("softening_1_per_K");
+  for (size_t i = 0; i < extension->params().lines.size(); ++i) {
+    const int line = static_cast<int>(i);
+    extension->line(line).expansion_ratio = LineFactor(effect, extension->params(), line);
+  }
   return {};
 }
 
@@ -36,6 +41,9 @@ const EffectInfo& TemperatureDriftInfo() {
           {"amplitude_K", "K", 0, 0, 60, 0, 30, "A"},
           {"period_s", "s", 86400, 1e-3, 1e12, 60, 1e5, "period"},
           {"expansion_1_per_K", "1/K", 6.65e-4, 0, 0.01, 0, 1e-3, "oil less housing"},
+          {"softening_1_per_K", "1/K", 0, 0, 0.02, 0, 0.012, "relative fall of the bulk modulus"},
+          {"rod_ratio", "-", 1, 1e-3, 1e3, 0.2, 5,
+           "expansion of the oil of rod lines over that of bore lines"},
       },
       Install};
   return info;

@@ -122,6 +122,7 @@ struct FrictionTerms {
   bool presliding = false;  ///< forces the presliding model with the two numbers below
   double presliding_stiffness_N_per_m = 0, presliding_breakaway_ratio = 0;
   bool presliding_creeps = false;  ///< the bristle of Dahl and LuGre instead of the elasto-plastic
+  double presliding_exponent = 1;  ///< i of the creeping bristle, > 0
   double presliding_share = 1;     ///< of the level that sticks; the rest slides at once
 };
 
@@ -165,6 +166,7 @@ struct TemperatureTerms {
   double amplitude_K = 0, period_s = 86400;
   double limit_K = 40;           ///< |rate t| stays below this
   double expansion_1_per_K = 0;  ///< of the oil against its housing
+  double softening_1_per_K = 0;  ///< relative fall of the oil's bulk modulus
 };
 
 /// What an effect may add to while a system is being built.

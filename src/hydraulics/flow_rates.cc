@@ -6,7 +6,7 @@
 //
 // Heat alone (time constants of seconds): the two-stage Rosenbrock method ROS2, second order for
 // any matrix A (Verwer, Spee, Blom and Hundsdorfer, SIAM J. Sci. Comput. 20 (1999) 1456), A
-// diagonal:
+// diagonal but for each gas and its wall, which exchange the same heat:
 //   (1 - g h A) k1 = F(t, u),   (1 - g h A) k2 = F(t + h, u + h k1) - 2 k1,   u' = u + h (3 k1 +
 //   k2)/2
 // Flows (down to microseconds, with kinks by direction): the two-stage diagonally implicit method
@@ -61,10 +61,36 @@ void SolveShifted(double a, Matrix* A, double* b) {
   }
 }
 
-// Memories of volume laws and heat balances of one node; `inflow` = dD/dt. Writes rates and the
-// diagonal of A.
+// A of the slow states: the diagonal, and what couples a state with the next one (a gas with its
+// wall).
+struct SlowMatrix {
+  explicit SlowMatrix(int count) {
+    for (double* row : {diagonal, over_next, of_next}) std::fill(row, row + count, 0.0);
+  }
+  double diagonal[kMaxStates];
+  double over_next[kMaxStates];  // d(rate of i)/d(state i + 1)
+  double of_next[kMaxStates];    // d(rate of i + 1)/d(state i)
+
+  // Solves (1 - a A) x = b in place of b, for the states from `first` to `end`.
+  void SolveShifted(double a, int first, int end, double* b) const {
+    for (int i = first; i < end; ++i) {
+      const double d = 1 - a * diagonal[i];
+      if (over_next[i] == 0 || i + 1 >= end) {
+        b[i] /= d;
+        continue;
+      }
+      const double up = -a * over_next[i], down = -a * of_next[i], e = 1 - a * diagonal[i + 1];
+      const double x = (b[i] * e - up * b[i + 1]) / (d * e - up * down);
+      b[i + 1] = (b[i + 1] - down * x) / e;
+      b[i++] = x;
+    }
+  }
+};
+
+// Memories of volume laws and heat balances of one node; `inflow` = dD/dt. Writes rates and A.
 void CalcGasRates(const Node& node, const NodeState& at, double ambient, double inflow,
-                  const double* state, double* rate, double* diagonal) {
+                  const double* state, double* rate, SlowMatrix* slow) {
+  double* diagonal = slow->diagonal;
   for (const NodeLaw& l : node.laws) {
     if (l.state < 0) continue;
     const MemoryRate memory = l.law->Memory(at.p, state[l.state]);
@@ -86,7 +112,11 @@ void CalcGasRates(const Node& node, const NodeState& at, double ambient, double 
     if (g.state < 0) continue;
     const double T = GasTemperature(g, ambient, state);
     gas[k] = CalcGas(g.gas, at.p, T, g.blow_off ? 0 : at.gas_volume);
-    heat[k] = CalcGasHeat(g.gas, gas[k].volume, T, ambient);
+    heat[k] = CalcGasHeat(g.gas, gas[k].volume, T, WallTemperature(g, ambient, state), ambient);
+    if (g.wall_state >= 0) {
+      rate[g.wall_state] = heat[k].wall_rate, diagonal[g.wall_state] = heat[k].wall_slope;
+      slow->of_next[g.state] = heat[k].wall_taken;
+    }
     const double a = 1 + heat[k].kappa * gas[k].dV_dT;
     stiff += gas[k].dV_dT * heat[k].kappa * gas[k].dV_dp / a;
     driven += gas[k].dV_dT * heat[k].relax / a;
@@ -99,6 +129,7 @@ void CalcGasRates(const Node& node, const NodeState& at, double ambient, double 
     rate[g.state] = (heat[k].relax - heat[k].kappa * gas[k].dV_dp * p_rate) / a;
     const double coupled = -heat[k].kappa * gas[k].dV_dp * gas[k].dV_dT / (a * stiff);
     diagonal[g.state] = -(1 + coupled) / (g.gas.thermal_time * a);
+    if (g.wall_state >= 0) slow->over_next[g.state] = -diagonal[g.state];
   }
 }
 
@@ -113,10 +144,10 @@ double CalcFlow(const FlowLaw& law, double time, double dp, const double* q, dou
   return *q + (dp - drop) * *slope;
 }
 
-// F(t, u) at an instant, and A: diagonal for the gases, the matrix for the flows. `flows`: those of
+// F(t, u) at an instant, and A: `slow` for the gases, the matrix for the flows. `flows`: those of
 // the last iterate by state, or null.
 void CalcDerivative(const CompiledPhs& sys, double time, const Instant& at, const double* speed,
-                    const double* state, const double* flows, double* rate, double* diagonal,
+                    const double* state, const double* flows, double* rate, SlowMatrix* slow,
                     Matrix* A) {
   double inflow[kMaxNodes] = {};
   for (size_t i = 0; i < sys.cylinders.size(); ++i) {
@@ -160,11 +191,12 @@ void CalcDerivative(const CompiledPhs& sys, double time, const Instant& at, cons
     }
   }
   for (size_t n = 0; n < sys.nodes.size(); ++n) {
-    CalcGasRates(sys.nodes[n], at.node[n], at.ambient, inflow[n], state, rate, diagonal);
+    CalcGasRates(sys.nodes[n], at.node[n], at.ambient, inflow[n], state, rate, slow);
   }
 }
 
-// Pressures at time t of states `u`, pistons having moved for `since`.
+// Pressures at time t of states `u`, pistons having moved for `since`. `at` holds an instant near
+// by.
 void PlaceAt(const CompiledPhs& sys, double time, double since, const Instant& start,
              const double* speed, const double* u, Instant* at) {
   at->ambient = sys.Ambient(time);
@@ -172,27 +204,24 @@ void PlaceAt(const CompiledPhs& sys, double time, double since, const Instant& s
     at->piston[i] = start.piston[i] + since * speed[i];
   }
   sys.CalcPushed(u, at);
-  sys.SolveNodes(u, at);
+  sys.SolveNodes(u, at, at);
 }
 
 void HeatStep(const CompiledPhs& sys, double time, double h, const Instant& start,
               const double* speed, const double* state, double* rate) {
   const int count = sys.num_states(), first = sys.first_slow;
-  double k1[kMaxStates], k2[kMaxStates], diagonal[kMaxStates] = {}, next[kMaxStates];
-  double ignored[kMaxStates];
-  CalcDerivative(sys, time, start, speed, state, nullptr, k1, diagonal, nullptr);
-  for (int i = first; i < count; ++i) {
-    diagonal[i] = 1 / (1 - kGamma * h * diagonal[i]);
-    k1[i] *= diagonal[i];
-    next[i] = state[i] + h * k1[i];
-  }
+  double k1[kMaxStates], k2[kMaxStates], next[kMaxStates];
+  SlowMatrix slow(count), ignored(count);
+  CalcDerivative(sys, time, start, speed, state, nullptr, k1, &slow, nullptr);
+  slow.SolveShifted(kGamma * h, first, count, k1);
+  for (int i = first; i < count; ++i) next[i] = state[i] + h * k1[i];
   std::copy(state, state + first, next);
-  Instant end;
+  Instant end = start;
   PlaceAt(sys, time + h, h, start, speed, next, &end);
-  CalcDerivative(sys, time + h, end, speed, next, nullptr, k2, ignored, nullptr);
-  for (int i = first; i < count; ++i) {
-    rate[i] = 1.5 * k1[i] + 0.5 * diagonal[i] * (k2[i] - 2 * k1[i]);
-  }
+  CalcDerivative(sys, time + h, end, speed, next, nullptr, k2, &ignored, nullptr);
+  for (int i = first; i < count; ++i) k2[i] -= 2 * k1[i];
+  slow.SolveShifted(kGamma * h, first, count, k2);
+  for (int i = first; i < count; ++i) rate[i] = 1.5 * k1[i] + 0.5 * k2[i];
 }
 
 // Solves u = base + a F(t, u) for the hydraulic states; `u` holds a guess and gets the solution,
@@ -201,19 +230,21 @@ void SolveStage(const CompiledPhs& sys, double time, double since, double a, con
                 const double* speed, const double* base, double* u, double* F) {
   const int count = sys.num_states(), first = sys.first_slow;
   const int first_flow = sys.paths[0].volume, flows = count - first_flow;
-  double diagonal[kMaxStates] = {}, flow[kMaxStates];
+  double flow[kMaxStates], step[kMaxStates];
+  SlowMatrix slow(count);
   Matrix A(flows);
-  Instant at;
+  Instant at = start;
   constexpr int kMostIterations = 30;
   for (int iteration = 0; iteration < kMostIterations; ++iteration) {
     PlaceAt(sys, time, since, start, speed, u, &at);
     for (int i = first_flow; i < count; ++i) flow[i] = (u[i] - base[i]) / a;
-    CalcDerivative(sys, time, at, speed, u, flow, F, diagonal, &A);
+    CalcDerivative(sys, time, at, speed, u, flow, F, &slow, &A);
     double largest = 0;
+    for (int i = first; i < first_flow; ++i) step[i] = base[i] + a * F[i] - u[i];
+    slow.SolveShifted(a, first, first_flow, step);
     for (int i = first; i < first_flow; ++i) {
-      const double change = (base[i] + a * F[i] - u[i]) / (1 - a * diagonal[i]);
-      u[i] += change;
-      largest = std::max(largest, std::abs(change) * 1e7);
+      u[i] += step[i];
+      largest = std::max(largest, std::abs(step[i]) * 1e7);
     }
     double change[kMaxFlow];
     for (int i = 0; i < flows; ++i) {
@@ -256,8 +287,9 @@ void CalcHydraulicRates(const CompiledPhs& sys, double time, double h, const Ins
     (sys.paths.empty() ? HeatStep : FlowStep)(sys, time, h, start, speed, state, rate);
     return;
   }
-  double now[kMaxStates], diagonal[kMaxStates];
-  CalcDerivative(sys, time, start, speed, state, nullptr, now, diagonal, nullptr);
+  double now[kMaxStates];
+  SlowMatrix ignored(sys.num_states());
+  CalcDerivative(sys, time, start, speed, state, nullptr, now, &ignored, nullptr);
   std::copy(now + sys.first_slow, now + sys.num_states(), rate + sys.first_slow);
 }
 
@@ -289,7 +321,8 @@ double CalcHydraulicLoss(const CompiledPhs& sys, double time, const Instant& at,
       if (g.state < 0) continue;
       const double T = GasTemperature(g, at.ambient, state);
       const double volume = CalcGas(g.gas, at.node[n].p, T).volume;
-      lost += CalcGasHeat(g.gas, volume, T, at.ambient).loss;
+      const double wall = WallTemperature(g, at.ambient, state);
+      lost += CalcGasHeat(g.gas, volume, T, wall, at.ambient).loss;
     }
   }
   return lost;

@@ -45,6 +45,7 @@ Friction::Friction(const FrictionParams& params, const FrictionTerms& terms)
     sigma0_ = terms.presliding_stiffness_N_per_m;
     ratio_ = terms.presliding_breakaway_ratio;
     creeps_ = terms.presliding_creeps;
+    exponent_ = terms.presliding_exponent;
     share_ = terms.presliding_share;
   }
   if (model_ != FrictionModel::kPresliding) sigma0_ = sigma1_ = 0;
@@ -109,6 +110,19 @@ double Friction::Level(int sign, double speed, const FrictionPlace& place) const
   return std::max(level, 0.0);
 }
 
+namespace {
+
+double SignedPower(double x, double n) { return std::copysign(std::pow(std::abs(x), n), x); }
+
+/// Dahl's g after a travel x [z_s]: dg/dx = -sgn(g) |g|^i.
+double GapAfter(double gap, double x, double exponent) {
+  if (std::abs(exponent - 1) < 1e-9 || gap == 0) return gap * std::exp(-x);
+  const double left = std::pow(std::abs(gap), 1 - exponent) + (exponent - 1) * x;
+  return left > 0 ? std::copysign(std::pow(left, 1 / (1 - exponent)), gap) : 0;
+}
+
+}  // namespace
+
 FrictionForce Friction::Calc(double v, double z, const FrictionPlace& place) const {
   FrictionForce out;
   const int sign = v > 0 ? 1 : -1;
@@ -126,7 +140,7 @@ FrictionForce Friction::Calc(double v, double z, const FrictionPlace& place) con
     const double along = sign * z;
     double yield = 0;  // alpha z/z_s
     if (z_s > 0 && creeps_) {
-      yield = along / z_s;
+      yield = exponent_ == 1 ? along / z_s : 1 - SignedPower(1 - along / z_s, exponent_);
     } else if (z_s > 0 && along > z_b) {
       yield = (along - z_b) / (z_s - z_b) * along / z_s;
     }
@@ -168,7 +182,7 @@ double Friction::Advance(double h, double v, double z, const FrictionPlace& plac
   double along = sign * z;
   const double z_s = share_ * Level(sign, std::abs(v), place) / sigma0_;
   if (!(z_s > 0)) return sign * std::min(along + left, 0.0);
-  if (creeps_) return sign * (z_s + (along - z_s) * std::exp(-left / z_s));
+  if (creeps_) return sign * z_s * (1 - GapAfter(1 - along / z_s, left / z_s, exponent_));
   const double z_b = ratio_ * z_s;
   if (along < z_b) {
     const double elastic = std::min(left, z_b - along);

@@ -14,13 +14,15 @@
 //   z_b))
 // so the update over any step is exact and unconditionally stable.
 // With presliding_creeps instead the bristle of Dahl (1968) and of Canudas de Wit, Olsson, Astrom
-// and Lischinsky (LuGre, IEEE Trans. Automatic Control 40 (1995) 419), alpha = sgn(v z) throughout:
-//   dz/dt = v - |v| z/z_s,   z_s - |z| falls as exp(-x/z_s) in sliding. It creeps when shaken.
+// and Lischinsky (LuGre, IEEE Trans. Automatic Control 40 (1995) 419), with Dahl's exponent i:
+//   dz/dt = v g^i,   g = 1 - sgn(v) z/z_s.   i = 1: z_s - |z| falls as exp(-x/z_s) in sliding;
+//   else g^(1-i) = g(0)^(1-i) + (i - 1) x/z_s: exact over any step. It creeps when shaken.
 // With presliding_share < 1 only that share of the level sticks, the rest follows the static law.
 // Signs: F adds to the tension force, F > 0 for extension (v > 0). Stored energy sigma0 z²/2;
 // lost power F v - sigma0 z dz/dt >= 0.
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "hydraulics/extension.h"
@@ -55,7 +57,8 @@ class Friction {
     return terms_.pressure_bore_N_per_Pa != 0 || terms_.pressure_rod_N_per_Pa != 0 ||
            terms_.pressure_difference_N_per_Pa != 0 || terms_.further != nullptr;
   }
-  double stiffness() const { return sigma0_; }
+  /// Largest d(force)/d(position) [N/m]: that of a creeping bristle is behind a reversal, g = 2.
+  double stiffness() const { return creeps_ ? std::exp2(exponent_) * sigma0_ : sigma0_; }
   /// Largest d(force)/d(speed) near zero speed [N s/m].
   double MaxDamping() const;
 
@@ -88,6 +91,7 @@ class Friction {
   double extra_[2] = {0, 0}, extra_viscous_[2] = {0, 0};
   double stribeck_speed_ = 1;
   double sigma0_ = 0, sigma1_ = 0, ratio_ = 0, share_ = 1;
+  double exponent_ = 1;  ///< of the creeping bristle
   bool creeps_ = false;
 };
 

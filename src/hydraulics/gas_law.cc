@@ -93,9 +93,17 @@ namespace {
 /// Heat capacity of the filler per mass of gas [J/(kg K)].
 double FillerHeat(const GasVolume& gas) { return (gas.heat_capacity_ratio - 1) * kNitrogenCv; }
 
-double FillerExergy(const GasVolume& gas, double T, double ambient) {
+/// Heat capacity of the wall [J/K].
+double WallHeat(const GasVolume& gas) { return gas.mass * kNitrogenCv / gas.wall_heat_ratio; }
+
+/// Of a body of heat capacity C that neither takes nor gives volume.
+double HeatExergy(const GasVolume& gas, double C, double T, double ambient) {
   const double T0 = gas.reference_temperature;
-  return gas.mass * FillerHeat(gas) * (T - T0 - ambient * std::log(T / T0));
+  return C * (T - T0 - ambient * std::log(T / T0));
+}
+
+double FillerExergy(const GasVolume& gas, double T, double ambient) {
+  return HeatExergy(gas, gas.mass * FillerHeat(gas), T, ambient);
 }
 
 }  // namespace
@@ -127,7 +135,12 @@ double CalcGasEnergy(const GasVolume& gas, double volume, double temperature, do
   return 0;
 }
 
-GasHeat CalcGasHeat(const GasVolume& gas, double volume, double temperature, double ambient) {
+double CalcWallEnergy(const GasVolume& gas, double wall, double ambient) {
+  return gas.HasWallState() ? HeatExergy(gas, WallHeat(gas), wall, ambient) : 0;
+}
+
+GasHeat CalcGasHeat(const GasVolume& gas, double volume, double temperature, double wall,
+                    double ambient) {
   GasHeat out;
   if (!gas.HasTemperatureState()) return out;
   const double T = std::max(temperature, kColdest);
@@ -139,9 +152,14 @@ GasHeat CalcGasHeat(const GasVolume& gas, double volume, double temperature, dou
     dp_dT = at.dp_dT;
   }
   cv += FillerHeat(gas);
-  out.relax = (ambient - T) / gas.thermal_time;
+  out.relax = (wall - T) / gas.thermal_time;
   out.kappa = T * dp_dT / (gas.mass * cv);
-  out.loss = gas.mass * cv * (T - ambient) * (T - ambient) / (gas.thermal_time * T);
+  out.loss = ambient * gas.mass * cv * (T - wall) * (T - wall) / (gas.thermal_time * T * wall);
+  if (!gas.HasWallState()) return out;
+  out.wall_taken = gas.wall_heat_ratio * cv / kNitrogenCv / gas.thermal_time;
+  out.wall_rate = out.wall_taken * (T - wall) + (ambient - wall) / gas.wall_time;
+  out.wall_slope = -out.wall_taken - 1 / gas.wall_time;
+  out.loss += WallHeat(gas) * (wall - ambient) * (wall - ambient) / (gas.wall_time * wall);
   return out;
 }
 

@@ -6,6 +6,9 @@
 //   ideal        p V = m R T,   dT/dt = (T_s - T)/tau - p (dV/dt)/(m c_v0)
 //   bwr          p = p(T, v) of Benedict, Webb and Rubin (bwr_nitrogen.h),
 //                dT/dt = (T_s - T)/tau - T (dp/dT)_v (dv/dt)/c_v(T, v)
+// With a wall that takes up heat, T_w stands for T_s above, and
+//   dT_w/dt = r (c_v/c_v0) (T - T_w)/tau + (T_s - T_w)/tau_w,   r = m c_v0/C_w
+// (heat balance of a wall of heat capacity C_w; r = 0: it stays at T_s).
 // p absolute [Pa], V [m3], T [K], tau thermal time constant at constant volume [s].
 // Source: T. P. Löwe, M.Eng. thesis, University of Pretoria, eqs. 12-19, constants corrected (see
 // bwr_nitrogen.h); D. R. Otis and P. E. Pourmovahed, J. Dyn. Syst. Meas. Control 107 (1985) 116.
@@ -34,6 +37,8 @@ struct GasVolume {
   double exponent = 1.4;             ///< n of the polytropic law, 1 … 1.7
   double thermal_time = 5;           ///< tau [s], > 0
   double heat_capacity_ratio = 1;    ///< (gas + filler that stores heat with it) / gas, >= 1
+  double wall_heat_ratio = 0;        ///< r: heat capacity of the gas over its wall's; 0 = no wall
+  double wall_time = 0;              ///< tau_w [s], > 0 with a wall
   double min_volume = 0;             ///< [m3]
   double max_volume = 0;             ///< [m3]
   double mass = 0;                   ///< [kg]; set by SetMass
@@ -41,6 +46,7 @@ struct GasVolume {
   /// Fills `mass` from the reference state by the volume's own law.
   void SetMass();
   bool HasTemperatureState() const { return law == GasLaw::kIdeal || law == GasLaw::kBwr; }
+  bool HasWallState() const { return HasTemperatureState() && wall_heat_ratio > 0; }
 };
 
 /// V(p, T) with its slopes. `stopped`: the diaphragm rests on a stop, V does not change with p, T.
@@ -65,10 +71,19 @@ double CalcGasEnergy(const GasVolume& gas, double volume, double temperature, do
 
 /// Heat balance of a law with a state: dT/dt = relax - kappa dV/dt.
 struct GasHeat {
-  double relax = 0;  ///< (T_s - T)/tau [K/s]
+  double relax = 0;  ///< (T_w - T)/tau [K/s]
   double kappa = 0;  ///< T (dp/dT)_v / (m c_v) [K/m3], > 0
-  double loss = 0;   ///< available power destroyed by the heat flow, m c_v (T-T_s)^2/(tau T) [W]
+  /// Available power destroyed by the heat flows, T_s Q (1/T_w - 1/T) + C_w (T_w-T_s)^2/(tau_w T_w)
+  /// [W].
+  double loss = 0;
+  double wall_rate = 0;   ///< dT_w/dt [K/s]
+  double wall_slope = 0;  ///< its derivative over T_w [1/s], <= 0
+  double wall_taken = 0;  ///< and over T [1/s], >= 0
 };
-GasHeat CalcGasHeat(const GasVolume& gas, double volume, double temperature, double ambient);
+/// `wall`: T_w; `ambient` where there is no wall [K].
+GasHeat CalcGasHeat(const GasVolume& gas, double volume, double temperature, double wall,
+                    double ambient);
+/// Exergy of the wall's heat above the reference temperature [J].
+double CalcWallEnergy(const GasVolume& gas, double wall, double ambient);
 
 }  // namespace phs::hydraulics

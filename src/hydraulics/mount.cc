@@ -69,7 +69,8 @@ class PistonBalance {
     auto push = [&](int node, double volume) {
       if (node == kOpen) return;
       at_->pushed[node] += volume;
-      at_->node[node] = SolveNode(sys_.nodes[node], at_->pushed[node], at_->ambient, state_);
+      at_->node[node] =
+          SolveNode(sys_.nodes[node], at_->pushed[node], at_->ambient, state_, &at_->node[node]);
     };
     push(c_.bore, -c_.bore_area * moved);
     push(c_.rod, c_.rod_area * moved);
@@ -112,7 +113,7 @@ double SolveMove(PistonBalance* balance, double guess) {
     }
     const double change = std::abs(next - move);
     move = next;
-    if (change <= 1e-15 + 1e-12 * std::abs(move)) break;
+    if (change <= 1e-15 + 1e-11 * std::abs(move)) break;
   }
   double slope;
   balance->Calc(move, &slope);
@@ -159,10 +160,11 @@ double CalcMountLoss(const CompiledPhs& sys, const double* state) {
 }
 
 void CalcMountRates(const CompiledPhs& sys, double time, double h, const double* x, const double* v,
-                    const double* state, double* piston_speed, double* rate) {
+                    const double* state, const Instant* near, double* piston_speed, double* rate) {
   const double step = std::max(h, kSmallestStep);
   const int count = static_cast<int>(sys.cylinders.size());
   Instant at;
+  at.time = time + step;
   at.ambient = sys.Ambient(time + step);
   double start[kMaxCylinders], move[kMaxCylinders];
   for (int i = 0; i < count; ++i) {
@@ -172,7 +174,7 @@ void CalcMountRates(const CompiledPhs& sys, double time, double h, const double*
     at.piston[i] = start[i] + move[i];
   }
   sys.CalcPushed(state, &at);
-  sys.SolveNodes(state, &at);
+  sys.SolveNodes(state, &at, near);
   for (int sweep = 0; sweep < 60; ++sweep) {
     double largest = 0;
     int mounted = 0;
@@ -186,7 +188,7 @@ void CalcMountRates(const CompiledPhs& sys, double time, double h, const double*
       if (c.bore != kOpen) here.pushed[c.bore] += c.bore_area * move[i];
       if (c.rod != kOpen) here.pushed[c.rod] -= c.rod_area * move[i];
       PistonBalance balance(sys, step, x[i] + v[i] * step, i, state, &here);
-      const double next = SolveMove(&balance, move[i]);
+      const double next = SolveMove(&balance, sweep == 0 ? v[i] * step : move[i]);
       largest = std::max(largest, std::abs(next - move[i]));
       move[i] = next;
       at = here;

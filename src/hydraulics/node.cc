@@ -8,22 +8,23 @@
 namespace phs::hydraulics {
 namespace {
 
-double OilVolume(const Node& node, double p, double* slope) {
+double OilVolume(const Node& node, double p, double ambient, double* slope) {
   const double rise = p - node.p0;
   if (node.bulk_slope == 0) {
-    *slope = node.oil_volume / node.bulk_modulus;
+    *slope = node.Compliance(ambient);
     return *slope * rise;
   }
   const double beta = node.bulk_modulus + node.bulk_slope * rise;
-  *slope = node.oil_volume / beta;
-  return node.oil_volume / node.bulk_slope * std::log(beta / node.bulk_modulus);
+  const double oil = node.oil_volume * node.Softer(ambient);
+  *slope = oil / beta;
+  return oil / node.bulk_slope * std::log(beta / node.bulk_modulus);
 }
 
 // The isothermal balance in q = p - p0:  C q² + (C p0 + S/p0 - D) q - D p0 = 0, so that D = 0 gives
 // exactly q = 0. `with_blow_off`: accumulators open. Temperature enters as a factor on S.
 double ClosedFormRise(const Node& node, double D, double ambient, const double* state,
                       bool with_blow_off) {
-  const double C = node.oil_volume / node.bulk_modulus;
+  const double C = node.Compliance(ambient) + node.law_compliance;
   double S = node.air, pushed = D;
   for (const NodeGas& g : node.gases) {
     if (g.blow_off && !with_blow_off) continue;
@@ -90,13 +91,16 @@ void Node::Prepare() {
     blow_offs += g.blow_off;
   }
   if (blow_offs > 1) closed_form = false;
+  double volume = 0;
+  law_compliance = 0;
+  for (const NodeLaw& l : laws) l.law->Add(p0, 0, &volume, &law_compliance);
   real_gas = !gases.empty() && !gases[0].blow_off && gases[0].gas.law == GasLaw::kBwr &&
              bulk_slope == 0 && !sequential;
 }
 
 double CalcAbsorbed(const Node& node, double p, double ambient, const double* state,
                     double* slope) noexcept {
-  double volume = OilVolume(node, p, slope);
+  double volume = OilVolume(node, p, ambient, slope);
   volume += node.air * (1 / node.p0 - 1 / p);
   *slope += node.air / (p * p);
   for (const NodeGas& g : node.gases) {
@@ -108,8 +112,15 @@ double CalcAbsorbed(const Node& node, double p, double ambient, const double* st
   return volume;
 }
 
-NodeState SolveNode(const Node& node, double D, double ambient, const double* state) noexcept {
+namespace {
+
+NodeState Solve(const Node& node, double D, double ambient, const double* state,
+                const NodeState* near) {
   if (node.sequential) return SolveSequential(node, D, ambient, state);
+  if (near != nullptr && near->slope > 0 && !node.closed_form && !node.real_gas) {
+    const double guess = near->p + (D - near->pushed) / near->slope;
+    if (guess > 0.1 * near->p) return NewtonNode(node, D, ambient, state, guess);
+  }
   double p = node.p0 + ClosedFormRise(node, D, ambient, state, false);
   bool open = OpensBlowOff(node, p, ambient, state);
   if (open) p = node.p0 + ClosedFormRise(node, D, ambient, state, true);
@@ -126,7 +137,16 @@ NodeState SolveNode(const Node& node, double D, double ambient, const double* st
     S += g.gas.reference_pressure * g.gas.reference_volume * GasTemperature(g, ambient, state) /
          g.gas.reference_temperature;
   }
-  out.slope = node.oil_volume / node.bulk_modulus + S / (p * p);
+  out.slope = node.Compliance(ambient) + S / (p * p);
+  return out;
+}
+
+}  // namespace
+
+NodeState SolveNode(const Node& node, double D, double ambient, const double* state,
+                    const NodeState* near) noexcept {
+  NodeState out = Solve(node, D, ambient, state, near);
+  out.pushed = D;
   return out;
 }
 
@@ -140,11 +160,13 @@ double CalcNodeEnergy(const Node& node, double p, double ambient, const double* 
     const double log_ratio = std::log((beta + m * rise) / beta);
     energy = node.oil_volume * (rise / m + (m * node.p0 - beta) / (m * m) * log_ratio);
   }
+  energy *= node.Softer(ambient);
   energy += node.air * std::log(p / node.p0);
   for (const NodeGas& g : node.gases) {
     const double T = GasTemperature(g, ambient, state);
     const GasState at = CalcGas(g.gas, p, T);
     energy += CalcGasEnergy(g.gas, at.volume, T, ambient);
+    energy += CalcWallEnergy(g.gas, WallTemperature(g, ambient, state), ambient);
   }
   for (const NodeLaw& l : node.laws) energy += l.law->Energy(p, l.Memory(state));
   return energy;

@@ -9,6 +9,7 @@
 // however far the volume is pulled, which is the cavitation floor of the declared model.
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "hydraulics/extension.h"
@@ -25,6 +26,7 @@ struct NodeGas {
   double static_volume = 0;  ///< gas volume in the static state [m3]
   bool blow_off = false;     ///< an accumulator: closed below its precharge
   int state = -1;            ///< index of its temperature state, or -1
+  int wall_state = -1;       ///< of the state of its wall's temperature, or -1
 };
 
 /// A volume law of a node and the state of its memory, if it has one.
@@ -41,26 +43,38 @@ struct Node {
   double oil_volume = 0;    ///< [m3]
   double bulk_modulus = 0;  ///< [Pa]
   double bulk_slope = 0;    ///< d(beta)/dp [-]
+  double softening = 0;     ///< relative fall of beta per kelvin of the surroundings [1/K]
+  double expansion = 1;     ///< of this oil's thermal expansion: factor on the rig's
   double air = 0;           ///< p V of free air [J]
   double temperature = 0;   ///< static [K]
   std::vector<NodeGas> gases;
   std::vector<NodeLaw> laws;
   bool sequential = false;
-  bool closed_form = false;  ///< set by Prepare
-  bool real_gas = false;     ///< set by Prepare: the first gas is a reservoir by BWR
+  double law_compliance = 0;  ///< of the laws at p0 [m3/Pa], for the guess; set by Prepare
+  bool closed_form = false;   ///< set by Prepare
+  bool real_gas = false;      ///< set by Prepare: the first gas is a reservoir by BWR
 
   void Prepare();
+  /// Factor on the oil's compliance at a temperature of the surroundings: exp(s dT), > 0.
+  double Softer(double ambient) const {
+    return softening == 0 ? 1 : std::exp(softening * (ambient - temperature));
+  }
+  /// V_oil/beta [m3/Pa].
+  double Compliance(double ambient) const { return oil_volume / bulk_modulus * Softer(ambient); }
 };
 
 /// Pressure and the state of the elements at it.
 struct NodeState {
   double p = 0;           ///< [Pa]
   double slope = 0;       ///< dD/dp at constant temperatures [m3/Pa], > 0
+  double pushed = 0;      ///< the D it was solved for [m3]
   double gas_volume = 0;  ///< of a real-gas reservoir as just solved [m3]; 0 = not known
 };
 
 /// Solves the balance. `ambient` [K]; `state` = all states (gas temperature deviations) or null.
-NodeState SolveNode(const Node& node, double D, double ambient, const double* state) noexcept;
+/// `near`: a solution close by, from which to start where there is no closed form; or null.
+NodeState SolveNode(const Node& node, double D, double ambient, const double* state,
+                    const NodeState* near = nullptr) noexcept;
 /// The same for a reservoir of real gas, with its density as the unknown: the pressure is explicit
 /// in it. False where the diaphragm rests on a stop (then the general solver takes over).
 bool SolveRealGasNode(const Node& node, double D, double ambient, const double* state, double guess,
@@ -74,6 +88,12 @@ double CalcNodeEnergy(const Node& node, double p, double ambient, const double* 
 /// Temperature of a node's gas: its own state, or the surroundings'.
 inline double GasTemperature(const NodeGas& g, double ambient, const double* state) {
   return g.state >= 0 && state != nullptr ? g.gas.reference_temperature + state[g.state] : ambient;
+}
+
+/// Temperature of what the gas gives its heat to: its wall's own state, or the surroundings'.
+inline double WallTemperature(const NodeGas& g, double ambient, const double* state) {
+  return g.wall_state >= 0 && state != nullptr ? g.gas.reference_temperature + state[g.wall_state]
+                                               : ambient;
 }
 
 }  // namespace phs::hydraulics

@@ -84,6 +84,8 @@ NodeGas CompileGas(const GasChargeParams& charge, double volume, double pressure
   g.gas.exponent = charge.polytropic_exponent;
   g.gas.thermal_time = charge.thermal_time_s;
   g.gas.heat_capacity_ratio = charge.heat_capacity_ratio;
+  g.gas.wall_heat_ratio = charge.wall_heat_ratio;
+  g.gas.wall_time = charge.wall_time_s;
   g.gas.min_volume = charge.min_gas_volume_m3;
   g.gas.max_volume = std::max(charge.volume_m3, volume);
   g.static_volume = volume;
@@ -98,6 +100,8 @@ void Builder::CompileNodes(CompiledPhs* sys) {
     node.oil_volume = line.oil_volume_m3;
     node.bulk_modulus = line.bulk_modulus_Pa;
     node.bulk_slope = line.bulk_modulus_slope;
+    node.softening = temperature_.softening_1_per_K;
+    node.expansion = line.expansion_ratio;
     node.air = (line.free_air_m3 + kTraceAir * line.oil_volume_m3) * kAtmosphere;
     node.temperature = params_.temperature_K;
     node.sequential = params_.balance == BalanceMethod::kSequential;
@@ -169,6 +173,8 @@ void Builder::CompileSplits(CompiledPhs* sys) {
     chamber_node.p0 = main.p0;
     chamber_node.bulk_modulus = main.bulk_modulus;
     chamber_node.bulk_slope = main.bulk_slope;
+    chamber_node.softening = main.softening;
+    chamber_node.expansion = main.expansion;
     chamber_node.temperature = main.temperature;
     const double oil = split.share * lines_[line].oil_volume_m3;
     chamber_node.oil_volume = oil;
@@ -236,7 +242,9 @@ void Builder::CompileStates(CompiledPhs* sys) {
   for (size_t n = 0; n < lines_.size(); ++n) {
     for (NodeGas& g : sys->nodes[n].gases) {
       if (!g.gas.HasTemperatureState()) continue;
-      g.state = add(lines_[n].name + (g.blow_off ? ".accumulator" : ".gas") + "_temperature");
+      const std::string place = lines_[n].name + (g.blow_off ? ".accumulator" : ".gas");
+      g.state = add(place + "_temperature");
+      if (g.gas.HasWallState()) g.wall_state = add(place + "_wall_temperature");
     }
     for (NodeLaw& l : sys->nodes[n].laws) {
       const std::string memory = l.law->MemoryName();

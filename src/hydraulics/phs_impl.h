@@ -78,7 +78,8 @@ struct CompiledPhs {
   }
   /// Volumes pushed into the nodes by pistons, flows and warmth.
   void CalcPushed(const double* state, Instant* at) const;
-  void SolveNodes(const double* state, Instant* at) const;
+  /// Starts from the nodes of `near` where they have no closed form; may be null, may be `at`.
+  void SolveNodes(const double* state, Instant* at, const Instant* near = nullptr) const;
   FrictionPlace Place(const Instant& at, int cylinder, const double* state) const;
 };
 
@@ -87,9 +88,10 @@ struct PhsSystem::Impl : CompiledPhs {};
 /// Force of the cylinder's chambers on its piston, tension > 0 [N].
 double CalcPressureForce(const CompiledPhs& sys, const Instant& at, int cylinder);
 
-/// Mean piston speeds over h and rates of the mount states (mount.cc).
+/// Mean piston speeds over h and rates of the mount states (mount.cc). `near`: solved nodes close
+/// by, or null.
 void CalcMountRates(const CompiledPhs& sys, double time, double h, const double* x, const double* v,
-                    const double* state, double* piston_speed, double* rate);
+                    const double* state, const Instant* near, double* piston_speed, double* rate);
 /// Force of a mounting at deflection u = x - y and Maxwell deflections q [N]; `slope` = dF/du.
 double CalcMountForce(const MountTerms& mount, double u, const MountCreep& q, double* slope);
 double CalcMountEnergy(const MountTerms& mount, double u, const MountCreep& q);

@@ -49,6 +49,8 @@ struct GasChargeParams {
   double thermal_time_s = 5.0;  ///< tau of the energy equation
   /// (gas + filler) / gas, >= 1: set by the effect gas_thermal.
   double heat_capacity_ratio = 1.0;
+  double wall_heat_ratio = 0;    ///< of the gas over its wall; set by gas_thermal
+  double wall_time_s = 60.0;     ///< of the wall with its surroundings; set by gas_thermal
   double min_gas_volume_m3 = 0;  ///< diaphragm on its stop
 };
 
@@ -64,6 +66,7 @@ struct LineParams {
   GasChargeParams reservoir;
   GasChargeParams accumulator;  ///< blow-off accumulator; volume_m3 = 0: none
   double accumulator_precharge_Pa = 15e6;
+  double expansion_ratio = 1;  ///< of its oil's thermal expansion; set by temperature_drift
 };
 
 enum class FrictionModel { kNone, kStatic, kPresliding };

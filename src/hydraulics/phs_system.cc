@@ -51,7 +51,8 @@ double CompiledPhs::Ambient(double time) const {
 
 void CompiledPhs::CalcPushed(const double* state, Instant* at) const {
   const double warm = temperature.expansion_1_per_K * (at->ambient - params.temperature_K);
-  for (size_t n = 0; n < nodes.size(); ++n) at->pushed[n] = nodes[n].oil_volume * warm;
+  for (size_t n = 0; n < nodes.size(); ++n)
+    at->pushed[n] = nodes[n].oil_volume * nodes[n].expansion * warm;
   for (size_t i = 0; i < cylinders.size(); ++i) {
     const CompiledCylinder& c = cylinders[i];
     if (c.bore != kOpen) at->pushed[c.bore] -= c.bore_area * at->piston[i];
@@ -63,9 +64,10 @@ void CompiledPhs::CalcPushed(const double* state, Instant* at) const {
   }
 }
 
-void CompiledPhs::SolveNodes(const double* state, Instant* at) const {
+void CompiledPhs::SolveNodes(const double* state, Instant* at, const Instant* near) const {
   for (size_t n = 0; n < nodes.size(); ++n) {
-    at->node[n] = SolveNode(nodes[n], at->pushed[n], at->ambient, state);
+    const NodeState* from = near != nullptr ? &near->node[n] : nullptr;
+    at->node[n] = SolveNode(nodes[n], at->pushed[n], at->ambient, state, from);
   }
 }
 
@@ -145,7 +147,7 @@ void PhsSystem::Calc(double time, const double* x, const double* v, const double
   double rate[kMaxStates];
   std::copy(v, v + sys.cylinders.size(), speed);
   if (sys.has_mounts && out->energy) {
-    CalcMountRates(sys, time, 0, x, v, state, speed, rate);
+    CalcMountRates(sys, time, 0, x, v, state, &at, speed, rate);
   }
   for (size_t i = 0; i < sys.cylinders.size(); ++i) {
     CalcCylinder(sys, at, static_cast<int>(i), speed[i], state, out);
@@ -172,11 +174,13 @@ void PhsSystem::CalcStateRate(double time, double h, const double* x, const doub
   at.ambient = sys.Ambient(time);
   PlacePistons(sys, x, state, &at);
   const bool hydraulic = sys.num_states() > sys.first_slow;
-  if (sys.friction_needs_pressure || hydraulic) {
+  const bool solved = sys.friction_needs_pressure || hydraulic;
+  if (solved) {
     sys.CalcPushed(state, &at);
     sys.SolveNodes(state, &at);
   }
-  if (sys.has_mounts) CalcMountRates(sys, time, h, x, v, state, speed, rate);
+  if (sys.has_mounts)
+    CalcMountRates(sys, time, h, x, v, state, solved ? &at : nullptr, speed, rate);
   for (size_t i = 0; i < sys.cylinders.size(); ++i) {
     const CompiledCylinder& c = sys.cylinders[i];
     if (c.bristle < 0 && c.dwell < 0) continue;

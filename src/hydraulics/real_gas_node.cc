@@ -19,7 +19,7 @@ bool SolveRealGasNode(const Node& node, double D, double ambient, const double* 
     const NodeGas& g = node.gases[k];
     open[k] = CalcGasPressure(g.gas, g.gas.max_volume, GasTemperature(g, ambient, state));
   }
-  const double C = node.oil_volume / node.bulk_modulus;
+  const double C = node.Compliance(ambient);
   const double rho0 = m / reservoir.gas.reference_volume;
   double low = least, high = most;
   double rho = rho0 * guess / node.p0 * reservoir.gas.reference_temperature / T;

@@ -7,12 +7,12 @@ namespace phs::hydraulics {
 namespace {
 
 // Pressure at which the gas of `g` becomes as stiff as the oil (at least the static pressure).
-double FullPressure(const Node& node, const NodeGas& g, double T) {
+double FullPressure(const Node& node, const NodeGas& g, double T, double oil_compliance) {
   double low = node.p0, high = 1e9;
   for (int i = 0; i < 80; ++i) {
     const double p = std::sqrt(low * high);
     const GasState at = CalcGas(g.gas, p, T);
-    const bool softer = !at.stopped && -at.dV_dp > node.oil_volume / node.bulk_modulus;
+    const bool softer = !at.stopped && -at.dV_dp > oil_compliance;
     (softer ? low : high) = p;
   }
   return low;
@@ -22,7 +22,7 @@ double FullPressure(const Node& node, const NodeGas& g, double T) {
 
 NodeState SolveSequential(const Node& node, double D, double ambient,
                           const double* state) noexcept {
-  const double C = node.oil_volume / node.bulk_modulus;
+  const double C = node.Compliance(ambient);
   const NodeGas* reservoir = nullptr;
   const NodeGas* blow_off = nullptr;
   for (const NodeGas& g : node.gases) (g.blow_off ? blow_off : reservoir) = &g;
@@ -32,7 +32,7 @@ NodeState SolveSequential(const Node& node, double D, double ambient,
   double p = node.p0, left = D;
   if (reservoir != nullptr) {
     const double T = GasTemperature(*reservoir, ambient, state);
-    const double p_full = FullPressure(node, *reservoir, T);
+    const double p_full = FullPressure(node, *reservoir, T, C);
     const double room = reservoir->static_volume - CalcGas(reservoir->gas, p_full, T).volume;
     const double taken = std::min(D, room);
     const double volume = reservoir->static_volume - taken;

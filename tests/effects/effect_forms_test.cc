@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
+#include <string>
 
 #include "hydraulics/friction.h"
 #include "hydraulics/pipe.h"
@@ -76,9 +78,10 @@ TEST(EffectForms, LeakThroughGapOrificeAndWideningGap) {
   }
 }
 
-TEST(EffectForms, FillerKeepsTheGasNearTheTemperatureOfItsSurroundings) {
-  // Fast and with a long time constant: an exponent 1 + R/(c_v r), gas alone (V_oil stiff).
-  PhsParams params = OilWith("gas_thermal", {{"thermal_time_s", 1e6}, {"heat_capacity_ratio", 4}});
+/// Fast compression of gas alone (stiff oil) with the given numbers of gas_thermal: p V^n against
+/// that of the start.
+double PowerLawRatio(const std::map<std::string, double>& numbers, double n) {
+  PhsParams params = OilWith("gas_thermal", numbers);
   for (auto& l : params.lines) l.gas_volume_m3 = 1e-5, l.oil_volume_m3 = 1e-6;
   for (auto& l : params.lines) l.reservoir.volume_m3 = 1e-3;
   const PhsSystem s = Compile(params);
@@ -93,10 +96,80 @@ TEST(EffectForms, FillerKeepsTheGasNearTheTemperatureOfItsSurroundings) {
   }
   Evaluation e(s);
   s.Calc(0.1, &x, &v, state.data(), &e.out);
-  const double n = 1 + 296.797 / 742.2 / 4;
   const double C = params.lines[0].oil_volume_m3 / params.lines[0].bulk_modulus_Pa;
   const double gas = 1e-5 - x * params.cylinders[0].RodArea() + C * (e.p_rod[0] - p0);
-  EXPECT_NEAR(e.p_rod[0] / (p0 * std::pow(1e-5 / gas, n)), 1, 2e-3);
+  return e.p_rod[0] / (p0 * std::pow(1e-5 / gas, n));
+}
+
+constexpr double kAdiabaticRise = 296.797 / 742.2;  // R/c_v of nitrogen
+
+TEST(EffectForms, FillerKeepsTheGasNearTheTemperatureOfItsSurroundings) {
+  // Fast and with a long time constant: an exponent 1 + R/(c_v r), gas alone (V_oil stiff).
+  EXPECT_NEAR(
+      PowerLawRatio({{"thermal_time_s", 1e6}, {"heat_capacity_ratio", 4}}, 1 + kAdiabaticRise / 4),
+      1, 2e-3);
+}
+
+TEST(EffectForms, AWallThatLosesNothingActsAsAFillerAndOneThatLosesAllAsSurroundings) {
+  // Gas and wall at one temperature: heat capacity 1 + 1/r of the gas's.
+  std::map<std::string, double> wall = {
+      {"thermal_time_s", 2e-4}, {"wall_heat_ratio", 0.5}, {"wall_time_s", 1e6}};
+  EXPECT_NEAR(PowerLawRatio(wall, 1 + kAdiabaticRise / 3), 1, 2e-3);
+  wall["wall_time_s"] = 1e-3;
+  EXPECT_NEAR(PowerLawRatio(wall, 1), 1, 2e-3);
+}
+
+TEST(EffectForms, AccumulatorsMayKeepToTheirSurroundingsWhileReservoirsDoNot) {
+  // Pushed far beyond the precharge at once: with a short time constant of its own p V = const in
+  // the accumulator, whatever the reservoir's gas does.
+  PhsParams params = OilWith("gas_thermal", {{"thermal_time_s", 10}, {"accumulator_ratio", 1e-4}});
+  for (auto& l : params.lines) l.oil_volume_m3 = 1e-6;
+  params.lines[1].gas_volume_m3 = 1e-5;
+  params.lines[1].reservoir.volume_m3 = 1e-3;
+  auto& rod = params.lines[0];
+  rod.accumulator.volume_m3 = 1e-5;
+  rod.accumulator_precharge_Pa = 3e6;
+  const double x = 4e-4, h = 1e-4;
+  const Held at =
+      Drive(Compile(params), 0.1, h, [=](double t) { return x * std::min(t / 0.1, 1.0); });
+  const double oil = rod.oil_volume_m3 / rod.bulk_modulus_Pa * (at.p_rod - rod.static_pressure_Pa);
+  const double gas = 1e-5 - (x * params.cylinders[0].RodArea() - oil);
+  EXPECT_NEAR(at.p_rod * gas / (3e6 * 1e-5), 1, 3e-3);
+  // The reservoir of the other line is adiabatic meanwhile (but for 0.1 s of 10 s).
+  const auto& bore = params.lines[1];
+  const double swept =
+      x * params.cylinders[0].BoreArea() +
+      bore.oil_volume_m3 / bore.bulk_modulus_Pa * (at.p_bore - bore.static_pressure_Pa);
+  const double n = 1 + kAdiabaticRise;
+  EXPECT_NEAR(at.p_bore / bore.static_pressure_Pa * std::pow((1e-5 + swept) / 1e-5, n), 1, 5e-3);
+}
+
+TEST(EffectForms, AGasAndItsWallStayStableInStepsFarBeyondTheirTime) {
+  // h = 5 ms, tau = 0.1 ms, the wall nearly insulated: gas and wall at one temperature.
+  PhsParams params = OilWith(
+      "gas_thermal", {{"thermal_time_s", 1e-4}, {"wall_heat_ratio", 1}, {"wall_time_s", 1e4}});
+  for (auto& l : params.lines) l.gas_volume_m3 = 1e-5, l.oil_volume_m3 = 1e-6;
+  for (auto& l : params.lines) l.reservoir.volume_m3 = 1e-3;
+  const double x = 4e-4;
+  const Held at = Drive(Compile(params), 1, 5e-3, [=](double t) { return x * t; });
+  const auto& rod = params.lines[0];
+  const double oil = rod.oil_volume_m3 / rod.bulk_modulus_Pa * (at.p_rod - rod.static_pressure_Pa);
+  const double gas = 1e-5 - x * params.cylinders[0].RodArea() + oil;
+  EXPECT_NEAR(at.p_rod / (rod.static_pressure_Pa * std::pow(1e-5 / gas, 1 + kAdiabaticRise / 2)), 1,
+              2e-3);
+}
+
+TEST(EffectForms, WarmOilIsSofterAndRodLinesMayExpandMore) {
+  // p - p0 = beta exp(-s dT) alpha dT without gas; rod lines expand `rod_ratio` times as much.
+  const double alpha = 6e-4, s = 5e-3, warmer = 2, ratio = 1.5;
+  const PhsParams params = OilWith("temperature_drift", {{"rate_K_per_s", 1},
+                                                         {"expansion_1_per_K", alpha},
+                                                         {"softening_1_per_K", s},
+                                                         {"rod_ratio", ratio}});
+  const Held at = Hold(Compile(params), 0, warmer);
+  const double rise = params.lines[1].bulk_modulus_Pa * std::exp(-s * warmer) * alpha * warmer;
+  EXPECT_NEAR(at.p_bore - params.lines[1].static_pressure_Pa, rise, 1e-3 * rise);
+  EXPECT_NEAR(at.p_rod - params.lines[0].static_pressure_Pa, ratio * rise, 1e-3 * ratio * rise);
 }
 
 TEST(EffectForms, AMountHardensAndDiffersByDirection) {

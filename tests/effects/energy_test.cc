@@ -101,20 +101,27 @@ TEST(EnergyOfForms, WorkIsStoredPlusLost) {
         {"saturation_Pa", 6e6},
         {"dissolving_time_s", 0.4},
         {"polytropic_exponent", 1.3}}},
-      {"gas_thermal", {{"heat_capacity_ratio", 5}, {"rod_ratio", 0.5}}},
+      {"gas_thermal", {{"heat_capacity_ratio", 5}, {"rod_ratio", 0.5}, {"accumulator_ratio", 3}}},
       {"gas_thermal", {{"heat_capacity_ratio", 5}, {"real_gas", 1}}},
+      {"gas_thermal", {{"thermal_time_s", 0.3}, {"wall_heat_ratio", 2}, {"wall_time_s", 0.5}}},
+      {"gas_thermal", {{"wall_heat_ratio", 2}, {"wall_time_s", 0.5}, {"real_gas", 1}}},
       {"piston_leakage", {{"exponent", 0.5}}},
       {"external_leakage", {{"exponent", 1.7}, {"rod_ratio", 3}}},
       {"mount_compliance", {{"hardening_1_per_m2", 3e6}, {"tension_ratio", 0.7}}},
       {"bush_viscoelastic",
        {{"second_N_per_m", 3e7}, {"second_relaxation_s", 0.05}, {"hardening_1_per_m2", 1e6}}},
       {"presliding", {{"creeping", 1}, {"share", 0.6}}},
+      {"presliding", {{"creeping", 1}, {"exponent", 2}}},
+      {"presliding", {{"creeping", 1}, {"exponent", 0.6}}},
       {"position_friction", {{"spot_share", 0.4}, {"wave_sine", 0.2}}},
       {"viscous_friction", {{"exponent", 2}}},
   };
   for (const Form& form : forms) {
     PhsParams params = Quarter();
     params.effects.push_back({form.effect, {}, form.values});
+    if (std::string(form.effect) == "gas_thermal") {  // so low that the accumulators take part
+      for (auto& l : params.lines) l.accumulator_precharge_Pa = 1.2 * l.static_pressure_Pa;
+    }
     const PhsSystem s = Compile(params);
     const Balance b = Drive(s, 4.0, 16000);
     EXPECT_LT(b.Error(), 2e-3) << form.effect << " work " << b.work << " stored " << b.stored

@@ -66,8 +66,8 @@ TEST(GasLimits, RealGasWithoutHeatKeepsItsEntropy) {
   const double from = 16e-6, to = 4e-6, dV = (to - from) / n;
   for (int i = 0; i < n; ++i) {  // midpoint rule
     const double V = from + i * dV;
-    const double half = T - CalcGasHeat(g, V, T, 293.15).kappa * 0.5 * dV;
-    T -= CalcGasHeat(g, V + 0.5 * dV, half, 293.15).kappa * dV;
+    const double half = T - CalcGasHeat(g, V, T, 293.15, 293.15).kappa * 0.5 * dV;
+    T -= CalcGasHeat(g, V + 0.5 * dV, half, 293.15, 293.15).kappa * dV;
   }
   const double before = CalcBwrEntropy(g.mass / from, 293.15);
   EXPECT_GT(T, 450);
