@@ -53,7 +53,7 @@ FormulaTrial FitFormula(const FitProblem& problem, const FreeModel& model, const
   out.model = WithCandidate(model, out.candidate);
   std::vector<double> start = values;
   for (const double c : out.candidate.starts[0]) start.push_back(part * c);
-  out.fit = FitNear(
+  out.fit = FitBalanced(
       problem, out.model, start, fit.jacobian,
       {.first_own = static_cast<int>(values.size()), .max_steps = 15, .final_jacobian = true});
   if (out.fit.ok) out.evidence = Compare(problem, fit, out.fit);

@@ -100,9 +100,14 @@ const std::vector<Recipe>& FrictionAndMounting() {
        {{6e6, 0.5}, {2.5e7, 0.5}, {1e8, 0.5}}},
       {"presliding",
        Spread::kAll,
-       {"stiffness_N_per_m"},
-       {{1e7}, {4e7}, {1.5e8}},
+       {"stiffness_N_per_m", "exponent"},
+       {{1e7, 1}, {4e7, 1}, {1.5e8, 1}, {4e7, 2}},
        {{"creeping", 1}, {"breakaway_ratio", 0}}},
+      {"presliding",
+       Spread::kAll,
+       {"stiffness_N_per_m", "share"},
+       {{6e6, 0.2}, {2.5e7, 0.2}, {1e8, 0.2}},
+       {{"breakaway_ratio", 0.5}}},
       {"pressure_friction", Spread::kAll, {"bore_N_per_Pa"}, {{2e-5}}, {{"rod_N_per_Pa", 0}}},
       {"pressure_friction", Spread::kAll, {"rod_N_per_Pa"}, {{2e-5}}, {{"bore_N_per_Pa", 0}}},
       {"pressure_friction", Spread::kAll, {"bore_N_per_Pa", "rod_N_per_Pa"}, {{2e-5, 2e-5}}},
@@ -244,7 +249,9 @@ const std::vector<OptionRow>& Options() {
       {"hose_expansion", {"creep_m3_per_Pa", "creep_time_s"}, {{1e-13, 0.5}, {1e-13, 4}}},
       {"hose_expansion", {"rod_ratio"}, {{1}}},
       {"gas_thermal", {"heat_capacity_ratio"}, {{2}, {30}}},
+      {"gas_thermal", {"wall_heat_ratio", "wall_time_s"}, {{0.3, 20}, {0.3, 100}}},
       {"gas_thermal", {"rod_ratio"}, {{1}}},
+      {"gas_thermal", {"accumulator_ratio"}, {{0.02}, {3}}},
       {"cavitation", {"rod_ratio"}, {{1}}},
       {"stribeck", {"exponent"}, {{1.5}}},
       {"presliding", {"share"}, {{0.7}}},
@@ -252,6 +259,8 @@ const std::vector<OptionRow>& Options() {
       {"position_friction", {"slope_1_per_m"}, {{0}}},
       {"viscous_friction", {"exponent"}, {{0.7}, {1.6}}},
       {"temperature_drift", {"expansion_1_per_K"}, {{4e-4}}},
+      {"temperature_drift", {"softening_1_per_K"}, {{4e-3}}},
+      {"temperature_drift", {"rod_ratio"}, {{1}}},
       {"mount_compliance", {"hardening_1_per_m2"}, {{1e5}, {3e6}, {1e8}, {3e9}}},
       {"mount_compliance", {"tension_ratio"}, {{1}}},
       {"bush_viscoelastic",
@@ -260,6 +269,11 @@ const std::vector<OptionRow>& Options() {
       {"bush_viscoelastic", {"hardening_1_per_m2"}, {{1e5}, {3e6}, {1e8}}},
   };
   return rows;
+}
+
+bool IsNested(const std::string& simple, const std::string& general) {
+  return (simple == "line_resistance" && general == "check_restriction") ||
+         (simple == "mount_compliance" && general == "bush_viscoelastic");
 }
 
 }  // namespace phs::identify::search

@@ -2,6 +2,7 @@
 // may be freed on top of each.
 #pragma once
 
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -31,5 +32,8 @@ struct OptionRow {
 };
 
 const std::vector<OptionRow>& Options();
+
+/// True if `simple` is `general` with some of its numbers equal or nil.
+bool IsNested(const std::string& simple, const std::string& general);
 
 }  // namespace phs::identify::search

@@ -7,6 +7,7 @@
 
 #include "effects/catalogue.h"
 #include "identify/driven_formula.h"
+#include "identify/effect_reshape.h"
 #include "identify/effect_trials.h"
 #include "identify/effect_verdict.h"
 #include "identify/near_fit.h"
@@ -41,6 +42,13 @@ class Search {
       if (const Status s = coarse_.SetWeights(params); !s.ok()) return s.error();
       out_.before = problem_.Fit(out_.declared, out_.before.values, 10);
     }
+    if (out_.before.ok) {
+      out_.before = FitNear(problem_, out_.declared, out_.before.values, out_.before.jacobian,
+                            {.first_own = static_cast<int>(out_.declared.free.size()),
+                             .max_steps = 8,
+                             .balanced = true,
+                             .final_jacobian = true});
+    }
     out_.cancelled = cancelled_;
     if (cancelled_) return std::move(out_);
     if (!out_.before.ok) {
@@ -51,6 +59,11 @@ class Search {
     for (int round = 0; round < options_.max_effects; ++round) {
       share_ = 0.02 + 0.6 * round / options_.max_effects;
       if (!AddOne(round)) break;
+      if (out_.effects.size() > 1 && options_.thorough) {
+        ReshapeEffects(
+            problem_, coarse_, options_, [this](double) { return GoOn(); }, &out_);
+      }
+      if (IsNoise(out_.after)) break;
     }
     if (out_.effects.size() > 1) {
       Exchange();
@@ -58,9 +71,17 @@ class Search {
     }
     ChallengeByFormula();
     AddFormula();
+    UpdateRecords();
     RankEffects();
     out_.cancelled = cancelled_;
     return std::move(out_);
+  }
+
+  /// Every channel's residual is down at its noise: there is nothing left to find.
+  static bool IsNoise(const FitResult& fit) {
+    constexpr double kNoise = 1.06;  // mean square over that of noise and input
+    return std::all_of(fit.channel_ms.begin(), fit.channel_ms.end(),
+                       [](double ms) { return ms < kNoise; });
   }
 
   bool Tick(double part) {
@@ -148,15 +169,13 @@ class Search {
   /// differs by direction must show that it does.
   int Simplest(const std::vector<FullTrial>& trials, const std::vector<size_t>& places,
                int best) const {
-    constexpr double kSame = 0.005, kSameChannel = 0.01;  // of the residual's rms
     int simplest = best;
     for (size_t i = 0; i < trials.size(); ++i) {
       if (!trials[i].fit.ok || out_.candidates[places[i]].verdict != kBeaten) continue;
       if (trials[i].form.free.size() >= trials[static_cast<size_t>(simplest)].form.free.size()) {
         continue;
       }
-      const Evidence e = Compare(problem_, trials[i].fit, trials[static_cast<size_t>(best)].fit);
-      if (e.estimation_gain < kSame && e.best_channel_gain < kSameChannel) {
+      if (SaysAsMuchWithLess(problem_, trials[i].fit, trials[static_cast<size_t>(best)].fit)) {
         simplest = static_cast<int>(i);
       }
     }
@@ -200,34 +219,12 @@ class Search {
     }
   }
 
-  /// The model of the accepted effects but one, fitted.
-  FitResult Without(size_t dropped, FreeModel* model) const {
-    *model = out_.declared;
-    std::vector<double> start(out_.after.values.begin(),
-                              out_.after.values.begin() + static_cast<long>(model->free.size()));
-    size_t at = model->free.size();
-    for (size_t i = 0; i < out_.effects.size(); ++i) {
-      const Candidate& c = out_.effects[i].candidate;
-      if (i != dropped) {
-        *model = WithCandidate(*model, c);
-        for (size_t k = 0; k < c.free.size(); ++k) start.push_back(out_.after.values[at + k]);
-      }
-      at += c.free.size();
-    }
-    FitResult fit = FitNear(problem_, *model, start, {}, {.first_own = 0, .max_steps = 1});
-    if (!fit.ok) return fit;
-    return FitNear(problem_, *model, fit.values, fit.jacobian,
-                   {.first_own = static_cast<int>(model->free.size()),
-                    .max_steps = 8,
-                    .final_jacobian = true});
-  }
-
   /// Tries to replace each accepted effect but the last by another.
   void Exchange() {
     for (size_t i = 0; i + 1 < out_.effects.size() && !cancelled_; ++i) {
       share_ = 0.68 + 0.1 * static_cast<double>(i);
       FreeModel model;
-      const FitResult rest = Without(i, &model);
+      const FitResult rest = FitWithout(problem_, out_, i, &model);
       if (!rest.ok) continue;
       std::vector<Candidate> list = problem_.forward().Candidates(model.params);
       const std::string old = out_.effects[i].candidate.effect;
@@ -257,7 +254,8 @@ class Search {
   void DropSuperfluous() {
     for (size_t i = 0; i < out_.effects.size() && !cancelled_;) {
       FreeModel model;
-      const FitResult rest = out_.effects.size() > 1 ? Without(i, &model) : out_.before;
+      const FitResult rest =
+          out_.effects.size() > 1 ? FitWithout(problem_, out_, i, &model) : out_.before;
       if (out_.effects.size() == 1) model = out_.declared;
       if (!rest.ok) return;
       const Evidence e = Compare(problem_, rest, out_.after);
@@ -337,6 +335,17 @@ class Search {
   void TakeFormula(const FormulaTrial& trial, const Evidence& evidence) {
     out_.effects.push_back({trial.candidate, evidence, {}});
     out_.corrected = trial.model, out_.after = trial.fit, out_.formula = trial.found;
+  }
+
+  /// What is said of the accepted among the candidates is what was accepted in the end.
+  void UpdateRecords() {
+    for (const AcceptedEffect& effect : out_.effects) {
+      if (effect.candidate.effect == "unlisted") continue;
+      for (CandidateRecord& record : out_.candidates) {
+        if (record.effect != effect.candidate.effect || record.verdict != "accepted") continue;
+        record.variant = VariantName(effect.candidate), record.evidence = effect.evidence;
+      }
+    }
   }
 
   void RankEffects() {

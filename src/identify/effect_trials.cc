@@ -51,16 +51,15 @@ bool AddDeclaredPoint(const FreeModel& model, size_t declared,
   return true;
 }
 
-/// The first trials with a coarse fit, each of another effect.
-std::vector<int> BestOfEach(const std::vector<FullTrial>& trials, int most) {
+/// The first trials with a coarse fit, at most `each` of one effect.
+std::vector<int> BestOfEach(const std::vector<FullTrial>& trials, int most, int each) {
   std::vector<int> chosen;
   for (int i = 0; i < static_cast<int>(trials.size()); ++i) {
     if (!trials[i].coarse.ok || static_cast<int>(chosen.size()) >= most) continue;
     const std::string& effect = trials[i].candidate->effect;
-    if (std::none_of(chosen.begin(), chosen.end(),
-                     [&](int k) { return trials[k].candidate->effect == effect; })) {
-      chosen.push_back(i);
-    }
+    const auto same = std::count_if(chosen.begin(), chosen.end(),
+                                    [&](int k) { return trials[k].candidate->effect == effect; });
+    if (same < each) chosen.push_back(i);
   }
   return chosen;
 }
@@ -72,8 +71,10 @@ std::vector<FullTrial> TryEffects(const FitProblem& problem, const FitProblem& c
                                   const std::vector<Candidate>& list, const TrialOptions& options,
                                   const std::function<bool(double)>& tick, double* reference) {
   ScreeningOptions screening{options.threads, options.coarse_fits, options.thorough};
-  std::vector<std::vector<double>> points = Points(coarse, model, fit, options);
-  if (screening.thorough && AddDeclaredPoint(model, options.declared, &points)) {
+  std::vector<std::vector<double>> points = options.points;
+  if (points.empty()) points = Points(coarse, model, fit, options);
+  if (!options.points.empty() ||
+      (screening.thorough && AddDeclaredPoint(model, options.declared, &points))) {
     screening.hydraulic_from = points.size() - 1;
   }
   std::vector<Trial> found = ScreenCandidates(
@@ -84,7 +85,7 @@ std::vector<FullTrial> TryEffects(const FitProblem& problem, const FitProblem& c
     const Candidate form = *trial.candidate;
     trials.push_back({std::move(trial), form, {}});
   }
-  const std::vector<int> chosen = BestOfEach(trials, options.full_fits);
+  const std::vector<int> chosen = BestOfEach(trials, options.full_fits, options.each);
   std::atomic<int> done{0};
   InParallel(static_cast<int>(chosen.size()), options.threads, [&](int k) {
     if (!tick(0.15 + 0.15 * done++ / static_cast<double>(chosen.size()))) return;
@@ -94,8 +95,8 @@ std::vector<FullTrial> TryEffects(const FitProblem& problem, const FitProblem& c
     trial.fit = FitNear(problem, whole, trial.coarse.values, {}, {.first_own = 0, .max_steps = 1});
     if (!trial.fit.ok) return;
     const int count = static_cast<int>(trial.fit.values.size());
-    trial.fit = FitNear(problem, whole, trial.fit.values, trial.fit.jacobian,
-                        {.first_own = count, .max_steps = 6, .final_jacobian = true});
+    trial.fit = FitBalanced(problem, whole, trial.fit.values, trial.fit.jacobian,
+                            {.first_own = count, .max_steps = 6, .final_jacobian = true});
   });
   return trials;
 }

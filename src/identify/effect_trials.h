@@ -19,15 +19,18 @@ struct FullTrial : Trial {
 struct TrialOptions {
   int threads = 2;
   int coarse_fits = 16;   ///< variants fitted on the coarse record
-  int full_fits = 4;      ///< effects fitted in full
+  int full_fits = 4;      ///< variants fitted in full …
+  int each = 1;           ///< … at most so many of one effect
   bool elsewhere = true;  ///< tried away from the best fit too (fast models)
   bool thorough = true;   ///< every start is judged by a short fit
   size_t declared = 0;    ///< so many of the model's numbers are the declared model's own
+  /// Where candidates are tried, if not where the above would; the last by hydraulic ones only.
+  std::vector<std::vector<double>> points = {};
 };
 
-/// Screens `list` on top of `model` as fitted by `fit` and fits the best `full_fits` effects in
-/// full. `tick(share)`: progress from 0 to 0.3, false = stop. `reference`: mean log square of the
-/// model alone on the coarse record. Candidates of `list` must outlive the result.
+/// Screens `list` on top of `model` as fitted by `fit` and fits the best `full_fits` in full.
+/// `tick(share)`: progress from 0 to 0.3, false = stop. `reference`: mean log square of the model
+/// alone on the coarse record. Candidates of `list` must outlive the result.
 std::vector<FullTrial> TryEffects(const FitProblem& problem, const FitProblem& coarse,
                                   const FreeModel& model, const FitResult& fit,
                                   const std::vector<Candidate>& list, const TrialOptions& options,

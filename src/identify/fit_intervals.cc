@@ -34,12 +34,16 @@ void SetIntervals(const FitProblem& problem, FitResult* result) {
   const auto count = result->jacobian.cols();
   double mean = 0, independent = 0;
   result->channel_ms.clear(), result->half_95.clear();
+  Eigen::VectorXd residual = result->residual;
+  Eigen::MatrixXd jacobian = result->jacobian;
   for (int c = 0; c < channels; ++c) {
-    result->channel_ms.push_back(result->residual.segment(c * n, n).squaredNorm() / n);
-    mean += result->channel_ms.back() / channels;
-    independent += EffectiveSamples(result->residual, c * n, n);
+    result->channel_ms.push_back(residual.segment(c * n, n).squaredNorm() / n);
+    const double weight = 1 / std::sqrt(std::max(1.0, result->channel_ms.back()));
+    residual.segment(c * n, n) *= weight, jacobian.middleRows(c * n, n) *= weight;
+    mean += residual.segment(c * n, n).squaredNorm() / n / channels;
+    independent += EffectiveSamples(residual, c * n, n);
   }
-  Eigen::MatrixXd normal = result->jacobian.transpose() * result->jacobian;
+  Eigen::MatrixXd normal = jacobian.transpose() * jacobian;
   normal.diagonal().array() += 1e-12 * (normal.trace() + 1e-300);
   const Eigen::MatrixXd inverse = normal.ldlt().solve(Eigen::MatrixXd::Identity(count, count));
   const double inflate = mean * n * channels / std::max(1.0, independent);
@@ -51,7 +55,7 @@ void SetIntervals(const FitProblem& problem, FitResult* result) {
   }
   double quantile = 0;
   const Eigen::VectorXd clustered =
-      ClusteredDeviation(result->jacobian, result->residual, block, kBlocks, &quantile);
+      ClusteredDeviation(jacobian, residual, block, kBlocks, &quantile);
   for (int i = 0; i < count; ++i) {
     const double even = 1.96 * std::sqrt(std::max(0.0, inverse(i, i) * inflate));
     result->half_95.push_back(clustered.size() > 0 ? std::max(even, quantile * clustered[i])

@@ -8,8 +8,9 @@
 
 namespace phs::identify::search {
 
-/// Mean squares and half widths of the 95 % intervals from residual and Jacobian of a fit;
-/// correlated residuals widen them.
+/// Mean squares and half widths of the 95 % intervals from residual and Jacobian of a fit, each
+/// channel weighed by what it leaves as in a balanced fit (near_fit.h); correlated residuals widen
+/// them.
 void SetIntervals(const FitProblem& problem, FitResult* result);
 
 /// Standard deviations of least-squares estimates whose residuals are correlated and whose model is

@@ -20,16 +20,39 @@ std::vector<double> Moved(const FreeModel& model, const std::vector<double>& val
   return out;
 }
 
-double Cost(const Eigen::VectorXd& r, double robust) {
-  if (robust <= 0) return r.squaredNorm();
-  return robust * robust * (r / robust).array().square().log1p().sum();
-}
+/// What a fit minimises: squares of residuals times a weight per channel, or Cauchy's loss.
+class Loss {
+ public:
+  Loss(const FitProblem& problem, const NearFitOptions& options)
+      : channels_(problem.num_channels()), robust_(options.robust), balanced_(options.balanced) {}
 
-/// Roots of the weights that make a least-squares step one of the robust cost.
-Eigen::VectorXd Weights(const Eigen::VectorXd& r, double robust) {
-  if (robust <= 0) return Eigen::VectorXd::Ones(r.size());
-  return (1 + (r / robust).array().square()).rsqrt();
-}
+  /// Takes the channels' weights from the first residual.
+  void Start(const Eigen::VectorXd& r) {
+    channel_ = Eigen::VectorXd::Ones(r.size());
+    if (!balanced_) return;
+    const auto n = r.size() / channels_;
+    for (int c = 0; c < channels_; ++c) {
+      const double ms = r.segment(c * n, n).squaredNorm() / static_cast<double>(n);
+      channel_.segment(c * n, n).setConstant(1 / std::sqrt(std::max(1.0, ms)));
+    }
+  }
+  double Cost(const Eigen::VectorXd& r) const {
+    if (robust_ <= 0) return r.cwiseProduct(channel_).squaredNorm();
+    return robust_ * robust_ * (r / robust_).array().square().log1p().sum();
+  }
+  /// Roots of the weights that make a least-squares step one of this loss.
+  Eigen::VectorXd Weights(const Eigen::VectorXd& r) const {
+    if (robust_ <= 0) return channel_;
+    return (1 + (r / robust_).array().square()).rsqrt();
+  }
+  bool IsPlain() const { return robust_ <= 0 && !balanced_; }
+
+ private:
+  int channels_;
+  double robust_;
+  bool balanced_;
+  Eigen::VectorXd channel_;
+};
 
 }  // namespace
 
@@ -80,6 +103,7 @@ FitResult FitNear(const FitProblem& problem, const FreeModel& model,
   FitResult at;
   at.values = start;
   const int count = static_cast<int>(model.free.size());
+  Loss loss(problem, options);
   double lambda = 1e-4;
   int first = options.first_own;
   for (int steps = 0; steps < options.max_steps; ++steps) {
@@ -93,17 +117,18 @@ FitResult FitNear(const FitProblem& problem, const FreeModel& model,
       if (at.residual.size() == 0) return at;
     }
     if (steps == 0) {
+      loss.Start(at.residual);
       at.jacobian.resize(at.residual.size(), count);
       if (first > 0) at.jacobian.leftCols(first) = kept.leftCols(first);
     }
     if (first < count) at.jacobian.rightCols(count - first) = own;
     const bool fresh = first == 0;  // every column is of this point
     first = options.first_own;
-    const double cost = Cost(at.residual, options.robust);
-    const Eigen::VectorXd weight = Weights(at.residual, options.robust);
+    const double cost = loss.Cost(at.residual);
+    const Eigen::VectorXd weight = loss.Weights(at.residual);
     const Eigen::VectorXd weighted = weight.cwiseProduct(at.residual);
     const Eigen::MatrixXd slopes =
-        options.robust > 0 ? Eigen::MatrixXd(weight.asDiagonal() * at.jacobian) : at.jacobian;
+        loss.IsPlain() ? at.jacobian : Eigen::MatrixXd(weight.asDiagonal() * at.jacobian);
     double fall = 0, predicted = 0;
     for (int attempt = 0; attempt < 4; ++attempt, lambda *= 30) {
       const Eigen::VectorXd step = BoundedStep(model, at.values, weighted, slopes, lambda, 1.2);
@@ -111,7 +136,7 @@ FitResult FitNear(const FitProblem& problem, const FreeModel& model,
       const Eigen::VectorXd r = problem.Residual(model, moved);
       ++at.runs;
       predicted = weighted.squaredNorm() - (weighted + slopes * step).squaredNorm();
-      const double next = r.size() > 0 ? Cost(r, options.robust) : 1e300;
+      const double next = r.size() > 0 ? loss.Cost(r) : 1e300;
       if (!(next < cost)) {
         if (predicted < options.tolerance * cost) break;
         continue;
@@ -136,6 +161,24 @@ FitResult FitNear(const FitProblem& problem, const FreeModel& model,
   }
   if (at.ok) SetIntervals(problem, &at);
   return at;
+}
+
+FitResult FitBalanced(const FitProblem& problem, const FreeModel& model,
+                      const std::vector<double>& start, const Eigen::MatrixXd& kept,
+                      const NearFitOptions& options) {
+  constexpr int kMostSteps = 4;
+  NearFitOptions plain = options;
+  plain.final_jacobian = false;
+  FitResult fit = FitNear(problem, model, start, kept, plain);
+  if (!fit.ok) return fit;
+  const int runs = fit.runs;
+  fit = FitNear(problem, model, fit.values, fit.jacobian,
+                {.first_own = static_cast<int>(model.free.size()),
+                 .max_steps = std::min(kMostSteps, options.max_steps),
+                 .balanced = true,
+                 .final_jacobian = options.final_jacobian});
+  fit.runs += runs;
+  return fit;
 }
 
 }  // namespace phs::identify::search

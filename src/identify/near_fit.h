@@ -26,6 +26,9 @@ struct NearFitOptions {
   /// > 0: Cauchy's loss s² ln(1 + (r/s)²) instead of squares, s in noise levels: what most of the
   /// record says, deaf to a rare strong deviation.
   double robust = 0;
+  /// Channels weighed by what each leaves at the start, as if that were its noise (maximum
+  /// likelihood with a variance per channel): what one channel lacks does not bend the others.
+  bool balanced = false;
   bool final_jacobian = false;  ///< all columns at the end
 };
 
@@ -33,5 +36,10 @@ struct NearFitOptions {
 FitResult FitNear(const FitProblem& problem, const FreeModel& model,
                   const std::vector<double>& start, const Eigen::MatrixXd& kept,
                   const NearFitOptions& options);
+
+/// The same, then balanced from where that ends.
+FitResult FitBalanced(const FitProblem& problem, const FreeModel& model,
+                      const std::vector<double>& start, const Eigen::MatrixXd& kept,
+                      const NearFitOptions& options);
 
 }  // namespace phs::identify::search
