@@ -27,7 +27,8 @@ constexpr const char* kUsage =
     "                  [--only clean|single|pair|off_list] [--jobs N]\n"
     "generate_rig_data --list\n"
     "Writes MANIFEST.yaml and run.csv (200 Hz, about 126 s), and truth.json; a suite writes\n"
-    "DIR/set_NNN/ and keeps the truth apart in DIR/truth/ (sets that are there already are kept).\n";
+    "DIR/set_NNN/ and keeps the truth apart in DIR/truth/ (sets that are there already are "
+    "kept).\n";
 
 struct Usage {
   std::string problem;

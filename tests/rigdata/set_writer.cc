@@ -87,7 +87,9 @@ void WriteSet(const RigSet& set, const std::string& folder, const std::string& t
   if (!truth_folder.empty()) std::filesystem::create_directories(truth_folder);
   WriteText(folder + "/run.csv", Csv(set.record));
   WriteText(folder + "/MANIFEST.yaml", Manifest(set));
-  WriteText(truth_path, TruthJson(set));
+  // By another name first: a truth that is there belongs to a whole set.
+  WriteText(truth_path + ".part", TruthJson(set));
+  std::filesystem::rename(truth_path + ".part", truth_path);
 }
 
 }  // namespace rigdata
