@@ -32,8 +32,8 @@ class HoseVolume final : public hydraulics::VolumeLaw {
     // a^(1-m) = a0^(1-m) (1 + g) serves both the integral and the slope.
     const double a = 1 + pressure / stiffening_, e = 1 - order_;
     const double log_ratio = std::log(a / start_), growth = std::expm1(e * log_ratio);
-    *volume += compliance_ * stiffening_ *
-               (std::abs(e) < 1e-9 ? log_ratio : start_power_ * growth / e);
+    *volume +=
+        compliance_ * stiffening_ * (std::abs(e) < 1e-9 ? log_ratio : start_power_ * growth / e);
     *slope += compliance_ * start_power_ * (1 + growth) / a;
   }
   // p dV = C p_k² (a - 1) a^-m da.

@@ -1,9 +1,10 @@
 // Surroundings and oil get warmer or colder during the run:
-//   T(t) = T_static + min(|r t|, limit) sgn(r) + A sin(2 pi t/period)
+//   T(t) = T_static + min(|r t|, limit) sgn(r) + A sin(2 pi t/period),
+// or r T_s (1 - exp(-t/T_s)) for r t where the warming settles.
 // Gas pressures follow T; the oil expands against its housing by `expansion` [1/K] (mineral oil
-// 7e-4 less steel 3.5e-5), that of rod lines by rod_ratio times as much (they may warm more, or hold
-// more oil than their stiffness tells). A line without gas rises by beta * 6.7e-4 = 0.9 MPa per
-// kelvin. The bulk modulus falls to beta exp(-s (T - T_static)), s [1/K] 0 … 0.01 (mineral oil
+// 7e-4 less steel 3.5e-5), that of rod lines by rod_ratio times as much (they may warm more, or
+// hold more oil than their stiffness tells). A line without gas rises by beta * 6.7e-4 = 0.9 MPa
+// per kelvin. The bulk modulus falls to beta exp(-s (T - T_static)), s [1/K] 0 … 0.01 (mineral oil
 // about 0.004). r [K/s] up to 0.05, A [K] up to 30. Gives energy from outside: not passive.
 #pragma once
 

@@ -119,7 +119,7 @@ struct FrictionTerms {
   double temperature_slope_1_per_K = 0;
   std::shared_ptr<const ForceLaw> further;  ///< none if empty
   double dwell_extra_N = 0, dwell_time_s = 1, dwell_length_m = 1e-4;
-  bool presliding = false;  ///< forces the presliding model with the two numbers below
+  bool presliding = false;  ///< forces the presliding model with the numbers below
   double presliding_stiffness_N_per_m = 0, presliding_breakaway_ratio = 0;
   bool presliding_creeps = false;  ///< the bristle of Dahl and LuGre instead of the elasto-plastic
   double presliding_exponent = 1;  ///< i of the creeping bristle, > 0
