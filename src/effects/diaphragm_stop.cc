@@ -16,6 +16,7 @@ Status Install(const EffectParams& effect, Extension* extension) {
     hydraulics::LineParams& l = extension->line(line);
     l.reservoir.min_gas_volume_m3 =
         std::min(effect.values.at("min_gas_volume_m3"), l.gas_volume_m3);
+    l.reservoir.stop_spread = effect.values.at("spread");
   }
   return {};
 }
@@ -30,6 +31,7 @@ const EffectInfo& DiaphragmStopInfo() {
       "gas volume of the reservoir stays above a minimum",
       {
           {"min_gas_volume_m3", "m3", 4e-6, 0, 1e-2, 1e-7, 1e-4, "V_min"},
+          {"spread", "-", 0, 0, 0.8, 0.02, 0.8, "relative standard deviation of its parts' stops"},
       },
       Install};
   return info;

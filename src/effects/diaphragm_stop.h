@@ -1,5 +1,7 @@
 // The diaphragm of the reservoir bottoms before its gas is compressed to nothing: gas volume stays
 // at or above V_min [m3], then only the oil yields. Elastic. Table B-1, setup 3, points to it.
+// It lays itself on the wall part by part: three equal parts of the gas stop at volumes whose
+// standard deviation over their mean is `spread`; 0 = all at once.
 #pragma once
 
 #include "hydraulics/extension.h"

@@ -35,7 +35,10 @@ struct Solution {
 /// Volume of all the air, were it free, at p: A p^(-1/n), A = V_a p_a^(1/n).
 struct Bubble {
   double volume = 0, exponent = 1;
-  double At(double p) const { return volume * std::pow(hydraulics::kAtmosphere / p, 1 / exponent); }
+  double At(double p) const {
+    const double ratio = hydraulics::kAtmosphere / p;
+    return volume * (exponent == 1 ? ratio : std::pow(ratio, 1 / exponent));
+  }
 };
 
 /// Dissolving at once: V = bubble(p) free(p).
@@ -85,10 +88,11 @@ class LaggingAir final : public hydraulics::VolumeLaw {
     double slope;
     start_ = solution.FreeShare(p0, &slope);
     amount_ = bubble.volume * std::pow(hydraulics::kAtmosphere, 1 / bubble.exponent);
+    static_volume_ = start_ * bubble.At(p0);
   }
   void Add(double pressure, double memory, double* volume, double* slope) const noexcept override {
     const double bubble = bubble_.At(pressure), free = start_ + memory;
-    *volume += start_ * bubble_.At(p0_) - bubble * free;
+    *volume += static_volume_ - bubble * free;
     *slope += bubble * std::max(free, 0.0) / (bubble_.exponent * pressure);
   }
   double Energy(double pressure, double memory) const noexcept override {
@@ -123,7 +127,7 @@ class LaggingAir final : public hydraulics::VolumeLaw {
   double Potential(double p) const { return std::pow(p, 1 - 1 / bubble_.exponent) + Work(p); }
   Bubble bubble_;
   Solution solution_;
-  double time_, p0_, start_ = 1, amount_ = 0;
+  double time_, p0_, start_ = 1, amount_ = 0, static_volume_ = 0;
 };
 
 Status Install(const EffectParams& effect, Extension* extension) {

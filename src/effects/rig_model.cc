@@ -8,6 +8,7 @@
 #include "effects/element_bench.h"
 #include "effects/hinged_beam.h"
 #include "effects/rig_channels.h"
+#include "effects/unlisted.h"
 
 namespace phs::effects {
 
@@ -106,6 +107,19 @@ Result<RigKind> ParseRigKind(const std::string& word) {
                nearest.empty() ? "" : "did you mean " + nearest + "?"};
 }
 
+PhsParams HydraulicsOf(const PhsParams& params) {
+  PhsParams out = params;
+  out.friction = {};
+  out.element = {};
+  std::erase_if(out.effects, [](const hydraulics::EffectParams& effect) {
+    const hydraulics::EffectInfo* info = Catalogue().Find(effect.name);
+    if (info == nullptr) return false;
+    if (effect.name == UnlistedInfo().name) return IsForce(effect);
+    return info->family == "friction" || info->family == "instrument" || info->family == "element";
+  });
+  return out;
+}
+
 std::vector<double> DifferentiateMotion(const std::vector<double>& position, double step_s) {
   const size_t n = position.size();
   std::vector<double> speed(n, 0.0);
@@ -124,9 +138,12 @@ struct RigModel::Impl {
   std::vector<std::string> inputs, outputs;
 
   int Substeps(double step_s) const;
+  RigPressures CalcPressures(const RigMotion& motion, const std::vector<double>& speed) const;
   void RunCylinder(const RigMotion& motion, const std::vector<double>& speed,
-                   RigPrediction* out) const;
+                   std::shared_ptr<const RigPressures>* pressures, RigPrediction* out) const;
   void RunMounted(const RigMotion& motion, const std::vector<double>& speed,
+                  RigPrediction* out) const;
+  void RunStepped(const RigMotion& motion, const std::vector<double>& speed,
                   RigPrediction* out) const;
   void RunFull(const RigMotion& motion, const std::vector<std::vector<double>>& speed,
                RigPrediction* out) const;
@@ -167,6 +184,38 @@ class SampleStep {
   double x0_, x1_, v0_, v1_;
 };
 
+/// One step of the integration of a driven cylinder.
+struct RigStep {
+  double time = 0, length = 0;  ///< [s]; no length after the last sample
+  double x = 0, v = 0;          ///< position at its start [m], mean speed [m/s]
+  int sample = 0;
+  bool first = false;  ///< starts at the sample itself
+};
+
+/// Calls visit(step) along the motion, `substeps` to a sample and a last one of no length.
+template <typename Visit>
+void WalkSteps(const RigMotion& motion, const std::vector<double>& speed, int substeps,
+               const Visit& visit) {
+  const int n = motion.num_samples();
+  const double h = motion.step_s / substeps;
+  for (int i = 0; i < n; ++i) {
+    RigStep at{motion.t0_s + i * motion.step_s, h, motion.position_m[0][i], 0, i, true};
+    if (i + 1 == n) {
+      at.length = 0, at.v = speed[i];
+      visit(at);
+      return;
+    }
+    const SampleStep step(motion.position_m[0][i], motion.position_m[0][i + 1], speed[i],
+                          speed[i + 1], motion.step_s);
+    for (int k = 0; k < substeps; ++k) {
+      const double next = k + 1 < substeps ? step.At((k + 1.0) / substeps) : step.End();
+      at.v = (next - at.x) / h, at.first = k == 0;
+      visit(at);
+      at.time += h, at.x = next;
+    }
+  }
+}
+
 /// Those asked for, or as many as a ringing oil column needs.
 int RigModel::Impl::Substeps(double step_s) const {
   constexpr double kPhase = 0.6;  // [rad] per step: numerical damping below 0.1 %
@@ -175,33 +224,73 @@ int RigModel::Impl::Substeps(double step_s) const {
   return std::max(options.substeps, static_cast<int>(std::min<double>(needed, kMost)));
 }
 
-void RigModel::Impl::RunCylinder(const RigMotion& motion, const std::vector<double>& speed,
-                                 RigPrediction* out) const {
-  if (options.substeps == 1 && system.has_mounts()) return RunMounted(motion, speed, out);
-  const int n = motion.num_samples(), states = system.num_states();
-  const int substeps = Substeps(motion.step_s);
-  const double h = motion.step_s / substeps;
+RigPressures RigModel::Impl::CalcPressures(const RigMotion& motion,
+                                           const std::vector<double>& speed) const {
+  const int states = system.num_states();
   std::vector<double> state(states, 0.0), rate(states, 0.0);
-  PhsOutputs at;
-  at.energy = false;
-  for (int i = 0; i < n; ++i) {
-    at.piston = &out->channels[0][i];
-    at.force = &out->channels[1][i];
-    at.p_bore = &out->channels[2][i];
-    at.p_rod = &out->channels[3][i];
-    double t = motion.t0_s + i * motion.step_s, x = motion.position_m[0][i];
-    system.Calc(t, &x, &speed[i], state.data(), &at);
-    if (i + 1 == n || states == 0) continue;
-    const SampleStep step(motion.position_m[0][i], motion.position_m[0][i + 1], speed[i],
-                          speed[i + 1], motion.step_s);
-    for (int k = 0; k < substeps; ++k, t += h) {
-      const double next = k + 1 < substeps ? step.At((k + 1.0) / substeps) : step.End();
-      const double v = (next - x) / h;
-      system.CalcStateRate(t, h, &x, &v, state.data(), rate.data());
-      for (int j = 0; j < states; ++j) state[j] += h * rate[j];
-      x = next;
-    }
+  RigPressures out;
+  const auto steps = static_cast<size_t>(motion.num_samples()) * Substeps(motion.step_s);
+  out.bore.reserve(steps), out.rod.reserve(steps);
+  WalkSteps(motion, speed, Substeps(motion.step_s), [&](const RigStep& at) {
+    double bore, rod;
+    system.CalcHydraulics(at.time, at.length, &at.x, &at.v, state.data(), rate.data(), &bore, &rod);
+    out.bore.push_back(bore), out.rod.push_back(rod);
+    for (int j = system.num_friction_states(); j < states; ++j) state[j] += at.length * rate[j];
+  });
+  return out;
+}
+
+void RigModel::Impl::RunCylinder(const RigMotion& motion, const std::vector<double>& speed,
+                                 std::shared_ptr<const RigPressures>* pressures,
+                                 RigPrediction* out) const {
+  if (system.has_mounts()) {
+    return options.substeps == 1 ? RunMounted(motion, speed, out) : RunStepped(motion, speed, out);
   }
+  if (*pressures == nullptr) {
+    *pressures = std::make_shared<const RigPressures>(CalcPressures(motion, speed));
+  }
+  const int friction_states = system.num_friction_states();
+  std::vector<double> state(system.num_states(), 0.0), rate(state);
+  PhsOutputs force;
+  force.energy = false;
+  const double* bore = (*pressures)->bore.data();
+  const double* rod = (*pressures)->rod.data();
+  WalkSteps(motion, speed, Substeps(motion.step_s), [&](const RigStep& at) {
+    if (at.first) {
+      const auto i = static_cast<size_t>(at.sample);
+      force.piston = &out->channels[0][i];
+      force.force = &out->channels[1][i];
+      force.p_bore = &out->channels[2][i];
+      force.p_rod = &out->channels[3][i];
+      system.CalcForces(at.time, &at.x, &speed[i], state.data(), bore, rod, &force);
+    }
+    if (friction_states > 0) {
+      system.CalcFrictionRate(at.time, at.length, &at.x, &at.v, state.data(), bore, rod,
+                              rate.data());
+      for (int j = 0; j < friction_states; ++j) state[j] += at.length * rate[j];
+    }
+    ++bore, ++rod;
+  });
+}
+
+void RigModel::Impl::RunStepped(const RigMotion& motion, const std::vector<double>& speed,
+                                RigPrediction* out) const {
+  std::vector<double> state(system.num_states(), 0.0), rate(state);
+  PhsOutputs at_sample;
+  at_sample.energy = false;
+  WalkSteps(motion, speed, Substeps(motion.step_s), [&](const RigStep& at) {
+    if (at.first) {
+      const auto i = static_cast<size_t>(at.sample);
+      at_sample.piston = &out->channels[0][i];
+      at_sample.force = &out->channels[1][i];
+      at_sample.p_bore = &out->channels[2][i];
+      at_sample.p_rod = &out->channels[3][i];
+      system.Calc(at.time, &at.x, &speed[i], state.data(), &at_sample);
+    }
+    if (at.length == 0) return;
+    system.CalcStateRate(at.time, at.length, &at.x, &at.v, state.data(), rate.data());
+    for (size_t j = 0; j < state.size(); ++j) state[j] += at.length * rate[j];
+  });
 }
 
 // A yielding mount: the piston's speed is that of a step, so steps are laid about the samples, from
@@ -280,6 +369,12 @@ void AddMovedMass(double mass_kg, const std::vector<double>& speed, double step_
 }
 
 Status RigModel::Run(const RigMotion& motion, RigPrediction* prediction) const {
+  std::shared_ptr<const RigPressures> pressures;
+  return Run(motion, prediction, &pressures);
+}
+
+Status RigModel::Run(const RigMotion& motion, RigPrediction* prediction,
+                     std::shared_ptr<const RigPressures>* pressures) const {
   if (Status s = CheckMotion(impl_->kind, motion); !s.ok()) return s;
   const size_t n = static_cast<size_t>(motion.num_samples());
   prediction->channels.resize(impl_->outputs.size());
@@ -299,7 +394,7 @@ Status RigModel::Run(const RigMotion& motion, RigPrediction* prediction) const {
       RunElementBench(impl_->system, motion, speed[0], &prediction->channels[0], nullptr);
       break;
     default:
-      impl_->RunCylinder(motion, speed[0], prediction);
+      impl_->RunCylinder(motion, speed[0], pressures, prediction);
       AddMovedMass(impl_->system.element().mass_kg, speed[0], motion.step_s,
                    &prediction->channels[1]);
       break;

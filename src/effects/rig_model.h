@@ -60,6 +60,12 @@ struct RigPrediction {
   std::vector<std::vector<double>> channels;
 };
 
+/// Chamber pressures of a driven cylinder [Pa], at the start of every step of its integration.
+/// With rigid mountings they follow from motion and oil alone; see HydraulicsOf.
+struct RigPressures {
+  std::vector<double> bore, rod;
+};
+
 class RigModel {
  public:
   /// Checks that the model fits the rig (number of cylinders, effects known, ranges).
@@ -79,12 +85,21 @@ class RigModel {
   /// Simulates the whole motion. Deterministic, thread-safe. Errors: shapes that do not match,
   /// numbers that are not finite.
   Status Run(const RigMotion& motion, RigPrediction* prediction) const;
+  /// The same from pressures of an earlier run on this motion by a model with the same
+  /// HydraulicsOf; null: computed, and kept in `pressures`. Stays null where friction acts back on
+  /// the pressures (yielding mountings, several cylinders).
+  Status Run(const RigMotion& motion, RigPrediction* prediction,
+             std::shared_ptr<const RigPressures>* pressures) const;
 
  private:
   struct Impl;
   explicit RigModel(std::unique_ptr<Impl> impl);
   std::unique_ptr<Impl> impl_;
 };
+
+/// What the pressures depend on as long as mountings are rigid: the model without friction,
+/// instruments and what else acts on forces alone.
+hydraulics::PhsParams HydraulicsOf(const hydraulics::PhsParams& params);
 
 /// Speeds by central differences (one-sided at the ends).
 std::vector<double> DifferentiateMotion(const std::vector<double>& position, double step_s);

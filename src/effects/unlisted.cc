@@ -228,4 +228,10 @@ const EffectInfo& UnlistedInfo() {
   return info;
 }
 
+bool IsForce(const hydraulics::EffectParams& effect) {
+  return std::all_of(effect.values.begin(), effect.values.end(), [](const auto& value) {
+    return value.second == 0 || value.first.ends_with("_N");
+  });
+}
+
 }  // namespace phs::effects

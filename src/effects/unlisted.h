@@ -17,5 +17,7 @@
 namespace phs::effects {
 
 const hydraulics::EffectInfo& UnlistedInfo();
+/// True of an effect `unlisted` that is a force: none of its coefficients is a volume or a flow.
+bool IsForce(const hydraulics::EffectParams& effect);
 
 }  // namespace phs::effects

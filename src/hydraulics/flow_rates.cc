@@ -102,7 +102,7 @@ void CalcGasRates(const Node& node, const NodeState& at, double ambient, double 
   bool any = false;
   for (const NodeGas& g : node.gases) any |= g.state >= 0;
   if (!any) return;
-  constexpr int kMost = 4;
+  constexpr int kMost = 6;  // three parts each of a reservoir and of an accumulator
   GasState gas[kMost];
   GasHeat heat[kMost];
   double stiff = at.slope, driven = inflow;
@@ -195,8 +195,7 @@ void CalcDerivative(const CompiledPhs& sys, double time, const Instant& at, cons
   }
 }
 
-// Pressures at time t of states `u`, pistons having moved for `since`. `at` holds an instant near
-// by.
+// Pistons that have moved for `since`, and what is pushed into the nodes at time t by states `u`.
 void PlaceAt(const CompiledPhs& sys, double time, double since, const Instant& start,
              const double* speed, const double* u, Instant* at) {
   at->ambient = sys.Ambient(time);
@@ -204,7 +203,17 @@ void PlaceAt(const CompiledPhs& sys, double time, double since, const Instant& s
     at->piston[i] = start.piston[i] + since * speed[i];
   }
   sys.CalcPushed(u, at);
-  sys.SolveNodes(u, at, at);
+}
+
+// One step of the pressures about `at` as it is; the largest move beyond the tangents, relative.
+double StepNodes(const CompiledPhs& sys, const double* u, Instant* at) {
+  double largest = 0;
+  for (size_t n = 0; n < sys.nodes.size(); ++n) {
+    double moved;
+    at->node[n] = StepNode(sys.nodes[n], at->pushed[n], at->ambient, u, at->node[n], &moved);
+    largest = std::max(largest, moved);
+  }
+  return largest;
 }
 
 void HeatStep(const CompiledPhs& sys, double time, double h, const Instant& start,
@@ -218,6 +227,7 @@ void HeatStep(const CompiledPhs& sys, double time, double h, const Instant& star
   std::copy(state, state + first, next);
   Instant end = start;
   PlaceAt(sys, time + h, h, start, speed, next, &end);
+  sys.SolveNodes(next, &end, &end);
   CalcDerivative(sys, time + h, end, speed, next, nullptr, k2, &ignored, nullptr);
   for (int i = first; i < count; ++i) k2[i] -= 2 * k1[i];
   slow.SolveShifted(kGamma * h, first, count, k2);
@@ -235,11 +245,13 @@ void SolveStage(const CompiledPhs& sys, double time, double since, double a, con
   Matrix A(flows);
   Instant at = start;
   constexpr int kMostIterations = 30;
+  double before = 0;
   for (int iteration = 0; iteration < kMostIterations; ++iteration) {
     PlaceAt(sys, time, since, start, speed, u, &at);
+    // Pressures and flows by one Newton's method: 1e-8 of a pressure leaves nothing.
+    double largest = 1e8 * StepNodes(sys, u, &at);
     for (int i = first_flow; i < count; ++i) flow[i] = (u[i] - base[i]) / a;
     CalcDerivative(sys, time, at, speed, u, flow, F, &slow, &A);
-    double largest = 0;
     for (int i = first; i < first_flow; ++i) step[i] = base[i] + a * F[i] - u[i];
     slow.SolveShifted(a, first, first_flow, step);
     for (int i = first; i < first_flow; ++i) {
@@ -258,7 +270,10 @@ void SolveStage(const CompiledPhs& sys, double time, double since, double a, con
       // flow state moves its volume by a times itself.
       largest = std::max(largest, std::abs(change[i]) * 1e14);
     }
-    if (largest <= 1) break;
+    // What is left is at most a geometric series of the last two changes.
+    const double ratio = largest / before;
+    if (largest <= 1 || (ratio < 0.3 && largest * ratio <= 0.05)) break;
+    before = largest;
   }
   // The derivative that the solved stage stands for.
   for (int i = first; i < count; ++i) F[i] = (u[i] - base[i]) / a;

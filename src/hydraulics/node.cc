@@ -85,7 +85,7 @@ NodeState NewtonNode(const Node& node, double D, double ambient, const double* s
 
 void Node::Prepare() {
   closed_form = bulk_slope == 0 && laws.empty() && !sequential;
-  int blow_offs = 0;
+  size_t blow_offs = 0;
   for (const NodeGas& g : gases) {
     if (g.gas.law != GasLaw::kIsothermal && g.gas.law != GasLaw::kIdeal) closed_form = false;
     blow_offs += g.blow_off;
@@ -95,7 +95,7 @@ void Node::Prepare() {
   law_compliance = 0;
   for (const NodeLaw& l : laws) l.law->Add(p0, 0, &volume, &law_compliance);
   real_gas = !gases.empty() && !gases[0].blow_off && gases[0].gas.law == GasLaw::kBwr &&
-             bulk_slope == 0 && !sequential;
+             gases.size() - blow_offs == 1 && bulk_slope == 0 && !sequential;
 }
 
 double CalcAbsorbed(const Node& node, double p, double ambient, const double* state,
@@ -148,6 +148,26 @@ NodeState SolveNode(const Node& node, double D, double ambient, const double* st
   NodeState out = Solve(node, D, ambient, state, near);
   out.pushed = D;
   return out;
+}
+
+NodeState StepNode(const Node& node, double D, double ambient, const double* state,
+                   const NodeState& near, double* moved) noexcept {
+  constexpr double kFar = 0.1;
+  *moved = 0;
+  const bool solve = node.closed_form || node.real_gas || node.sequential || !(near.slope > 0);
+  if (solve) return SolveNode(node, D, ambient, state, &near);
+  const double guess = near.p + (D - near.pushed) / near.slope;
+  if (std::abs(guess - near.p) < 0.5 * near.p) {
+    NodeState out;
+    const double error = CalcAbsorbed(node, guess, ambient, state, &out.slope) - D;
+    const double step = -error / out.slope;
+    if (std::abs(step) < kFar * guess) {
+      out.p = guess + step, out.pushed = D;
+      *moved = std::abs(step) / guess;
+      return out;
+    }
+  }
+  return SolveNode(node, D, ambient, state, &near);
 }
 
 double CalcNodeEnergy(const Node& node, double p, double ambient, const double* state) noexcept {

@@ -93,6 +93,44 @@ NodeGas CompileGas(const GasChargeParams& charge, double volume, double pressure
   return g;
 }
 
+// Three equal parts about a mean stand for what starts gradually: their standard deviation is 1.
+constexpr double kParts[] = {-1.224744871391589, 0, 1.224744871391589};
+
+// The reservoir: one gas, or parts of its diaphragm with stops of their own.
+void AddReservoir(const LineParams& line, double T, Node* node) {
+  GasChargeParams charge = line.reservoir;
+  const double volume = line.gas_volume_m3, p0 = line.static_pressure_Pa;
+  if (charge.stop_spread == 0 || charge.min_gas_volume_m3 == 0) {
+    node->gases.push_back(CompileGas(charge, volume, p0, T));
+    return;
+  }
+  charge.volume_m3 /= 3;
+  for (const double part : kParts) {
+    const double least = line.reservoir.min_gas_volume_m3 / 3 * (1 + part * charge.stop_spread);
+    charge.min_gas_volume_m3 = std::clamp(least, 0.0, volume / 3);
+    node->gases.push_back(CompileGas(charge, volume / 3, p0, T));
+  }
+}
+
+// The blow-off accumulator, or parts of it with precharges of their own.
+void AddAccumulator(const LineParams& line, double T, Node* node) {
+  auto add = [&](double volume, double precharge) {
+    NodeGas g = CompileGas(line.accumulator, volume, precharge, T);
+    g.blow_off = true;
+    // At a static pressure above its precharge the accumulator is partly full of oil from the
+    // start.
+    g.gas.max_volume = volume;
+    g.static_volume = CalcGas(g.gas, node->p0, T).volume;
+    node->gases.push_back(g);
+  };
+  const double volume = line.accumulator.volume_m3, mean = line.accumulator_precharge_Pa;
+  if (line.accumulator_spread_Pa == 0) return add(volume, mean);
+  constexpr double kLeast = 0.05;  // of the mean
+  for (const double part : kParts) {
+    add(volume / 3, std::max(mean + part * line.accumulator_spread_Pa, kLeast * mean));
+  }
+}
+
 void Builder::CompileNodes(CompiledPhs* sys) {
   for (const LineParams& line : lines_) {
     Node node;
@@ -105,19 +143,12 @@ void Builder::CompileNodes(CompiledPhs* sys) {
     node.air = (line.free_air_m3 + kTraceAir * line.oil_volume_m3) * kAtmosphere;
     node.temperature = params_.temperature_K;
     node.sequential = params_.balance == BalanceMethod::kSequential;
-    if (line.gas_volume_m3 > 0) {
-      node.gases.push_back(CompileGas(line.reservoir, line.gas_volume_m3, line.static_pressure_Pa,
-                                      params_.temperature_K));
+    if (node.sequential && (line.reservoir.stop_spread > 0 || line.accumulator_spread_Pa > 0)) {
+      status_ = Error{"balance", "sequential, with a stop or an opening that is spread",
+                      "unified with these effects", "remove the spread or set balance: unified"};
     }
-    if (line.accumulator.volume_m3 > 0) {
-      // At a static pressure above its precharge the accumulator is partly full of oil from the
-      // start.
-      NodeGas g = CompileGas(line.accumulator, line.accumulator.volume_m3,
-                             line.accumulator_precharge_Pa, params_.temperature_K);
-      g.blow_off = true;
-      g.static_volume = CalcGas(g.gas, node.p0, params_.temperature_K).volume;
-      node.gases.push_back(g);
-    }
+    if (line.gas_volume_m3 > 0) AddReservoir(line, params_.temperature_K, &node);
+    if (line.accumulator.volume_m3 > 0) AddAccumulator(line, params_.temperature_K, &node);
     sys->nodes.push_back(std::move(node));
   }
   for (auto& [line, law] : volumes_) {
@@ -240,9 +271,12 @@ void Builder::CompileStates(CompiledPhs* sys) {
   }
   sys->first_slow = sys->num_states();
   for (size_t n = 0; n < lines_.size(); ++n) {
+    int parts[2] = {};
     for (NodeGas& g : sys->nodes[n].gases) {
+      const int part = ++parts[g.blow_off ? 1 : 0];
       if (!g.gas.HasTemperatureState()) continue;
-      const std::string place = lines_[n].name + (g.blow_off ? ".accumulator" : ".gas");
+      const std::string place = lines_[n].name + (g.blow_off ? ".accumulator" : ".gas") +
+                                (part > 1 ? std::to_string(part) : "");
       g.state = add(place + "_temperature");
       if (g.gas.HasWallState()) g.wall_state = add(place + "_wall_temperature");
     }

@@ -27,6 +27,7 @@ struct EndStopParams {
   double stiffness_N_per_m = 1e8;  ///< > 0
   double damping_Ns_per_m = 1e5;   ///< >= 0
   double transition_m = 1e-3;      ///< d, > 0
+  bool operator==(const EndStopParams&) const = default;
 };
 
 struct CylinderParams {
@@ -39,6 +40,7 @@ struct CylinderParams {
 
   double BoreArea() const;  ///< pi/4 bore² [m2]
   double RodArea() const;   ///< pi/4 (bore² - rod²) [m2]
+  bool operator==(const CylinderParams&) const = default;
 };
 
 /// A diaphragm reservoir (or a bladder accumulator): one gas volume behind a separator.
@@ -52,6 +54,10 @@ struct GasChargeParams {
   double wall_heat_ratio = 0;    ///< of the gas over its wall; set by gas_thermal
   double wall_time_s = 60.0;     ///< of the wall with its surroundings; set by gas_thermal
   double min_gas_volume_m3 = 0;  ///< diaphragm on its stop
+  /// Standard deviation of the above over the parts of a diaphragm that come to rest one after the
+  /// other, relative to their mean; set by diaphragm_stop.
+  double stop_spread = 0;
+  bool operator==(const GasChargeParams&) const = default;
 };
 
 /// All oil and gas that share one pressure.
@@ -66,7 +72,11 @@ struct LineParams {
   GasChargeParams reservoir;
   GasChargeParams accumulator;  ///< blow-off accumulator; volume_m3 = 0: none
   double accumulator_precharge_Pa = 15e6;
+  /// Standard deviation of the precharge over the parts of an accumulator that lift off one after
+  /// the other; set by accumulator_precharge.
+  double accumulator_spread_Pa = 0;
   double expansion_ratio = 1;  ///< of its oil's thermal expansion; set by temperature_drift
+  bool operator==(const LineParams&) const = default;
 };
 
 enum class FrictionModel { kNone, kStatic, kPresliding };
@@ -92,6 +102,7 @@ struct FrictionParams {
   double stiffness_N_per_m = 3.6e7;  ///< sigma0, > 0
   double damping_Ns_per_m = 2e3;     ///< sigma1, >= 0
   double breakaway_ratio = 0.7;      ///< purely elastic below this share of the level, [0, 0.99]
+  bool operator==(const FrictionParams&) const = default;
 };
 
 /// A part on a bench moved by prescribed motion:
@@ -101,6 +112,7 @@ struct ElementParams {
   double stiffness_N_per_m = 0;
   double pressure_area_m2 = 0;  ///< on which the bench's pressure channel acts
   double offset_N = 0;
+  bool operator==(const ElementParams&) const = default;
 };
 
 /// One effect of the catalogue (src/effects) with its parameters by name. `targets`: names of
@@ -110,6 +122,7 @@ struct EffectParams {
   std::vector<std::string> targets;
   std::map<std::string, double> values;
   std::string formula = {};  ///< effect `unlisted` only: its law (effects/formula.h)
+  bool operator==(const EffectParams&) const = default;
 };
 
 /// How line pressures follow from volumes.
@@ -133,6 +146,7 @@ struct PhsParams {
 
   int FindLine(const std::string& line) const;          ///< -1 if absent
   int FindCylinder(const std::string& cylinder) const;  ///< -1 if absent
+  bool operator==(const PhsParams&) const = default;
 };
 
 Status Validate(const PhsParams& params);

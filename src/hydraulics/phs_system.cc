@@ -16,6 +16,7 @@ PhsSystem::~PhsSystem() = default;
 int PhsSystem::num_cylinders() const { return static_cast<int>(impl_->cylinders.size()); }
 int PhsSystem::num_lines() const { return static_cast<int>(impl_->line_names.size()); }
 int PhsSystem::num_states() const { return impl_->num_states(); }
+int PhsSystem::num_friction_states() const { return impl_->first_slow; }
 bool PhsSystem::has_mounts() const { return impl_->has_mounts; }
 const std::vector<std::string>& PhsSystem::cylinder_names() const { return impl_->cylinder_names; }
 const std::vector<std::string>& PhsSystem::line_names() const { return impl_->line_names; }
@@ -124,10 +125,42 @@ void CalcCylinder(const CompiledPhs& sys, const Instant& at, int i, double pisto
   if (out->p_rod) out->p_rod[i] = sys.Pressure(at, c.rod);
 }
 
-void PlacePistons(const CompiledPhs& sys, const double* x, const double* state, Instant* at) {
+void PlacePistons(const CompiledPhs& sys, double time, const double* x, const double* state,
+                  Instant* at) {
+  at->time = time;
+  at->ambient = sys.Ambient(time);
   for (size_t i = 0; i < sys.cylinders.size(); ++i) {
     const int mount = sys.cylinders[i].mount_state;
     at->piston[i] = mount >= 0 ? x[i] - state[mount] : x[i];
+  }
+}
+
+// Pistons and the pressures of their chambers; other nodes stay unknown.
+void PlaceKnown(const CompiledPhs& sys, double time, const double* x, const double* state,
+                const double* p_bore, const double* p_rod, Instant* at) {
+  PlacePistons(sys, time, x, state, at);
+  for (size_t i = 0; i < sys.cylinders.size(); ++i) {
+    const CompiledCylinder& c = sys.cylinders[i];
+    if (c.bore != kOpen) at->node[c.bore].p = p_bore[i];
+    if (c.rod != kOpen) at->node[c.rod].p = p_rod[i];
+  }
+}
+
+void CalcCylinderFrictionRate(const CompiledPhs& sys, const Instant& at, int cylinder, double h,
+                              double speed, const double* state, double* rate) {
+  const CompiledCylinder& c = sys.cylinders[cylinder];
+  if (c.bristle < 0 && c.dwell < 0) return;
+  FrictionPlace place = sys.Place(at, cylinder, state);
+  place.piston += 0.5 * h * speed;
+  if (c.bristle >= 0) {
+    const double z = state[c.bristle];
+    rate[c.bristle] = h > 0 ? (c.friction.Advance(h, speed, z, place) - z) / h
+                            : c.friction.Calc(speed, z, place).bristle_speed;
+  }
+  if (c.dwell >= 0) {
+    const double eta = state[c.dwell];
+    rate[c.dwell] = h > 0 ? (c.friction.AdvanceDwell(h, speed, eta) - eta) / h
+                          : c.friction.DwellRate(speed, eta);
   }
 }
 
@@ -137,9 +170,7 @@ void PhsSystem::Calc(double time, const double* x, const double* v, const double
                      PhsOutputs* out) const noexcept {
   const CompiledPhs& sys = *impl_;
   Instant at;
-  at.time = time;
-  at.ambient = sys.Ambient(time);
-  PlacePistons(sys, x, state, &at);
+  PlacePistons(sys, time, x, state, &at);
   sys.CalcPushed(state, &at);
   sys.SolveNodes(state, &at);
   out->stored_energy = out->lost_power = 0;
@@ -170,9 +201,7 @@ void PhsSystem::CalcStateRate(double time, double h, const double* x, const doub
   double speed[kMaxCylinders];
   std::copy(v, v + sys.cylinders.size(), speed);
   Instant at;
-  at.time = time;
-  at.ambient = sys.Ambient(time);
-  PlacePistons(sys, x, state, &at);
+  PlacePistons(sys, time, x, state, &at);
   const bool hydraulic = sys.num_states() > sys.first_slow;
   const bool solved = sys.friction_needs_pressure || hydraulic;
   if (solved) {
@@ -182,22 +211,45 @@ void PhsSystem::CalcStateRate(double time, double h, const double* x, const doub
   if (sys.has_mounts)
     CalcMountRates(sys, time, h, x, v, state, solved ? &at : nullptr, speed, rate);
   for (size_t i = 0; i < sys.cylinders.size(); ++i) {
-    const CompiledCylinder& c = sys.cylinders[i];
-    if (c.bristle < 0 && c.dwell < 0) continue;
-    FrictionPlace place = sys.Place(at, static_cast<int>(i), state);
-    place.piston += 0.5 * h * speed[i];
-    if (c.bristle >= 0) {
-      const double z = state[c.bristle];
-      rate[c.bristle] = h > 0 ? (c.friction.Advance(h, speed[i], z, place) - z) / h
-                              : c.friction.Calc(speed[i], z, place).bristle_speed;
-    }
-    if (c.dwell >= 0) {
-      const double eta = state[c.dwell];
-      rate[c.dwell] = h > 0 ? (c.friction.AdvanceDwell(h, speed[i], eta) - eta) / h
-                            : c.friction.DwellRate(speed[i], eta);
-    }
+    CalcCylinderFrictionRate(sys, at, static_cast<int>(i), h, speed[i], state, rate);
   }
   if (hydraulic) CalcHydraulicRates(sys, time, h, at, speed, state, rate);
+}
+
+void PhsSystem::CalcHydraulics(double time, double h, const double* x, const double* v,
+                               const double* state, double* rate, double* p_bore,
+                               double* p_rod) const noexcept {
+  const CompiledPhs& sys = *impl_;
+  Instant at;
+  PlacePistons(sys, time, x, state, &at);
+  sys.CalcPushed(state, &at);
+  sys.SolveNodes(state, &at);
+  for (size_t i = 0; i < sys.cylinders.size(); ++i) {
+    p_bore[i] = sys.Pressure(at, sys.cylinders[i].bore);
+    p_rod[i] = sys.Pressure(at, sys.cylinders[i].rod);
+  }
+  if (sys.num_states() > sys.first_slow) CalcHydraulicRates(sys, time, h, at, v, state, rate);
+}
+
+void PhsSystem::CalcForces(double time, const double* x, const double* v, const double* state,
+                           const double* p_bore, const double* p_rod,
+                           PhsOutputs* out) const noexcept {
+  const CompiledPhs& sys = *impl_;
+  Instant at;
+  PlaceKnown(sys, time, x, state, p_bore, p_rod, &at);
+  for (size_t i = 0; i < sys.cylinders.size(); ++i) {
+    CalcCylinder(sys, at, static_cast<int>(i), v[i], state, out);
+  }
+}
+
+void PhsSystem::CalcFrictionRate(double time, double h, const double* x, const double* v,
+                                 const double* state, const double* p_bore, const double* p_rod,
+                                 double* rate) const noexcept {
+  Instant at;
+  PlaceKnown(*impl_, time, x, state, p_bore, p_rod, &at);
+  for (size_t i = 0; i < impl_->cylinders.size(); ++i) {
+    CalcCylinderFrictionRate(*impl_, at, static_cast<int>(i), h, v[i], state, rate);
+  }
 }
 
 double PhsSystem::max_stiffness() const {

@@ -71,6 +71,20 @@ class PhsSystem {
   /// shift is needed.
   void CalcStateRate(double time, double h, const double* x, const double* v, const double* state,
                      double* rate) const noexcept;
+  /// Without yielding mountings the pressures follow from the motion alone, whatever the friction:
+  /// chamber pressures at an instant [Pa, absolute; per cylinder] and mean rates of the hydraulic
+  /// states over the coming step h; other rates are left as they are.
+  void CalcHydraulics(double time, double h, const double* x, const double* v, const double* state,
+                      double* rate, double* p_bore, double* p_rod) const noexcept;
+  /// Calc where the chamber pressures are known; of `out` all but the line pressures and energies.
+  void CalcForces(double time, const double* x, const double* v, const double* state,
+                  const double* p_bore, const double* p_rod, PhsOutputs* out) const noexcept;
+  /// Mean rates of the friction's states where the chamber pressures are known: the first
+  /// num_friction_states(); see CalcStateRate.
+  void CalcFrictionRate(double time, double h, const double* x, const double* v,
+                        const double* state, const double* p_bore, const double* p_rod,
+                        double* rate) const noexcept;
+  int num_friction_states() const;  ///< of a system without yielding mountings
   /// Largest stiffness [N/m] and damping [N s/m] seen from one cylinder alone while the other
   /// cylinders stand still, inside the stroke and on an end stop, for step-size checks.
   double max_stiffness() const;

@@ -70,13 +70,12 @@ bool Better(const FitProblem& problem, const FormulaTrial& a, const FormulaTrial
 /// about the model that has it.
 FormulaTrial TryLineFormula(const FitProblem& problem, const FitProblem& coarse,
                             const FreeModel& model, const FitResult& fit,
-                            const FormulaLimits& limits, int threads) {
+                            const FormulaLimits& limits) {
   constexpr double kMostOil = 1e-3;  // [m3], [m3/s]
   constexpr int kRounds = 3;
   const size_t base = fit.values.size();
-  FormulaTrial best =
-      FitFormula(problem, model, fit, fit.values,
-                 SearchLineFormula(coarse, model, fit.values, limits, threads), kMostOil);
+  FormulaTrial best = FitFormula(problem, model, fit, fit.values,
+                                 SearchLineFormula(coarse, model, fit.values, limits), kMostOil);
   for (int round = 0; round < kRounds && best.fit.ok; ++round) {
     const FormulaTrial about = best;
     const std::vector<double> values(about.fit.values.begin(),
@@ -97,7 +96,7 @@ FormulaTrial TryLineFormula(const FitProblem& problem, const FitProblem& coarse,
 }  // namespace
 
 FormulaTrial TryFormula(const FitProblem& problem, const FitProblem& coarse, const FreeModel& model,
-                        const FitResult& fit, const FormulaLimits& limits, int threads) {
+                        const FitResult& fit, const FormulaLimits& limits) {
   constexpr double kNoise = 1.1, kMostForce_N = 1e5;
   double pressures = 0, load = 0;
   for (int c = 0; c < problem.num_channels(); ++c) {
@@ -115,7 +114,7 @@ FormulaTrial TryFormula(const FitProblem& problem, const FitProblem& coarse, con
     }
   }
   if (pressures > kNoise && problem.data().kind != effects::RigKind::kFull) {
-    line = TryLineFormula(problem, coarse, model, fit, limits, threads);
+    line = TryLineFormula(problem, coarse, model, fit, limits);
   }
   return Better(problem, line, force) ? line : force;
 }

@@ -27,7 +27,7 @@ struct FormulaTrial {
 /// A force over direction, speed, place, pressures and time for what the load cell still shows, or
 /// a law of a line (line_formula.h) for the pressures: the one that explains more.
 FormulaTrial TryFormula(const FitProblem& problem, const FitProblem& coarse, const FreeModel& model,
-                        const FitResult& fit, const FormulaLimits& limits, int threads);
+                        const FitResult& fit, const FormulaLimits& limits);
 
 /// The formula as an effect whose coefficients are free; bounds: `most` (in its unit) to either
 /// side.

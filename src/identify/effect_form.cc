@@ -7,18 +7,19 @@
 namespace phs::identify::search {
 namespace {
 
-constexpr double kDeltaBic = 12, kGain = 0.01;  // what an option must bring
+constexpr double kDeltaBic = 12, kGain = 0.005;  // what an option must bring
 constexpr int kMostOptions = 3;
 
-/// True if a number that came with the last option lies on a bound: then the option brings nothing,
-/// whatever the refit of the others gained.
-bool EndsOnBound(const Candidate& form, const FitResult& fit, size_t first) {
-  constexpr double kTiny = 1e-3;
+/// True if a number that came with the last option lies on a bound or could be any: then the option
+/// brings nothing, whatever the refit of the others gained.
+bool IsUnsettled(const Candidate& form, const FitResult& fit, size_t first) {
+  constexpr double kTiny = 1e-3, kAny = 0.5;  // of its range
   const size_t base = fit.values.size() - form.free.size();
   for (size_t i = first; i < fit.values.size(); ++i) {
     const FreeParameter& p = form.free[i - base];
     const double x = p.ToCoordinate(fit.values[i]);
     const double low = p.ToCoordinate(p.low), high = p.ToCoordinate(p.high);
+    if (fit.half_95[i] > kAny * (high - low)) return true;
     if (x - low < kTiny * (high - low) || high - x < kTiny * (high - low)) return true;
   }
   return false;
@@ -57,7 +58,7 @@ FitResult ShapeForm(const FitProblem& coarse, const FreeModel& model, const FitR
     size_t chosen = 0;
     for (size_t k = 0; k < form->options.size(); ++k) {
       FitResult with = FitOption(coarse, model, now, WithOption(*form, k), form->options[k]);
-      if (!with.ok || EndsOnBound(WithOption(*form, k), with, now.values.size())) continue;
+      if (!with.ok || IsUnsettled(WithOption(*form, k), with, now.values.size())) continue;
       if (!best.ok || with.residual.squaredNorm() < best.residual.squaredNorm()) {
         best = std::move(with), chosen = k;
       }

@@ -252,6 +252,8 @@ const std::vector<OptionRow>& Options() {
       {"gas_thermal", {"wall_heat_ratio", "wall_time_s"}, {{0.3, 20}, {0.3, 100}}},
       {"gas_thermal", {"rod_ratio"}, {{1}}},
       {"gas_thermal", {"accumulator_ratio"}, {{0.02}, {3}}},
+      {"accumulator_precharge", {"spread_Pa"}, {{2e5}, {8e5}}},
+      {"diaphragm_stop", {"spread"}, {{0.1}, {0.4}}},
       {"cavitation", {"rod_ratio"}, {{1}}},
       {"stribeck", {"exponent"}, {{1.5}}},
       {"presliding", {"share"}, {{0.7}}},

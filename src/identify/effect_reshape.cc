@@ -55,8 +55,7 @@ bool ReshapeFirst(const FitProblem& problem, const FitProblem& coarse, const Sea
                 [&](const Candidate& c) { return c.effect != name && !IsNested(c.effect, name); });
   double reference = 0;
   std::vector<FullTrial> trials = TryEffects(problem, coarse, model, rest, list,
-                                             {.threads = options.threads,
-                                              .coarse_fits = 6,
+                                             {.coarse_fits = 6,
                                               .full_fits = 4,
                                               .each = 2,
                                               .thorough = true,

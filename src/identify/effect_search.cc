@@ -6,6 +6,7 @@
 #include <mutex>
 
 #include "effects/catalogue.h"
+#include "effects/formula.h"
 #include "identify/driven_formula.h"
 #include "identify/effect_reshape.h"
 #include "identify/effect_trials.h"
@@ -16,6 +17,7 @@ namespace phs::identify::search {
 namespace {
 
 constexpr const char* kBeaten = "another explains more";
+constexpr const char* kTheirForm = "no more than the form of a listed effect";
 
 class Search {
  public:
@@ -24,9 +26,13 @@ class Search {
       : problem_(*problem), coarse_(*coarse), options_(options), progress_(progress) {}
 
   Result<Identification> Run(const hydraulics::PhsParams& declared) {
-    for (FitProblem* p : {&problem_, &coarse_}) p->SetGoOn([this] { return GoOn(); });
+    ThreadBudget threads(options_.threads);
+    for (FitProblem* p : {&problem_, &coarse_}) {
+      p->SetGoOn([this] { return GoOn(); });
+      p->SetThreads(&threads);
+    }
     Result<Identification> out = SearchAll(declared);
-    for (FitProblem* p : {&problem_, &coarse_}) p->SetGoOn({});
+    for (FitProblem* p : {&problem_, &coarse_}) p->SetGoOn({}), p->SetThreads(nullptr);
     return out;
   }
 
@@ -92,15 +98,16 @@ class Search {
   }
 
   std::vector<FullTrial> Try(const FreeModel& model, const FitResult& fit,
-                             const std::vector<Candidate>& list, int full_fits, double* reference) {
+                             const std::vector<Candidate>& list, int full_fits, double* reference,
+                             double most_coarse = 1e300) {
     const size_t own = out_.declared.params.effects.size();
     const size_t present = model.params.effects.size() - own;
-    const TrialOptions trying{.threads = options_.threads,
-                              .coarse_fits = options_.coarse_fits / (present > 0 ? 2 : 1),
+    const TrialOptions trying{.coarse_fits = options_.coarse_fits / (present > 0 ? 2 : 1),
                               .full_fits = std::max(2, full_fits - static_cast<int>(present)),
                               .elsewhere = options_.thorough && present < 2,
                               .thorough = options_.thorough && present == 0,
-                              .declared = out_.declared.free.size()};
+                              .declared = out_.declared.free.size(),
+                              .most_coarse = most_coarse};
     return TryEffects(
         problem_, coarse_, model, fit, list, trying, [this](double part) { return Tick(part); },
         reference);
@@ -157,7 +164,7 @@ class Search {
     chosen.variant = VariantName(trials[best].form);
     for (size_t i = 0; i < trials.size(); ++i) {
       if (!trials[i].fit.ok || trials[i].candidate->effect == chosen.effect) continue;
-      NoteConfusable(trials[best].fit, trials[i], &accepted);
+      NoteConfusable(trials[best].fit, trials[i].fit, trials[i].candidate->effect, &accepted);
     }
     out_.corrected = WithCandidate(out_.corrected, trials[best].form);
     out_.after = trials[best].fit;
@@ -209,18 +216,20 @@ class Search {
 
   /// Others whose residual is within the margin and whose evidence is not far
   /// behind.
-  void NoteConfusable(const FitResult& best, const FullTrial& other,
+  void NoteConfusable(const FitResult& best, const FitResult& other, const std::string& effect,
                       AcceptedEffect* accepted) const {
-    const Evidence e = Compare(problem_, other.fit, best);
+    const Evidence e = Compare(problem_, other, best);
     if (e.delta_bic > options_.min_delta_bic && e.estimation_gain > options_.margin) return;
     auto& names = accepted->confusable_with;
-    if (std::find(names.begin(), names.end(), other.candidate->effect) == names.end()) {
-      names.push_back(other.candidate->effect);
-    }
+    if (std::find(names.begin(), names.end(), effect) == names.end()) names.push_back(effect);
   }
 
   /// Tries to replace each accepted effect but the last by another.
   void Exchange() {
+    // What shaping a form may still bring on the coarse record [ln of the mean square].
+    constexpr double kShaping = 0.6;
+    const Eigen::VectorXd now = coarse_.Residual(out_.corrected, out_.after.values);
+    const double most = now.size() > 0 ? MeanLogSquare(now, problem_.num_channels()) + kShaping : 0;
     for (size_t i = 0; i + 1 < out_.effects.size() && !cancelled_; ++i) {
       share_ = 0.68 + 0.1 * static_cast<double>(i);
       FreeModel model;
@@ -230,7 +239,7 @@ class Search {
       const std::string old = out_.effects[i].candidate.effect;
       std::erase_if(list, [&](const Candidate& c) { return c.effect == old; });
       double reference = 0;
-      std::vector<FullTrial> trials = Try(model, rest, list, 2, &reference);
+      std::vector<FullTrial> trials = Try(model, rest, list, 2, &reference, most);
       for (FullTrial& trial : trials) {
         if (!trial.fit.ok) continue;
         const Evidence e = Compare(problem_, out_.after, trial.fit);
@@ -281,8 +290,9 @@ class Search {
   void AddFormula() {
     if (cancelled_ || !options_.formula || !out_.formula.empty()) return;
     const FormulaTrial trial = TryFormula(problem_, coarse_, out_.corrected, out_.after,
-                                          {.threshold = options_.min_delta_bic}, options_.threads);
+                                          {.threshold = options_.min_delta_bic});
     if (!trial.fit.ok || IsTheirForm(trial.found)) return;
+    if (IsTheirVolume(trial.found)) return RecordFormula(trial, kTheirForm);
     const std::string no =
         FormulaVerdict(trial.evidence, trial.channel_gain, out_.effects.empty(), options_);
     RecordFormula(trial, no.empty() ? "accepted" : no);
@@ -293,17 +303,19 @@ class Search {
   /// more than all the effects accepted, they go.
   void ChallengeByFormula() {
     if (cancelled_ || !options_.formula || out_.effects.empty()) return;
-    const FormulaTrial trial =
-        TryFormula(problem_, coarse_, out_.declared, out_.before,
-                   {.max_terms = 1, .threshold = options_.min_delta_bic}, options_.threads);
+    const FormulaTrial trial = TryFormula(problem_, coarse_, out_.declared, out_.before,
+                                          {.max_terms = 1, .threshold = options_.min_delta_bic});
     if (!trial.fit.ok || IsTheirForm(trial.found)) return;
     const Evidence over = Compare(problem_, out_.after, trial.fit);
     SearchOptions rules = options_;
     // With fewer numbers it need not take a large share of what the others leave.
     if (trial.fit.values.size() < out_.after.values.size()) rules.min_first_removed = 0;
-    if (!Verdict(over, false, true, rules).empty()) {
-      RecordFormula(trial, kBeaten);
-      return;
+    const bool form = IsTheirVolume(trial.found) && !IsFarBetter(trial, over);
+    if (form || !Verdict(over, false, true, rules).empty()) {
+      if (out_.effects.size() == 1) {
+        NoteConfusable(out_.after, trial.fit, "unlisted", &out_.effects.front());
+      }
+      return RecordFormula(trial, form ? kTheirForm : kBeaten);
     }
     for (const AcceptedEffect& effect : out_.effects) {
       Withdraw(effect.candidate.effect, "a formula on no list explains more", &out_.candidates);
@@ -325,6 +337,26 @@ class Search {
              return term.text.starts_with("s*") || term.text.starts_with("s^") ||
                     term.text.find('v') != std::string::npos;
            });
+  }
+
+  /// A volume over the pressure of a line says how that line yields: so do some listed effects.
+  bool IsTheirVolume(const FoundFormula& found) const {
+    static const std::vector<std::string> yielding = {
+        "entrained_air", "hose_expansion", "accumulator_precharge", "diaphragm_stop", "cavitation"};
+    return found.unit == effects::UnitSuffix(effects::FormulaUnit::kVolume) &&
+           std::any_of(out_.effects.begin(), out_.effects.end(), [](const AcceptedEffect& e) {
+             return std::find(yielding.begin(), yielding.end(), e.candidate.effect) !=
+                    yielding.end();
+           });
+  }
+
+  /// More than the form of a listed effect not being quite right: much less is left, or it is said
+  /// with fewer numbers, the chosen threshold and power counted.
+  bool IsFarBetter(const FormulaTrial& trial, const Evidence& over) const {
+    constexpr double kFar = 0.3;  // of the residual's rms
+    constexpr size_t kChosen = 2;
+    return over.estimation_gain > kFar ||
+           trial.fit.values.size() + kChosen < out_.after.values.size();
   }
 
   void RecordFormula(const FormulaTrial& trial, const std::string& verdict) {

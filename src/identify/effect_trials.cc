@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "identify/effect_form.h"
+#include "identify/evidence.h"
 #include "identify/near_fit.h"
 namespace phs::identify::search {
 namespace {
@@ -52,14 +53,16 @@ bool AddDeclaredPoint(const FreeModel& model, size_t declared,
 }
 
 /// The first trials with a coarse fit, at most `each` of one effect.
-std::vector<int> BestOfEach(const std::vector<FullTrial>& trials, int most, int each) {
+std::vector<int> BestOfEach(const std::vector<FullTrial>& trials, int channels,
+                            const TrialOptions& options) {
   std::vector<int> chosen;
   for (int i = 0; i < static_cast<int>(trials.size()); ++i) {
-    if (!trials[i].coarse.ok || static_cast<int>(chosen.size()) >= most) continue;
+    if (!trials[i].coarse.ok || static_cast<int>(chosen.size()) >= options.full_fits) continue;
+    if (MeanLogSquare(trials[i].coarse.residual, channels) > options.most_coarse) continue;
     const std::string& effect = trials[i].candidate->effect;
     const auto same = std::count_if(chosen.begin(), chosen.end(),
                                     [&](int k) { return trials[k].candidate->effect == effect; });
-    if (same < each) chosen.push_back(i);
+    if (same < options.each) chosen.push_back(i);
   }
   return chosen;
 }
@@ -70,7 +73,7 @@ std::vector<FullTrial> TryEffects(const FitProblem& problem, const FitProblem& c
                                   const FreeModel& model, const FitResult& fit,
                                   const std::vector<Candidate>& list, const TrialOptions& options,
                                   const std::function<bool(double)>& tick, double* reference) {
-  ScreeningOptions screening{options.threads, options.coarse_fits, options.thorough};
+  ScreeningOptions screening{options.coarse_fits, options.thorough};
   std::vector<std::vector<double>> points = options.points;
   if (points.empty()) points = Points(coarse, model, fit, options);
   if (!options.points.empty() ||
@@ -85,9 +88,9 @@ std::vector<FullTrial> TryEffects(const FitProblem& problem, const FitProblem& c
     const Candidate form = *trial.candidate;
     trials.push_back({std::move(trial), form, {}});
   }
-  const std::vector<int> chosen = BestOfEach(trials, options.full_fits, options.each);
+  const std::vector<int> chosen = BestOfEach(trials, problem.num_channels(), options);
   std::atomic<int> done{0};
-  InParallel(static_cast<int>(chosen.size()), options.threads, [&](int k) {
+  problem.ForEach(static_cast<int>(chosen.size()), [&](int k) {
     if (!tick(0.15 + 0.15 * done++ / static_cast<double>(chosen.size()))) return;
     FullTrial& trial = trials[chosen[k]];
     trial.coarse = ShapeForm(coarse, model, trial.coarse, &trial.form);

@@ -17,13 +17,14 @@ struct FullTrial : Trial {
 };
 
 struct TrialOptions {
-  int threads = 2;
   int coarse_fits = 16;   ///< variants fitted on the coarse record
   int full_fits = 4;      ///< variants fitted in full …
   int each = 1;           ///< … at most so many of one effect
   bool elsewhere = true;  ///< tried away from the best fit too (fast models)
   bool thorough = true;   ///< every start is judged by a short fit
   size_t declared = 0;    ///< so many of the model's numbers are the declared model's own
+  /// Only those whose mean log square on the coarse record is below this are fitted in full.
+  double most_coarse = 1e300;
   /// Where candidates are tried, if not where the above would; the last by hydraulic ones only.
   std::vector<std::vector<double>> points = {};
 };

@@ -28,7 +28,7 @@ class Search {
  public:
   Search(ElementProblem* problem, const ElementSearchOptions& options,
          const ElementProgress& progress)
-      : problem_(*problem), options_(options), progress_(progress) {}
+      : problem_(*problem), options_(options), threads_(options.threads), progress_(progress) {}
 
   Status FitDeclared(const hydraulics::PhsParams& declared, const std::vector<std::string>& free) {
     out_.sizes = MeasureSizes(problem_.data());
@@ -123,7 +123,7 @@ class Search {
         ListElementCandidates(out_.corrected, problem_.data(), out_.sizes);
     std::vector<Trial> trials(list.size());
     std::atomic<int> done{0};
-    search::InParallel(static_cast<int>(list.size()), options_.threads, [&](int i) {
+    threads_.ForEach(static_cast<int>(list.size()), [&](int i) {
       if (!Tick(0.05 * done++ / static_cast<double>(list.size()))) return;
       trials[static_cast<size_t>(i)] = Screen(list[static_cast<size_t>(i)]);
     });
@@ -133,7 +133,7 @@ class Search {
                      [&](size_t a, size_t b) { return trials[a].predicted < trials[b].predicted; });
     const int fits = std::min<int>(options_.full_fits, static_cast<int>(order.size()));
     done = 0;
-    search::InParallel(fits, options_.threads, [&](int i) {
+    threads_.ForEach(fits, [&](int i) {
       if (!Tick(0.05 + 0.09 * done++ / fits)) return;
       FitTrial(&trials[order[static_cast<size_t>(i)]]);
     });
@@ -345,6 +345,7 @@ class Search {
 
   ElementProblem& problem_;
   const ElementSearchOptions options_;
+  search::ThreadBudget threads_;
   const ElementProgress progress_;
   ElementIdentification out_;
   std::mutex mutex_;

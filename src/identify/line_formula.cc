@@ -168,8 +168,7 @@ double TotalEvidence(const FoundFormula& found) {
 }  // namespace
 
 FoundFormula SearchLineFormula(const FitProblem& problem, const FreeModel& model,
-                               const std::vector<double>& values, const FormulaLimits& limits,
-                               int threads) {
+                               const std::vector<double>& values, const FormulaLimits& limits) {
   const std::vector<LinePlace> places = Places(problem, problem.Params(model, values));
   Model at{problem, model, values, {}};
   SelectionData data;
@@ -181,7 +180,7 @@ FoundFormula SearchLineFormula(const FitProblem& problem, const FreeModel& model
   data.independent = [=](const Eigen::VectorXd& r) { return IndependentSamples(r, channels); };
   const Eigen::MatrixXd space = ModelSpace(data.jacobian, data.residual.size());
   std::vector<FoundFormula> found(places.size());
-  InParallel(static_cast<int>(places.size()), threads, [&](int k) {
+  problem.ForEach(static_cast<int>(places.size()), [&](int k) {
     found[static_cast<size_t>(k)] =
         SearchAt(at, places[static_cast<size_t>(k)], data, space, limits);
   });

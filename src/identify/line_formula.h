@@ -18,8 +18,7 @@ namespace phs::identify::search {
 /// The formula that this residual asks for at one place (a line, all lines, a piston), the place
 /// whose evidence is largest; empty if there is none. `problem`: the coarse one will do.
 FoundFormula SearchLineFormula(const FitProblem& problem, const FreeModel& model,
-                               const std::vector<double>& values, const FormulaLimits& limits,
-                               int threads);
+                               const std::vector<double>& values, const FormulaLimits& limits);
 
 /// The same at the place of a law found before, linearised about the model that has it, so that a
 /// strong law's own doing is in the columns: what it takes off is given back, and the terms compete

@@ -48,19 +48,45 @@ RigForward::RigForward(const FitData& data, std::vector<int> output_index, int s
   short_.pressure_Pa = thin(data.pressure_Pa);
 }
 
+std::shared_ptr<const effects::RigPressures> PressureMemory::Find(const PhsParams& hydraulics) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  for (auto entry = entries_.begin(); entry != entries_.end(); ++entry) {
+    if (entry->hydraulics != hydraulics) continue;
+    entries_.splice(entries_.begin(), entries_, entry);
+    return entry->pressures;
+  }
+  return nullptr;
+}
+
+void PressureMemory::Keep(const PhsParams& hydraulics,
+                          std::shared_ptr<const effects::RigPressures> pressures) {
+  constexpr size_t kMost = 16;
+  const std::lock_guard<std::mutex> lock(mutex_);
+  entries_.push_front({hydraulics, std::move(pressures)});
+  if (entries_.size() > kMost) entries_.pop_back();
+}
+
 Status RigForward::RunMotion(const PhsParams& params, const RigMotion& motion,
+                             std::shared_ptr<const effects::RigPressures>* pressures,
                              Channels* out) const {
   Result<RigModel> rig = RigModel::Create(data_.kind, params, data_.options);
   if (!rig.ok()) return rig.status();
   RigPrediction prediction;
-  if (Status s = rig.value().Run(motion, &prediction); !s.ok()) return s;
+  if (Status s = rig.value().Run(motion, &prediction, pressures); !s.ok()) return s;
   out->clear();
   for (const int index : output_index_) out->push_back(std::move(prediction.channels[index]));
   return {};
 }
 
 Status RigForward::Run(const PhsParams& params, Span span, Channels* out) const {
-  return RunMotion(params, span == Span::kWhole ? full_ : short_, out);
+  std::shared_ptr<const effects::RigPressures> pressures;
+  if (span == Span::kWhole) return RunMotion(params, full_, &pressures, out);
+  const PhsParams hydraulics = effects::HydraulicsOf(params);
+  pressures = memory_.Find(hydraulics);
+  const bool known = pressures != nullptr;
+  const Status done = RunMotion(params, short_, &pressures, out);
+  if (!known && pressures != nullptr) memory_.Keep(hydraulics, std::move(pressures));
+  return done;
 }
 
 Status RigForward::Uncertainty(const PhsParams& params, Span span, Channels* deviation) const {
@@ -75,7 +101,9 @@ Status RigForward::Uncertainty(const PhsParams& params, Span span, Channels* dev
             motion.speed_m_s[a][i] + sign * data_.motion[a].speed_deviation[i * stride];
       }
     }
-    if (Status s = RunMotion(params, shifted, sign > 0 ? &fast : &slow); !s.ok()) return s;
+    std::shared_ptr<const effects::RigPressures> pressures;
+    const Status done = RunMotion(params, shifted, &pressures, sign > 0 ? &fast : &slow);
+    if (!done.ok()) return done;
   }
   *deviation = std::move(fast);
   for (size_t c = 0; c < deviation->size(); ++c) {

@@ -1,11 +1,32 @@
 // A rig driven by measured motion as a fit sees it.
 #pragma once
 
+#include <list>
+#include <mutex>
+
 #include "effects/rig_model.h"
 #include "identify/forward_model.h"
 #include "identify/search_data.h"
 
 namespace phs::identify::search {
+
+/// Pressures of the last runs by what they depend on: most candidates of a search change friction
+/// or instruments alone. Thread-safe.
+class PressureMemory {
+ public:
+  /// Null if there is none.
+  std::shared_ptr<const effects::RigPressures> Find(const hydraulics::PhsParams& hydraulics);
+  void Keep(const hydraulics::PhsParams& hydraulics,
+            std::shared_ptr<const effects::RigPressures> pressures);
+
+ private:
+  struct Entry {
+    hydraulics::PhsParams hydraulics;
+    std::shared_ptr<const effects::RigPressures> pressures;
+  };
+  std::mutex mutex_;
+  std::list<Entry> entries_;  ///< last used first
+};
 
 class RigForward final : public ForwardModel {
  public:
@@ -28,13 +49,14 @@ class RigForward final : public ForwardModel {
  private:
   RigForward(const FitData& data, std::vector<int> output_index, int stride);
   Status RunMotion(const hydraulics::PhsParams& params, const effects::RigMotion& motion,
-                   Channels* out) const;
+                   std::shared_ptr<const effects::RigPressures>* pressures, Channels* out) const;
 
   const FitData& data_;
   int stride_ = 1;
   effects::RigMotion full_;        ///< whole record
   effects::RigMotion short_;       ///< to the end of the estimation window, in strides
   std::vector<int> output_index_;  ///< of each measured channel in the model's outputs
+  mutable PressureMemory memory_;  ///< of runs on `short_`
 };
 
 }  // namespace phs::identify::search

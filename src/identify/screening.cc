@@ -37,9 +37,10 @@ void Keep(const Eigen::VectorXd& residual, int channels, size_t point,
 
 /// One start of a candidate on one point, after one Gauss–Newton step.
 struct Probe {
-  size_t point = 0;
+  size_t point = 0, start = 0;
   std::vector<double> values;
   double square = 1e300;
+  bool acts = false;  ///< the effect's own numbers change something there
 };
 
 /// Tries one start of a candidate on top of one point by one step of all numbers: with the residual
@@ -48,7 +49,7 @@ struct Probe {
 Probe ProbeStart(const Linear& at, size_t point, const FreeModel& model,
                  const std::vector<double>& values, bool really, bool afresh, Trial* best) {
   const int base = afresh ? 0 : static_cast<int>(at.model.free.size());
-  Probe probe{point, values, 1e300};
+  Probe probe{.point = point, .values = values};
   Eigen::VectorXd r;
   Eigen::MatrixXd own;
   if (!at.problem.Linearise(model, values, base, &r, &own)) return probe;
@@ -63,19 +64,26 @@ Probe ProbeStart(const Linear& at, size_t point, const FreeModel& model,
   const Eigen::VectorXd after =
       really ? at.problem.Residual(model, probe.values) : Eigen::VectorXd(r + j * step);
   if (after.size() == 0) return probe;
+  constexpr double kNothing = 1e-6;
+  const auto numbers = static_cast<Eigen::Index>(model.free.size() - at.model.free.size());
+  probe.acts = own.rightCols(numbers).norm() > kNothing * r.norm();
   probe.square = after.squaredNorm();
   Keep(after, at.problem.num_channels(), point, probe.values, best);
   return probe;
 }
 
-/// Short fits from the best probes: for effects whose onset makes one step a poor guide.
+/// Short fits from the best probes of different starts: for effects whose onset makes one step a
+/// poor guide. Where the effect does nothing there is no way to where it does.
 void FitProbes(const std::vector<Linear>& linear, const FreeModel& model, std::vector<Probe> probes,
                size_t afresh_from, Trial* best) {
   constexpr size_t kFits = 2;
+  std::erase_if(probes, [](const Probe& p) { return !p.acts; });
   std::stable_sort(probes.begin(), probes.end(),
                    [](const Probe& a, const Probe& b) { return a.square < b.square; });
-  for (size_t i = 0; i < std::min(kFits, probes.size()); ++i) {
-    if (probes[i].square > 1e299) break;
+  std::vector<size_t> tried;
+  for (size_t i = 0; i < probes.size() && tried.size() < kFits; ++i) {
+    if (std::find(tried.begin(), tried.end(), probes[i].start) != tried.end()) continue;
+    tried.push_back(probes[i].start);
     const Linear& at = linear[probes[i].point];
     const bool afresh = probes[i].point >= afresh_from;
     const int base = static_cast<int>(at.model.free.size());
@@ -96,11 +104,13 @@ void Screen(const std::vector<Linear>& linear, const Candidate& candidate,
   std::vector<Probe> probes;
   for (size_t k = 0; k < linear.size(); ++k) {
     if (k >= options.hydraulic_from && !candidate.hydraulic) continue;
-    for (const auto& start : candidate.starts) {
+    for (size_t i = 0; i < candidate.starts.size(); ++i) {
+      const std::vector<double>& start = candidate.starts[i];
       std::vector<double> values = linear[k].values;
       values.insert(values.end(), start.begin(), start.end());
       const bool afresh = thorough && k >= kElsewhere;
       probes.push_back(ProbeStart(linear[k], k, model, values, thorough, afresh, best));
+      probes.back().start = i;
     }
   }
   if (thorough) FitProbes(linear, model, std::move(probes), kElsewhere, best);
@@ -165,7 +175,7 @@ std::vector<Trial> ScreenCandidates(const FitProblem& coarse, const FreeModel& m
   *reference = MeanLogSquare(first.residual + first.jacobian * alone, coarse.num_channels());
   std::vector<Trial> trials(list.size());
   std::atomic<int> done{0};
-  InParallel(static_cast<int>(list.size()), options.threads, [&](int i) {
+  coarse.ForEach(static_cast<int>(list.size()), [&](int i) {
     if (!tick(0.6 * done++ / static_cast<double>(list.size()))) return;
     Screen(linear, list[i], options, &trials[i]);
   });
@@ -173,7 +183,7 @@ std::vector<Trial> ScreenCandidates(const FitProblem& coarse, const FreeModel& m
   SortByPromise(&trials);
   const int fits = std::min(options.coarse_fits, static_cast<int>(trials.size()));
   done = 0;
-  InParallel(fits, options.threads, [&](int i) {
+  coarse.ForEach(fits, [&](int i) {
     if (!tick(0.6 + 0.4 * done++ / fits)) return;
     Trial& t = trials[i];
     const FreeModel whole = WithCandidate(model, *t.candidate);

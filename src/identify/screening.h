@@ -26,7 +26,6 @@ struct Trial {
 };
 
 struct ScreeningOptions {
-  int threads = 2;
   int coarse_fits = 16;
   bool thorough = false;  ///< judge effects with an onset by short fits, not by a predicted step
   /// Points from here on are tried by hydraulic effects only.

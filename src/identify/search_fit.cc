@@ -3,9 +3,7 @@
 #include <ceres/ceres.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <thread>
 
 #include "identify/fit_intervals.h"
 #include "identify/rig_forward.h"
@@ -63,6 +61,11 @@ Result<FitProblem> FitProblem::Create(const FitData& data,
 
 Result<FitProblem> FitProblem::Thinned(const PhsParams& declared, int stride) const {
   return Create(*data_, forward_->Thinned(stride), declared, stride);
+}
+
+void FitProblem::ForEach(int n, const std::function<void(int)>& work) const {
+  if (threads_ != nullptr) return threads_->ForEach(n, work);
+  for (int i = 0; i < n; ++i) work(i);
 }
 
 Status FitProblem::SetWeights(const PhsParams& params) {
@@ -156,7 +159,8 @@ bool FitProblem::Linearise(const FreeModel& model, const std::vector<double>& va
   if (residual->size() == 0) return false;
   const int count = static_cast<int>(model.free.size());
   jacobian->resize(residual->size(), count - first);
-  for (int j = first; j < count; ++j) {
+  ForEach(count - first, [&](int column) {
+    const auto j = static_cast<size_t>(first + column);
     const FreeParameter& p = model.free[j];
     const double at = p.ToCoordinate(values[j]);
     double step = 1e-2;
@@ -166,11 +170,11 @@ bool FitProblem::Linearise(const FreeModel& model, const std::vector<double>& va
     const double really = p.ToCoordinate(moved[j]) - at;
     const Eigen::VectorXd r = Residual(model, moved);
     if (r.size() == 0 || really == 0) {
-      jacobian->col(j - first).setZero();
+      jacobian->col(column).setZero();
     } else {
-      jacobian->col(j - first) = (r - *residual) / really;
+      jacobian->col(column) = (r - *residual) / really;
     }
-  }
+  });
   return true;
 }
 
@@ -247,17 +251,6 @@ Result<Channels> FitProblem::Predict(const PhsParams& params) const {
   Channels out;
   if (Status s = forward_->Run(params, ForwardModel::Span::kWhole, &out); !s.ok()) return s.error();
   return out;
-}
-
-void InParallel(int n, int threads, const std::function<void(int)>& work) {
-  std::atomic<int> next{0};
-  auto loop = [&] {
-    for (int i = next++; i < n; i = next++) work(i);
-  };
-  std::vector<std::thread> others;
-  for (int k = 1; k < std::min(n, threads); ++k) others.emplace_back(loop);
-  loop();
-  for (std::thread& thread : others) thread.join();
 }
 
 }  // namespace phs::identify::search

@@ -17,6 +17,7 @@
 #include "hydraulics/phs_params.h"
 #include "identify/forward_model.h"
 #include "identify/search_data.h"
+#include "identify/thread_budget.h"
 
 namespace phs::identify::search {
 
@@ -93,6 +94,10 @@ class FitProblem {
   Eigen::VectorXd Weighted(int output, const std::vector<double>& on_rows) const;
   /// Asked before every run of the model: false = stop; every residual is empty from then on.
   void SetGoOn(std::function<bool()> go_on) { go_on_ = std::move(go_on); }
+  /// Threads for ForEach and for the columns of Linearise; null: the calling one alone. Must
+  /// outlive what is done with them.
+  void SetThreads(ThreadBudget* threads) { threads_ = threads; }
+  void ForEach(int n, const std::function<void(int)>& work) const;
   /// Sets weights anew with this model's sensitivity to speed.
   Status SetWeights(const hydraulics::PhsParams& params);
 
@@ -103,9 +108,7 @@ class FitProblem {
   std::vector<int> rows_;                    ///< rows of the estimation span in its window
   std::vector<std::vector<double>> weight_;  ///< [channel][row], 0 = missing
   std::function<bool()> go_on_;
+  ThreadBudget* threads_ = nullptr;
 };
-
-/// Calls work(i) for i in 0 … n-1 on at most `threads` threads.
-void InParallel(int n, int threads, const std::function<void(int)>& work);
 
 }  // namespace phs::identify::search

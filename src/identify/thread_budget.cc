@@ -1,0 +1,32 @@
+#include "identify/thread_budget.h"
+
+#include <algorithm>
+#include <thread>
+#include <vector>
+
+namespace phs::identify::search {
+
+int ThreadBudget::Take(int most) {
+  int free = free_;
+  while (!free_.compare_exchange_weak(free, free - std::clamp(most, 0, free))) {
+  }
+  return std::clamp(most, 0, free);
+}
+
+void ThreadBudget::ForEach(int n, const std::function<void(int)>& work) {
+  std::atomic<int> next{0};
+  auto loop = [&] {
+    for (int i = next++; i < n; i = next++) work(i);
+  };
+  std::vector<std::thread> helpers;
+  for (int k = Take(n - 1); k > 0; --k) {
+    helpers.emplace_back([&] {
+      loop();
+      ++free_;
+    });
+  }
+  loop();
+  for (std::thread& t : helpers) t.join();
+}
+
+}  // namespace phs::identify::search

@@ -1,0 +1,23 @@
+// Threads shared by the loops of a search, one inside the other: a loop takes what is free, and who
+// has no more work of the outer loop lends a hand in the inner ones of the others.
+#pragma once
+
+#include <atomic>
+#include <functional>
+
+namespace phs::identify::search {
+
+class ThreadBudget {
+ public:
+  /// `threads` in all, with the one that calls.
+  explicit ThreadBudget(int threads) : free_(threads - 1) {}
+  /// Calls work(i) for i in 0 … n-1 on the calling thread and those free now; returns when all is
+  /// done. Results must not depend on the order.
+  void ForEach(int n, const std::function<void(int)>& work);
+
+ private:
+  int Take(int most);
+  std::atomic<int> free_;
+};
+
+}  // namespace phs::identify::search
