@@ -46,7 +46,7 @@ const EffectInfo& CheckRestrictionInfo() {
            "R at 20 °C for flow into the chamber"},
           {"turbulent_out_Pas2_per_m6", "Pa s2/m6", 0, 0, 1e20, 0, 1e17, "K out of the chamber"},
           {"turbulent_in_Pas2_per_m6", "Pa s2/m6", 0, 0, 1e20, 0, 1e17, "K into the chamber"},
-          {"rod_ratio", "-", 1, 1e-3, 1e3, 0.2, 5,
+          {"rod_ratio", "-", 1, 1e-3, 1e3, 0.02, 50,
            "resistance of the rod side over that of the bore side"},
           {"oil_share", "-", 0.2, 0.02, 0.45, 0.1, 0.4, "share of the line's oil at the chamber"},
       },

@@ -8,7 +8,8 @@
 
 namespace phs::identify::search {
 
-enum class Spread { kAll, kEach };  // on all targets only, or also on each alone
+/// On all targets together only, also on each alone, or on each alone only.
+enum class Spread { kAll, kEach, kAlone };
 
 /// One row: the effect, its free numbers, the starts, numbers held at other
 /// than default values.

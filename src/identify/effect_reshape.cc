@@ -104,12 +104,12 @@ FitResult FitWithout(const FitProblem& problem, const Identification& found, siz
       {.first_own = static_cast<int>(model->free.size()), .max_steps = 8, .final_jacobian = true});
 }
 
-bool SaysAsMuchWithLess(const FitProblem& problem, const FitResult& simple,
-                        const FitResult& other) {
+bool SaysAsMuchWithLess(const FitProblem& problem, const FitResult& simple, const FitResult& other,
+                        double margin) {
   constexpr double kSame = 0.005, kSameChannel = 0.01;  // of the residual's rms
   if (simple.values.size() >= other.values.size()) return false;
   const Evidence e = Compare(problem, simple, other);
-  return e.estimation_gain < kSame && e.best_channel_gain < kSameChannel;
+  return e.estimation_gain < margin * kSame && e.best_channel_gain < margin * kSameChannel;
 }
 
 void ReshapeEffects(const FitProblem& problem, const FitProblem& coarse,

@@ -19,8 +19,10 @@ std::vector<double> ValuesWithout(const Identification& found, size_t dropped, F
 FitResult FitWithout(const FitProblem& problem, const Identification& found, size_t dropped,
                      FreeModel* model);
 
-/// Fewer numbers, and practically nothing that the other explains beyond.
-bool SaysAsMuchWithLess(const FitProblem& problem, const FitResult& simple, const FitResult& other);
+/// Fewer numbers, and practically nothing that the other explains beyond; `margin` widens what
+/// counts as nothing.
+bool SaysAsMuchWithLess(const FitProblem& problem, const FitResult& simple, const FitResult& other,
+                        double margin = 1);
 
 /// Tries each accepted effect of `found` in all its forms, from where the numbers are now and (the
 /// hydraulic ones) from the declared volumes, and as the simpler effect that it contains. Takes

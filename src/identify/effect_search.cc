@@ -8,6 +8,7 @@
 #include "effects/catalogue.h"
 #include "effects/formula.h"
 #include "identify/driven_formula.h"
+#include "identify/effect_recipes.h"
 #include "identify/effect_reshape.h"
 #include "identify/effect_trials.h"
 #include "identify/effect_verdict.h"
@@ -182,7 +183,11 @@ class Search {
       if (trials[i].form.free.size() >= trials[static_cast<size_t>(simplest)].form.free.size()) {
         continue;
       }
-      if (SaysAsMuchWithLess(problem_, trials[i].fit, trials[static_cast<size_t>(best)].fit)) {
+      const bool nested = IsNested(trials[i].candidate->effect,
+                                   trials[static_cast<size_t>(best)].candidate->effect);
+      const double margin = nested ? 3 : 1;
+      if (SaysAsMuchWithLess(problem_, trials[i].fit, trials[static_cast<size_t>(best)].fit,
+                             margin)) {
         simplest = static_cast<int>(i);
       }
     }

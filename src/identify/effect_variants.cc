@@ -56,7 +56,7 @@ void AddVariants(const Recipe& recipe, const PhsParams& params, std::vector<Cand
   if (info == nullptr) return;
   Candidate candidate = MakeCandidate(*info, recipe.free, recipe.starts, recipe.fixed);
   AddOptions(*info, recipe, &candidate);
-  out->push_back(candidate);
+  if (recipe.spread != Spread::kAlone) out->push_back(candidate);
   std::vector<std::string> places;
   if (info->targets == "lines") {
     for (const auto& line : params.lines) places.push_back(line.name);

@@ -147,8 +147,25 @@ Result<std::vector<hydraulics::ForcePlace>> RigForward::Places(const PhsParams& 
 
 FreeModel RigForward::Declared(const PhsParams& declared) const { return DeclaredModel(declared); }
 
+namespace {
+
+/// A wave of which a sixth or less is seen cannot be told from a ramp that bends, and runs away
+/// beyond the window.
+void BoundPeriods(double longest, std::vector<FreeParameter>* free) {
+  for (FreeParameter& p : *free) {
+    if (p.name.ends_with(".period_s")) p.high = std::max(std::min(p.high, longest), 1.01 * p.low);
+  }
+}
+
+}  // namespace
+
 std::vector<Candidate> RigForward::Candidates(const PhsParams& params) const {
   std::vector<Candidate> out = ListCandidates(params, data_.kind);
+  const double longest = 6 * (data_.estimation[1] - data_.estimation[0]);
+  for (Candidate& candidate : out) {
+    BoundPeriods(longest, &candidate.free);
+    for (EffectOption& option : candidate.options) BoundPeriods(longest, &option.free);
+  }
   const auto& asked = data_.candidates;
   if (asked.empty()) return out;
   std::erase_if(out, [&](const Candidate& c) {
