@@ -49,6 +49,39 @@ TEST(EffectForms, AStiffeningHoseTakesUpItsVolume) {
               x * params.cylinders[0].RodArea(), 1e-9);
 }
 
+TEST(EffectForms, AnAccumulatorOpensPartByPart) {
+  // Thirds of its volume with precharges P - s sqrt(3/2), P, P + s sqrt(3/2); isothermal gas.
+  const double P = 6e6, s = 4e5, x = 5e-4;
+  const PhsParams params =
+      OilWith("accumulator_precharge", {{"precharge_Pa", P}, {"spread_Pa", s}});
+  const auto& l = params.lines[0];
+  for (const double share : {0.6, 0.8, 1.0}) {
+    const double p = Hold(Compile(params), share * x, 0).p_rod;
+    double taken = l.oil_volume_m3 / l.bulk_modulus_Pa * (p - l.static_pressure_Pa);
+    for (const double k : {-std::sqrt(1.5), 0.0, std::sqrt(1.5)}) {
+      taken += l.accumulator.volume_m3 / 3 * std::max(0.0, 1 - (P + k * s) / p);
+    }
+    EXPECT_NEAR(taken, share * x * params.cylinders[0].RodArea(), 1e-9) << p;
+  }
+}
+
+TEST(EffectForms, ADiaphragmLaysItselfOnItsWallPartByPart) {
+  // Thirds of the gas that stop at V_min/3 (1 - d sqrt(3/2)), V_min/3, V_min/3 (1 + d sqrt(3/2)).
+  const double least = 6e-6, spread = 0.4;
+  PhsParams params = Frictionless();
+  params = With(params, "diaphragm_stop", {{"min_gas_volume_m3", least}, {"spread", spread}});
+  const auto& l = params.lines[0];
+  const double V0 = l.gas_volume_m3, p0 = l.static_pressure_Pa;
+  for (const double x : {1.0e-3, 1.4e-3, 1.7e-3, 2.0e-3}) {
+    const double p = Hold(Compile(params), x, 0).p_rod;
+    double taken = l.oil_volume_m3 / l.bulk_modulus_Pa * (p - p0);
+    for (const double k : {-std::sqrt(1.5), 0.0, std::sqrt(1.5)}) {
+      taken += (V0 - std::max(V0 * p0 / p, least * (1 + k * spread))) / 3;
+    }
+    EXPECT_NEAR(taken, x * params.cylinders[0].RodArea(), 1e-9) << p;
+  }
+}
+
 TEST(EffectForms, AirDissolvesByHenrysLawAndLags) {
   const double a = 0.02, ps = 8e6, x = 2e-4;
   const PhsParams at_once = OilWith("entrained_air", {{"air_fraction", a}, {"saturation_Pa", ps}});

@@ -105,6 +105,8 @@ TEST(EnergyOfForms, WorkIsStoredPlusLost) {
       {"gas_thermal", {{"heat_capacity_ratio", 5}, {"real_gas", 1}}},
       {"gas_thermal", {{"thermal_time_s", 0.3}, {"wall_heat_ratio", 2}, {"wall_time_s", 0.5}}},
       {"gas_thermal", {{"wall_heat_ratio", 2}, {"wall_time_s", 0.5}, {"real_gas", 1}}},
+      {"accumulator_precharge", {{"precharge_Pa", 2.6e6}, {"spread_Pa", 4e5}}},
+      {"diaphragm_stop", {{"min_gas_volume_m3", 12e-6}, {"spread", 0.3}}},
       {"piston_leakage", {{"exponent", 0.5}}},
       {"external_leakage", {{"exponent", 1.7}, {"rod_ratio", 3}}},
       {"mount_compliance", {{"hardening_1_per_m2", 3e6}, {"tension_ratio", 0.7}}},

@@ -57,6 +57,17 @@ TEST(EffectSearchTest, FindsAnOrificeLeakAndItsExponent) {
   EXPECT_NEAR(exponent, 0.5, 0.15);
 }
 
+TEST(EffectSearchTest, FindsARestrictionInOneChamberAlone) {
+  hydraulics::PhsParams truth = OffDeclared();
+  truth.effects.push_back({"check_restriction",
+                           {},
+                           {{"out_Pas_per_m3", 1e8}, {"in_Pas_per_m3", 1e6}, {"rod_ratio", 40}}});
+  const Identification found = Find(Declared(), Record(truth));
+  ASSERT_EQ(found.effects.size(), 1u);
+  EXPECT_EQ(found.effects[0].candidate.effect, "check_restriction");
+  EXPECT_LT(found.after.channel_ms[3], 1.1);
+}
+
 TEST(ClusteredDeviation, IsThatOfTheBlocksWhereAResidualIsEvenInEach) {
   // A mean over B blocks of even residuals r_b: deviation sqrt(sum r_b²)/B sqrt(B/(B-1)).
   constexpr int kBlocks = 20, kRows = 50;

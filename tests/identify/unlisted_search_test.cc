@@ -58,6 +58,28 @@ TEST(UnlistedSearchTest, AReliefValveIsAFlowBeyondAPressure) {
   EXPECT_LT(found.after.channel_ms[2], 1.1);
 }
 
+TEST(UnlistedSearchTest, AValveThatOpensLowIsNotToldFromALeakThatWidens) {
+  const FitData data =
+      Record(WithUnlisted("c1*(max(p-2e6[Pa],0[Pa])/1e6[Pa])", "c1_m3_per_s", 4e-8, {"L2"}));
+  const Identification found = Find(Declared(), data);
+  ASSERT_EQ(found.effects.size(), 1u);
+  EXPECT_EQ(found.effects[0].candidate.effect, "external_leakage");
+  EXPECT_THAT(found.effects[0].confusable_with, testing::Contains("unlisted"));
+}
+
+TEST(UnlistedSearchTest, AGradualStopIsTheFormOfAListedEffect) {
+  hydraulics::PhsParams truth = OffDeclared();
+  truth.effects.push_back(
+      {"diaphragm_stop", {"L2"}, {{"min_gas_volume_m3", 4.5e-6}, {"spread", 0.12}}});
+  const Identification found = Find(Declared(), Record(truth));
+  ASSERT_EQ(found.effects.size(), 1u);
+  EXPECT_EQ(found.effects[0].candidate.effect, "diaphragm_stop");
+  EXPECT_EQ(found.effects[0].candidate.params.targets, std::vector<std::string>{"L2"});
+  ASSERT_EQ(found.effects[0].candidate.free.size(), 2u);
+  EXPECT_NEAR(found.after.values[found.after.values.size() - 2], 4.5e-6, 0.1e-6);
+  EXPECT_NEAR(found.after.values.back(), 0.12, 0.03);
+}
+
 TEST(UnlistedSearchTest, AStopIsHeardWithinARunOfTheModel) {
   const FitData data = Record(OffDeclared());
   auto problem = FitProblem::Create(data, Declared());

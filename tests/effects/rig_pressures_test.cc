@@ -1,0 +1,70 @@
+// Pressures that follow from the motion alone are kept between runs: the same numbers to the bit.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+
+#include "effects/rig_model.h"
+#include "tests/effects/driven_cylinder.h"
+
+namespace phs::effects {
+namespace {
+
+RigMotion TwoSines() {
+  RigMotion motion{0, 0.005, {{}}, {}, {}, {}};
+  for (int i = 0; i < 2000; ++i) {
+    const double t = i * motion.step_s;
+    motion.position_m[0].push_back(2e-3 * std::sin(2 * t) + 4e-4 * std::sin(9 * t));
+  }
+  return motion;
+}
+
+PhsParams Quarter2() { return FindPhsParams("quarter_setup2").value(); }
+
+RigPrediction RunRig(const PhsParams& params, std::shared_ptr<const RigPressures>* pressures) {
+  const auto rig = RigModel::Create(RigKind::kQuarter, params);
+  EXPECT_TRUE(rig.ok());
+  RigPrediction out;
+  EXPECT_TRUE(rig.value().Run(TwoSines(), &out, pressures).ok());
+  return out;
+}
+
+TEST(RigPressures, OfAnotherFrictionGiveTheSameRunToTheBit) {
+  PhsParams first = With(Quarter2(), "entrained_air", {{"air_fraction", 0.01}});
+  first = With(first, "line_inertance", {{"inertance_kg_per_m4", 1e8}});
+  PhsParams second = With(first, "pressure_friction", {{"bore_N_per_Pa", 5e-5}});
+  second = With(second, "presliding", {{"stiffness_N_per_m", 1e7}});
+  second = With(second, "dwell_friction", {{"extra_N", 300}});
+  second = With(second, "sensor_gain", {{"load", 1.1}, {"p_bore", 0.9}});
+  second.friction.scale = 1.3;
+  ASSERT_EQ(HydraulicsOf(first), HydraulicsOf(second));
+  std::shared_ptr<const RigPressures> kept, none;
+  RunRig(first, &kept);
+  ASSERT_NE(kept, nullptr);
+  const RigPrediction alone = RunRig(second, &none), from_kept = RunRig(second, &kept);
+  EXPECT_EQ(alone.channels, from_kept.channels);
+}
+
+TEST(RigPressures, BelongToOneHydraulics) {
+  const PhsParams plain = Quarter2();
+  PhsParams volume = plain;
+  volume.lines[1].oil_volume_m3 *= 1.01;
+  EXPECT_NE(HydraulicsOf(plain), HydraulicsOf(volume));
+  EXPECT_NE(HydraulicsOf(plain), HydraulicsOf(With(plain, "piston_leakage", {})));
+  EXPECT_NE(HydraulicsOf(plain), HydraulicsOf(With(plain, "temperature_drift", {})));
+  PhsParams valve = plain;
+  valve.effects.push_back({"unlisted", {"L2"}, {{"c1_m3_per_s", 1e-9}}, "c1*(p/1e6[Pa])"});
+  EXPECT_NE(HydraulicsOf(plain), HydraulicsOf(valve));
+  PhsParams force = plain;
+  force.effects.push_back({"unlisted", {}, {{"c1_N", 10}}, "c1*(x/0.001[m])"});
+  EXPECT_EQ(HydraulicsOf(plain), HydraulicsOf(force));
+}
+
+TEST(RigPressures, AreNotKeptWhereFrictionActsBack) {
+  std::shared_ptr<const RigPressures> kept;
+  RunRig(With(Quarter2(), "mount_compliance", {}), &kept);
+  EXPECT_EQ(kept, nullptr);
+}
+
+}  // namespace
+}  // namespace phs::effects

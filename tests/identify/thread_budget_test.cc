@@ -1,0 +1,49 @@
+// Loops inside loops share their threads: all work done once, never more threads than allowed.
+#include "identify/thread_budget.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <thread>
+#include <vector>
+
+namespace phs::identify::search {
+namespace {
+
+TEST(ThreadBudget, DoesAllOnceAndKeepsTheLimit) {
+  constexpr int kThreads = 3, kOuter = 7, kInner = 11;
+  ThreadBudget threads(kThreads);
+  std::vector<std::atomic<int>> done(kOuter * kInner);
+  std::atomic<int> running{0}, most{0};
+  for (int repeat = 1; repeat <= 3; ++repeat) {
+    threads.ForEach(kOuter, [&](int i) {
+      threads.ForEach(kInner, [&](int k) {
+        const int now = ++running;
+        for (int seen = most; now > seen && !most.compare_exchange_weak(seen, now);) {
+        }
+        std::this_thread::sleep_for(std::chrono::microseconds(200));
+        ++done[static_cast<size_t>(i * kInner + k)];
+        --running;
+      });
+    });
+    for (const auto& count : done) EXPECT_EQ(count, repeat);
+  }
+  EXPECT_LE(most, kThreads);
+  EXPECT_GT(most, 1);
+}
+
+TEST(ThreadBudget, OneThreadIsTheCallersOwn) {
+  ThreadBudget threads(1);
+  const auto caller = std::this_thread::get_id();
+  int sum = 0;
+  threads.ForEach(5, [&](int i) {
+    EXPECT_EQ(std::this_thread::get_id(), caller);
+    sum += i;
+  });
+  EXPECT_EQ(sum, 10);
+  threads.ForEach(0, [&](int) { ADD_FAILURE(); });
+}
+
+}  // namespace
+}  // namespace phs::identify::search
