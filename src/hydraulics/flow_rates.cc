@@ -244,12 +244,17 @@ void SolveStage(const CompiledPhs& sys, double time, double since, double a, con
   SlowMatrix slow(count);
   Matrix A(flows);
   Instant at = start;
-  constexpr int kMostIterations = 30;
-  double before = 0;
+  constexpr int kMostIterations = 30, kStepped = 8;
   for (int iteration = 0; iteration < kMostIterations; ++iteration) {
     PlaceAt(sys, time, since, start, speed, u, &at);
     // Pressures and flows by one Newton's method: 1e-8 of a pressure leaves nothing.
-    double largest = 1e8 * StepNodes(sys, u, &at);
+    // Should they not meet within a few steps, each pressure is solved inside its bracket.
+    double largest = 0;
+    if (iteration < kStepped) {
+      largest = 1e8 * StepNodes(sys, u, &at);
+    } else {
+      sys.SolveNodes(u, &at, &at);
+    }
     for (int i = first_flow; i < count; ++i) flow[i] = (u[i] - base[i]) / a;
     CalcDerivative(sys, time, at, speed, u, flow, F, &slow, &A);
     for (int i = first; i < first_flow; ++i) step[i] = base[i] + a * F[i] - u[i];
@@ -270,10 +275,7 @@ void SolveStage(const CompiledPhs& sys, double time, double since, double a, con
       // flow state moves its volume by a times itself.
       largest = std::max(largest, std::abs(change[i]) * 1e14);
     }
-    // What is left is at most a geometric series of the last two changes.
-    const double ratio = largest / before;
-    if (largest <= 1 || (ratio < 0.3 && largest * ratio <= 0.05)) break;
-    before = largest;
+    if (largest <= 1) break;
   }
   // The derivative that the solved stage stands for.
   for (int i = first; i < count; ++i) F[i] = (u[i] - base[i]) / a;

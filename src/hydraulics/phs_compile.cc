@@ -115,11 +115,13 @@ void AddReservoir(const LineParams& line, double T, Node* node) {
 // The blow-off accumulator, or parts of it with precharges of their own.
 void AddAccumulator(const LineParams& line, double T, Node* node) {
   auto add = [&](double volume, double precharge) {
-    NodeGas g = CompileGas(line.accumulator, volume, precharge, T);
+    GasChargeParams charge = line.accumulator;
+    charge.min_gas_volume_m3 *= volume / line.accumulator.volume_m3;
+    charge.volume_m3 = volume;
+    NodeGas g = CompileGas(charge, volume, precharge, T);
     g.blow_off = true;
     // At a static pressure above its precharge the accumulator is partly full of oil from the
     // start.
-    g.gas.max_volume = volume;
     g.static_volume = CalcGas(g.gas, node->p0, T).volume;
     node->gases.push_back(g);
   };

@@ -237,6 +237,7 @@ void PhsSystem::CalcForces(double time, const double* x, const double* v, const 
   const CompiledPhs& sys = *impl_;
   Instant at;
   PlaceKnown(sys, time, x, state, p_bore, p_rod, &at);
+  out->energy = false;
   for (size_t i = 0; i < sys.cylinders.size(); ++i) {
     CalcCylinder(sys, at, static_cast<int>(i), v[i], state, out);
   }

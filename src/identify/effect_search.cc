@@ -234,7 +234,8 @@ class Search {
     // What shaping a form may still bring on the coarse record [ln of the mean square].
     constexpr double kShaping = 0.6;
     const Eigen::VectorXd now = coarse_.Residual(out_.corrected, out_.after.values);
-    const double most = now.size() > 0 ? MeanLogSquare(now, problem_.num_channels()) + kShaping : 0;
+    const double most =
+        now.size() > 0 ? MeanLogSquare(now, problem_.num_channels()) + kShaping : 1e300;
     for (size_t i = 0; i + 1 < out_.effects.size() && !cancelled_; ++i) {
       share_ = 0.68 + 0.1 * static_cast<double>(i);
       FreeModel model;
@@ -349,9 +350,13 @@ class Search {
     static const std::vector<std::string> yielding = {
         "entrained_air", "hose_expansion", "accumulator_precharge", "diaphragm_stop", "cavitation"};
     return found.unit == effects::UnitSuffix(effects::FormulaUnit::kVolume) &&
-           std::any_of(out_.effects.begin(), out_.effects.end(), [](const AcceptedEffect& e) {
-             return std::find(yielding.begin(), yielding.end(), e.candidate.effect) !=
-                    yielding.end();
+           std::any_of(out_.effects.begin(), out_.effects.end(), [&](const AcceptedEffect& e) {
+             const std::vector<std::string>& on = e.candidate.params.targets;
+             const bool same_place = on.empty() || found.targets.empty() ||
+                                     std::find_first_of(on.begin(), on.end(), found.targets.begin(),
+                                                        found.targets.end()) != on.end();
+             return same_place && std::find(yielding.begin(), yielding.end(), e.candidate.effect) !=
+                                      yielding.end();
            });
   }
 

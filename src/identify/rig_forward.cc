@@ -60,10 +60,16 @@ std::shared_ptr<const effects::RigPressures> PressureMemory::Find(const PhsParam
 
 void PressureMemory::Keep(const PhsParams& hydraulics,
                           std::shared_ptr<const effects::RigPressures> pressures) {
-  constexpr size_t kMost = 16;
+  constexpr size_t kMost = 16, kMostNumbers = 1 << 23;  // 64 MB each for bore and rod
   const std::lock_guard<std::mutex> lock(mutex_);
+  const bool known = std::any_of(entries_.begin(), entries_.end(), [&](const Entry& entry) {
+    return entry.hydraulics == hydraulics;
+  });
+  if (known) return;
+  const size_t most = std::min(kMost, kMostNumbers / std::max<size_t>(pressures->bore.size(), 1));
+  if (most == 0) return;
   entries_.push_front({hydraulics, std::move(pressures)});
-  if (entries_.size() > kMost) entries_.pop_back();
+  while (entries_.size() > most) entries_.pop_back();
 }
 
 Status RigForward::RunMotion(const PhsParams& params, const RigMotion& motion,
@@ -157,6 +163,15 @@ void BoundPeriods(double longest, std::vector<FreeParameter>* free) {
   }
 }
 
+/// Starts are where the bounds allow them.
+void BoundStarts(const std::vector<FreeParameter>& free, std::vector<std::vector<double>>* starts) {
+  for (std::vector<double>& start : *starts) {
+    for (size_t i = 0; i < free.size(); ++i) {
+      start[i] = std::clamp(start[i], free[i].low, free[i].high);
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<Candidate> RigForward::Candidates(const PhsParams& params) const {
@@ -164,7 +179,11 @@ std::vector<Candidate> RigForward::Candidates(const PhsParams& params) const {
   const double longest = 6 * (data_.estimation[1] - data_.estimation[0]);
   for (Candidate& candidate : out) {
     BoundPeriods(longest, &candidate.free);
-    for (EffectOption& option : candidate.options) BoundPeriods(longest, &option.free);
+    BoundStarts(candidate.free, &candidate.starts);
+    for (EffectOption& option : candidate.options) {
+      BoundPeriods(longest, &option.free);
+      BoundStarts(option.free, &option.starts);
+    }
   }
   const auto& asked = data_.candidates;
   if (asked.empty()) return out;

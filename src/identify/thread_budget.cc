@@ -8,9 +8,10 @@ namespace phs::identify::search {
 
 int ThreadBudget::Take(int most) {
   int free = free_;
-  while (!free_.compare_exchange_weak(free, free - std::clamp(most, 0, free))) {
+  const auto taken = [&] { return std::clamp(most, 0, std::max(free, 0)); };
+  while (!free_.compare_exchange_weak(free, free - taken())) {
   }
-  return std::clamp(most, 0, free);
+  return taken();
 }
 
 void ThreadBudget::ForEach(int n, const std::function<void(int)>& work) {

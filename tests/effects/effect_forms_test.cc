@@ -63,6 +63,14 @@ TEST(EffectForms, AnAccumulatorOpensPartByPart) {
     }
     EXPECT_NEAR(taken, share * x * params.cylinders[0].RodArea(), 1e-9) << p;
   }
+  // Each part has its share of the accumulator's own stop.
+  PhsParams stopped = params;
+  const double room = 3e-7;
+  stopped.lines[0].accumulator.min_gas_volume_m3 = l.accumulator.volume_m3 - room;
+  const double p = Hold(Compile(stopped), 2 * x, 0).p_rod;
+  EXPECT_GT(p, 1.2 * P);
+  EXPECT_NEAR(room + l.oil_volume_m3 / l.bulk_modulus_Pa * (p - l.static_pressure_Pa),
+              2 * x * params.cylinders[0].RodArea(), 1e-9);
 }
 
 TEST(EffectForms, ADiaphragmLaysItselfOnItsWallPartByPart) {
