@@ -45,6 +45,34 @@ TEST(RigPressures, OfAnotherFrictionGiveTheSameRunToTheBit) {
   EXPECT_EQ(alone.channels, from_kept.channels);
 }
 
+TEST(RigPressures, AndForcesAreThoseOfTheSystemStepByStep) {
+  PhsParams params = With(Quarter2(), "entrained_air", {{"air_fraction", 0.01}});
+  params = With(params, "pressure_friction", {{"bore_N_per_Pa", 5e-5}, {"rod_N_per_Pa", 2e-5}});
+  params = With(params, "presliding", {{"stiffness_N_per_m", 1e7}});
+  params = With(params, "line_resistance", {{"laminar_Pas_per_m3", 2e9}});
+  std::shared_ptr<const RigPressures> none;
+  const RigPrediction run = RunRig(params, &none);
+  const PhsSystem system = CreatePhsSystem(params).value();
+  const RigMotion motion = TwoSines();
+  const std::vector<double>& x = motion.position_m[0];
+  const std::vector<double> speed = DifferentiateMotion(x, motion.step_s);
+  std::vector<double> state(static_cast<size_t>(system.num_states()), 0.0), rate(state);
+  hydraulics::PhsOutputs at;
+  double force, bore, rod;
+  at.force = &force, at.p_bore = &bore, at.p_rod = &rod;
+  for (size_t i = 0; i < x.size(); ++i) {
+    const double t = static_cast<double>(i) * motion.step_s;
+    system.Calc(t, &x[i], &speed[i], state.data(), &at);
+    ASSERT_NEAR(run.channels[1][i], force, 1e-6) << i;
+    ASSERT_NEAR(run.channels[2][i], bore, 1e-4) << i;
+    ASSERT_NEAR(run.channels[3][i], rod, 1e-4) << i;
+    if (i + 1 == x.size()) break;
+    const double v = (x[i + 1] - x[i]) / motion.step_s;
+    system.CalcStateRate(t, motion.step_s, &x[i], &v, state.data(), rate.data());
+    for (size_t j = 0; j < state.size(); ++j) state[j] += motion.step_s * rate[j];
+  }
+}
+
 TEST(RigPressures, BelongToOneHydraulics) {
   const PhsParams plain = Quarter2();
   PhsParams volume = plain;

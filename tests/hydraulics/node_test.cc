@@ -1,0 +1,55 @@
+// The volume balance of one pressure: a few Newton steps lead to the solution by brackets.
+#include "hydraulics/node.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace phs::hydraulics {
+namespace {
+
+// Oil that stiffens and a polytropic gas: no closed form.
+Node StiffeningOilAndGas() {
+  Node node;
+  node.p0 = 2e6, node.oil_volume = 1.1e-3, node.bulk_modulus = 1.4e9, node.bulk_slope = 10;
+  node.air = 1e-6 * node.oil_volume * kAtmosphere, node.temperature = 293.15;
+  NodeGas gas;
+  gas.gas.law = GasLaw::kPolytropic;
+  gas.gas.reference_volume = gas.static_volume = 1.8e-5;
+  gas.gas.reference_pressure = 2e6, gas.gas.reference_temperature = 293.15;
+  gas.gas.max_volume = 3e-4;
+  gas.gas.SetMass();
+  node.gases.push_back(gas);
+  node.Prepare();
+  return node;
+}
+
+TEST(Node, StepsLeadQuadraticallyToTheSolution) {
+  const Node node = StiffeningOilAndGas();
+  for (const double D : {-8e-6, -1e-6, 2e-6, 9e-6}) {
+    const NodeState solved = SolveNode(node, D, 293.15, nullptr);
+    NodeState at = SolveNode(node, D - 1e-6, 293.15, nullptr);
+    double before = 1;
+    for (int i = 0; i < 4; ++i) {
+      double moved;
+      at = StepNode(node, D, 293.15, nullptr, at, &moved);
+      EXPECT_LE(moved, std::max(10 * before * before, 1e-14)) << D << " step " << i;
+      EXPECT_EQ(at.pushed, D);
+      before = moved;
+    }
+    EXPECT_NEAR(at.p / solved.p, 1, 1e-13) << D;
+    EXPECT_NEAR(at.slope / solved.slope, 1, 1e-9) << D;
+  }
+}
+
+TEST(Node, AStepThatWouldGoFarIsSolved) {
+  const Node node = StiffeningOilAndGas();
+  const NodeState far = SolveNode(node, -1.5e-5, 293.15, nullptr);
+  double moved = 1;
+  const NodeState at = StepNode(node, 1.2e-5, 293.15, nullptr, far, &moved);
+  EXPECT_EQ(moved, 0);
+  EXPECT_NEAR(at.p / SolveNode(node, 1.2e-5, 293.15, nullptr).p, 1, 1e-9);
+}
+
+}  // namespace
+}  // namespace phs::hydraulics
