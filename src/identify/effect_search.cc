@@ -173,6 +173,11 @@ class Search {
     return true;
   }
 
+  /// An effect that the other contains is preferred further.
+  static double Margin(const std::string& simple, const std::string& other) {
+    return IsNested(simple, other) ? 3 : 1;
+  }
+
   /// Of those that explain practically as much as the best, the one with the fewest numbers: what
   /// differs by direction must show that it does.
   int Simplest(const std::vector<FullTrial>& trials, const std::vector<size_t>& places,
@@ -183,11 +188,9 @@ class Search {
       if (trials[i].form.free.size() >= trials[static_cast<size_t>(simplest)].form.free.size()) {
         continue;
       }
-      const bool nested = IsNested(trials[i].candidate->effect,
-                                   trials[static_cast<size_t>(best)].candidate->effect);
-      const double margin = nested ? 3 : 1;
-      if (SaysAsMuchWithLess(problem_, trials[i].fit, trials[static_cast<size_t>(best)].fit,
-                             margin)) {
+      const FullTrial& other = trials[static_cast<size_t>(best)];
+      if (SaysAsMuchWithLess(problem_, trials[i].fit, other.fit,
+                             Margin(trials[i].candidate->effect, other.candidate->effect))) {
         simplest = static_cast<int>(i);
       }
     }
@@ -251,6 +254,10 @@ class Search {
         const Evidence e = Compare(problem_, out_.after, trial.fit);
         const FreeModel whole = WithCandidate(model, trial.form);
         if (e.delta_bic < options_.min_delta_bic || OnBound(whole, trial.fit, trial.form)) {
+          continue;
+        }
+        if (SaysAsMuchWithLess(problem_, out_.after, trial.fit,
+                               Margin(old, trial.candidate->effect))) {
           continue;
         }
         AcceptedEffect replaced{trial.form, Compare(problem_, rest, trial.fit), {old}};

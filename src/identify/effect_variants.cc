@@ -41,6 +41,11 @@ void AddOptions(const EffectInfo& info, const Recipe& recipe, Candidate* candida
     // Air that does not dissolve has no lag in it.
     const std::string first = row.free[0];
     if (first == "dissolving_time_s" && !is_free("saturation_Pa")) continue;
+    // What stands for one side alone stays there.
+    const bool one_side = std::any_of(recipe.fixed.begin(), recipe.fixed.end(), [](const auto& f) {
+      return std::string(f.first) == "rod_ratio";
+    });
+    if (one_side && first == "rod_ratio") continue;
     EffectOption option{{}, row.starts};
     for (size_t i = 0; i < row.free.size(); ++i) {
       double smallest = row.starts[0][i];
