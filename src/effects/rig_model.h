@@ -37,9 +37,9 @@ struct BeamParams {
 };
 
 struct RigOptions {
-  int substeps = 1;    ///< integration steps per sample (1 … 1000); more where a line rings
-  bool settle = true;  ///< states start settled at the first position (friction unloaded)
-  BeamParams beam;     ///< full rig only
+  int substeps = 1;       ///< integration steps per sample (1 … 1000); more where a line rings
+  int most_substeps = 6;  ///< for a ringing line, >= 1
+  BeamParams beam;        ///< full rig only
 };
 
 /// What drives the rig: one row per driven actuator, samples at t0 + i step.

@@ -22,44 +22,46 @@ namespace phs::hydraulics {
 namespace {
 
 constexpr double kGamma = 1 - M_SQRT1_2;
-constexpr int kMaxFlow = 2 * kMaxPaths;
 
-// A square matrix of the few flow states, rows one after the other.
-struct Matrix {
-  explicit Matrix(int rows) : n(rows) {}
-  double& operator()(int i, int k) { return value[i * n + k]; }
-  void SetZero() { std::fill(value, value + n * n, 0.0); }
-  int n;
-  double value[kMaxFlow * kMaxFlow];
+// How the paths answer to what they let pass: the slope of each law, over the pressure drop or, of
+// a path with inertance, of the drop over the flow; d(p_from - p_to of k)/d(volume passed by l).
+struct PathSlopes {
+  double law[kMaxPaths];
+  double drop[kMaxPaths][kMaxPaths];
 };
 
-// Solves (1 - a A) x = b in place of b, by elimination with partial pivoting; A is lost.
-void SolveShifted(double a, Matrix* A, double* b) {
-  const int n = A->n;
-  Matrix& m = *A;
-  for (int i = 0; i < n * n; ++i) m.value[i] *= -a;
-  for (int i = 0; i < n; ++i) m(i, i) += 1;
-  for (int k = 0; k < n; ++k) {
-    int pivot = k;
-    for (int i = k + 1; i < n; ++i) {
-      if (std::abs(m(i, k)) > std::abs(m(pivot, k))) pivot = i;
+// A square matrix of as many rows as there are paths.
+struct PathMatrix {
+  explicit PathMatrix(size_t rows) : n(rows) {}
+  double& operator()(size_t i, size_t k) { return value[i][k]; }
+
+  // Solves M x = b in place of b, by elimination with partial pivoting; M is lost.
+  void Solve(double* b) {
+    for (size_t k = 0; k < n; ++k) {
+      size_t pivot = k;
+      for (size_t i = k + 1; i < n; ++i) {
+        if (std::abs(value[i][k]) > std::abs(value[pivot][k])) pivot = i;
+      }
+      if (pivot != k) {
+        std::swap_ranges(value[k], value[k] + n, value[pivot]);
+        std::swap(b[k], b[pivot]);
+      }
+      for (size_t i = k + 1; i < n; ++i) {
+        const double share = value[i][k] / value[k][k];
+        if (share == 0) continue;
+        for (size_t j = k + 1; j < n; ++j) value[i][j] -= share * value[k][j];
+        b[i] -= share * b[k];
+      }
     }
-    if (pivot != k) {
-      std::swap_ranges(&m(k, 0), &m(k, 0) + n, &m(pivot, 0));
-      std::swap(b[k], b[pivot]);
-    }
-    for (int i = k + 1; i < n; ++i) {
-      const double share = m(i, k) / m(k, k);
-      if (share == 0) continue;
-      for (int j = k + 1; j < n; ++j) m(i, j) -= share * m(k, j);
-      b[i] -= share * b[k];
+    for (size_t i = n; i-- > 0;) {
+      for (size_t j = i + 1; j < n; ++j) b[i] -= value[i][j] * b[j];
+      b[i] /= value[i][i];
     }
   }
-  for (int i = n - 1; i >= 0; --i) {
-    for (int j = i + 1; j < n; ++j) b[i] -= m(i, j) * b[j];
-    b[i] /= m(i, i);
-  }
-}
+
+  size_t n;
+  double value[kMaxPaths][kMaxPaths];
+};
 
 // A of the slow states: the diagonal, and what couples a state with the next one (a gas with its
 // wall).
@@ -144,20 +146,33 @@ double CalcFlow(const FlowLaw& law, double time, double dp, const double* q, dou
   return *q + (dp - drop) * *slope;
 }
 
-// F(t, u) at an instant, and A: `slow` for the gases, the matrix for the flows. `flows`: those of
+void CalcDropSlopes(const CompiledPhs& sys, const Instant& at, PathSlopes* slopes) {
+  for (size_t k = 0; k < sys.paths.size(); ++k) {
+    const Path& path = sys.paths[k];
+    for (size_t l = 0; l < sys.paths.size(); ++l) {
+      const Path& other = sys.paths[l];
+      auto rise = [&](int node) {  // of its pressure with the volume that the other lets pass
+        if (node == kOpen || (node != other.to && node != other.from)) return 0.0;
+        return (node == other.to ? 1 : -1) / at.node[node].slope;
+      };
+      slopes->drop[k][l] = rise(path.from) - rise(path.to);
+    }
+  }
+}
+
+// F(t, u) at an instant; `slow` of the gases and `slopes` of the paths (or null). `flows`: those of
 // the last iterate by state, or null.
 void CalcDerivative(const CompiledPhs& sys, double time, const Instant& at, const double* speed,
                     const double* state, const double* flows, double* rate, SlowMatrix* slow,
-                    Matrix* A) {
+                    PathSlopes* slopes) {
   double inflow[kMaxNodes] = {};
   for (size_t i = 0; i < sys.cylinders.size(); ++i) {
     const CompiledCylinder& c = sys.cylinders[i];
     if (c.bore != kOpen) inflow[c.bore] -= c.bore_area * speed[i];
     if (c.rod != kOpen) inflow[c.rod] += c.rod_area * speed[i];
   }
-  const int first_flow = sys.paths.empty() ? 0 : sys.paths[0].volume;
-  if (A != nullptr) A->SetZero();
-  for (const Path& path : sys.paths) {
+  for (size_t k = 0; k < sys.paths.size(); ++k) {
+    const Path& path = sys.paths[k];
     const double dp = sys.Pressure(at, path.from) - sys.Pressure(at, path.to);
     double flow, slope = 0;
     if (path.flow >= 0) {
@@ -171,25 +186,9 @@ void CalcDerivative(const CompiledPhs& sys, double time, const Instant& at, cons
     rate[path.volume] = flow;
     if (path.from != kOpen) inflow[path.from] -= flow;
     if (path.to != kOpen) inflow[path.to] += flow;
-    if (A == nullptr) continue;
-    const int row = (path.flow >= 0 ? path.flow : path.volume) - first_flow;
-    const double gain = path.flow >= 0 ? 1 / path.law->Inertance() : slope;
-    for (const Path& other : sys.paths) {
-      double dp_dW = 0;
-      auto add = [&](int node, double side) {
-        if (node == kOpen) return;
-        const double moved = (node == other.to ? 1.0 : 0.0) - (node == other.from ? 1.0 : 0.0);
-        dp_dW += side * moved / at.node[node].slope;
-      };
-      add(path.from, 1);
-      add(path.to, -1);
-      (*A)(row, other.volume - first_flow) = gain * dp_dW;
-    }
-    if (path.flow >= 0) {
-      (*A)(row, row) -= slope * gain;
-      (*A)(path.volume - first_flow, row) = 1;
-    }
+    if (slopes != nullptr) slopes->law[k] = slope;
   }
+  if (slopes != nullptr) CalcDropSlopes(sys, at, slopes);
   for (size_t n = 0; n < sys.nodes.size(); ++n) {
     CalcGasRates(sys.nodes[n], at.node[n], at.ambient, inflow[n], state, rate, slow);
   }
@@ -234,48 +233,73 @@ void HeatStep(const CompiledPhs& sys, double time, double h, const Instant& star
   for (int i = first; i < count; ++i) rate[i] = 1.5 * k1[i] + 0.5 * k2[i];
 }
 
+// One Newton step of the paths of a stage: W = base + a q with the flow q of the law, or with
+// inertance q = base_q + a dq/dt, both as equations for the volume W passed; the largest change
+// [m3]. Flows with inertance in `u` follow from W.
+double StepPaths(const CompiledPhs& sys, double a, const PathSlopes& slopes, const double* base,
+                 const double* F, double* u) {
+  const size_t n = sys.paths.size();
+  PathMatrix M(n);
+  double change[kMaxPaths];
+  for (size_t k = 0; k < n; ++k) {
+    const Path& path = sys.paths[k];
+    double passed = a * F[path.volume], gain = a * slopes.law[k], own = 1;
+    if (path.flow >= 0) {
+      const double light = a / path.law->Inertance();
+      passed = a * (base[path.flow] + a * F[path.flow]);
+      gain = a * light, own += light * slopes.law[k];
+    }
+    change[k] = base[path.volume] + passed - u[path.volume];
+    for (size_t l = 0; l < n; ++l) M(k, l) = (k == l ? own : 0) - gain * slopes.drop[k][l];
+  }
+  M.Solve(change);
+  double largest = 0;
+  for (size_t k = 0; k < n; ++k) {
+    const Path& path = sys.paths[k];
+    u[path.volume] += change[k];
+    if (path.flow >= 0) u[path.flow] = (u[path.volume] - base[path.volume]) / a;
+    largest = std::max(largest, std::abs(change[k]));
+  }
+  return largest;
+}
+
 // Solves u = base + a F(t, u) for the hydraulic states; `u` holds a guess and gets the solution,
-// `F` the derivative there.
+// `F` the derivative there, `at` pressures close by and those of the solution.
 void SolveStage(const CompiledPhs& sys, double time, double since, double a, const Instant& start,
-                const double* speed, const double* base, double* u, double* F) {
+                const double* speed, const double* base, double* u, double* F, Instant* at) {
   const int count = sys.num_states(), first = sys.first_slow;
-  const int first_flow = sys.paths[0].volume, flows = count - first_flow;
+  const int first_flow = sys.paths[0].volume;
   double flow[kMaxStates], step[kMaxStates];
   SlowMatrix slow(count);
-  Matrix A(flows);
-  Instant at = start;
+  PathSlopes slopes;
+  for (const Path& path : sys.paths) {
+    if (path.flow >= 0) u[path.volume] = base[path.volume] + a * u[path.flow];
+  }
   constexpr int kMostIterations = 30, kStepped = 8;
+  double before = 0;
   for (int iteration = 0; iteration < kMostIterations; ++iteration) {
-    PlaceAt(sys, time, since, start, speed, u, &at);
+    PlaceAt(sys, time, since, start, speed, u, at);
     // Pressures and flows by one Newton's method: 1e-8 of a pressure leaves nothing.
     // Should they not meet within a few steps, each pressure is solved inside its bracket.
     double largest = 0;
     if (iteration < kStepped) {
-      largest = 1e8 * StepNodes(sys, u, &at);
+      largest = 1e8 * StepNodes(sys, u, at);
     } else {
-      sys.SolveNodes(u, &at, &at);
+      sys.SolveNodes(u, at, at);
     }
     for (int i = first_flow; i < count; ++i) flow[i] = (u[i] - base[i]) / a;
-    CalcDerivative(sys, time, at, speed, u, flow, F, &slow, &A);
+    CalcDerivative(sys, time, *at, speed, u, flow, F, &slow, &slopes);
     for (int i = first; i < first_flow; ++i) step[i] = base[i] + a * F[i] - u[i];
     slow.SolveShifted(a, first, first_flow, step);
     for (int i = first; i < first_flow; ++i) {
       u[i] += step[i];
       largest = std::max(largest, std::abs(step[i]) * 1e7);
     }
-    double change[kMaxFlow];
-    for (int i = 0; i < flows; ++i) {
-      const int k = first_flow + i;
-      change[i] = base[k] + a * F[k] - u[k];
-    }
-    SolveShifted(a, &A, change);
-    for (int i = 0; i < flows; ++i) {
-      u[first_flow + i] += change[i];
-      // 1e-14 m3 is 0.01 Pa on a chamber, and Newton's next error is far below the last change; a
-      // flow state moves its volume by a times itself.
-      largest = std::max(largest, std::abs(change[i]) * 1e14);
-    }
-    if (largest <= 1) break;
+    // 1e-14 m3 is 0.01 Pa on a chamber.
+    largest = std::max(largest, 1e14 * StepPaths(sys, a, slopes, base, F, u));
+    // What is left is at most the share of this change that this is of the one before.
+    if (largest <= 1 || (largest < before && largest * largest <= before)) break;
+    before = largest;
   }
   // The derivative that the solved stage stands for.
   for (int i = first; i < count; ++i) F[i] = (u[i] - base[i]) / a;
@@ -287,12 +311,13 @@ void FlowStep(const CompiledPhs& sys, double time, double h, const Instant& star
   const double a = kGamma * h;
   double u[kMaxStates], base[kMaxStates] = {}, F1[kMaxStates], F2[kMaxStates];
   std::copy(state, state + count, u);
-  SolveStage(sys, time + a, a, a, start, speed, state, u, F1);
+  Instant at = start;
+  SolveStage(sys, time + a, a, a, start, speed, state, u, F1, &at);
   for (int i = first; i < count; ++i) {
     base[i] = state[i] + (1 - kGamma) * h * F1[i];
     u[i] = base[i] + a * F1[i];
   }
-  SolveStage(sys, time + h, h, a, start, speed, base, u, F2);
+  SolveStage(sys, time + h, h, a, start, speed, base, u, F2, &at);
   for (int i = first; i < count; ++i) rate[i] = (u[i] - state[i]) / h;
 }
 

@@ -135,6 +135,14 @@ void PlacePistons(const CompiledPhs& sys, double time, const double* x, const do
   }
 }
 
+// Pistons and every pressure.
+void SolveInstant(const CompiledPhs& sys, double time, const double* x, const double* state,
+                  Instant* at) {
+  PlacePistons(sys, time, x, state, at);
+  sys.CalcPushed(state, at);
+  sys.SolveNodes(state, at);
+}
+
 // Pistons and the pressures of their chambers; other nodes stay unknown.
 void PlaceKnown(const CompiledPhs& sys, double time, const double* x, const double* state,
                 const double* p_bore, const double* p_rod, Instant* at) {
@@ -170,9 +178,7 @@ void PhsSystem::Calc(double time, const double* x, const double* v, const double
                      PhsOutputs* out) const noexcept {
   const CompiledPhs& sys = *impl_;
   Instant at;
-  PlacePistons(sys, time, x, state, &at);
-  sys.CalcPushed(state, &at);
-  sys.SolveNodes(state, &at);
+  SolveInstant(sys, time, x, state, &at);
   out->stored_energy = out->lost_power = 0;
   double speed[kMaxCylinders];
   double rate[kMaxStates];
@@ -200,13 +206,13 @@ void PhsSystem::CalcStateRate(double time, double h, const double* x, const doub
   const CompiledPhs& sys = *impl_;
   double speed[kMaxCylinders];
   std::copy(v, v + sys.cylinders.size(), speed);
-  Instant at;
-  PlacePistons(sys, time, x, state, &at);
   const bool hydraulic = sys.num_states() > sys.first_slow;
   const bool solved = sys.friction_needs_pressure || hydraulic;
+  Instant at;
   if (solved) {
-    sys.CalcPushed(state, &at);
-    sys.SolveNodes(state, &at);
+    SolveInstant(sys, time, x, state, &at);
+  } else {
+    PlacePistons(sys, time, x, state, &at);
   }
   if (sys.has_mounts)
     CalcMountRates(sys, time, h, x, v, state, solved ? &at : nullptr, speed, rate);
@@ -221,9 +227,7 @@ void PhsSystem::CalcHydraulics(double time, double h, const double* x, const dou
                                double* p_rod) const noexcept {
   const CompiledPhs& sys = *impl_;
   Instant at;
-  PlacePistons(sys, time, x, state, &at);
-  sys.CalcPushed(state, &at);
-  sys.SolveNodes(state, &at);
+  SolveInstant(sys, time, x, state, &at);
   for (size_t i = 0; i < sys.cylinders.size(); ++i) {
     p_bore[i] = sys.Pressure(at, sys.cylinders[i].bore);
     p_rod[i] = sys.Pressure(at, sys.cylinders[i].rod);

@@ -76,7 +76,8 @@ class PhsSystem {
   /// states over the coming step h; other rates are left as they are.
   void CalcHydraulics(double time, double h, const double* x, const double* v, const double* state,
                       double* rate, double* p_bore, double* p_rod) const noexcept;
-  /// Calc where the chamber pressures are known; of `out` all but the line pressures and energies.
+  /// Calc where the chamber pressures are known; of `out` all but the line pressures and energies
+  /// (out->energy is set to false).
   void CalcForces(double time, const double* x, const double* v, const double* state,
                   const double* p_bore, const double* p_rod, PhsOutputs* out) const noexcept;
   /// Mean rates of the friction's states where the chamber pressures are known: the first

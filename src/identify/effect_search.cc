@@ -5,13 +5,12 @@
 #include <cmath>
 #include <mutex>
 
-#include "effects/catalogue.h"
-#include "effects/formula.h"
 #include "identify/driven_formula.h"
 #include "identify/effect_recipes.h"
 #include "identify/effect_reshape.h"
 #include "identify/effect_trials.h"
 #include "identify/effect_verdict.h"
+#include "identify/formula_rivals.h"
 #include "identify/near_fit.h"
 
 namespace phs::identify::search {
@@ -304,8 +303,8 @@ class Search {
     if (cancelled_ || !options_.formula || !out_.formula.empty()) return;
     const FormulaTrial trial = TryFormula(problem_, coarse_, out_.corrected, out_.after,
                                           {.threshold = options_.min_delta_bic});
-    if (!trial.fit.ok || IsTheirForm(trial.found)) return;
-    if (IsTheirVolume(trial.found)) return RecordFormula(trial, kTheirForm);
+    if (!trial.fit.ok || IsTheirFriction(trial.found, out_.effects)) return;
+    if (IsTheirVolume(trial.found, out_.effects)) return RecordFormula(trial, kTheirForm);
     const std::string no =
         FormulaVerdict(trial.evidence, trial.channel_gain, out_.effects.empty(), options_);
     RecordFormula(trial, no.empty() ? "accepted" : no);
@@ -318,12 +317,13 @@ class Search {
     if (cancelled_ || !options_.formula || out_.effects.empty()) return;
     const FormulaTrial trial = TryFormula(problem_, coarse_, out_.declared, out_.before,
                                           {.max_terms = 1, .threshold = options_.min_delta_bic});
-    if (!trial.fit.ok || IsTheirForm(trial.found)) return;
+    if (!trial.fit.ok || IsTheirFriction(trial.found, out_.effects)) return;
     const Evidence over = Compare(problem_, out_.after, trial.fit);
     SearchOptions rules = options_;
     // With fewer numbers it need not take a large share of what the others leave.
     if (trial.fit.values.size() < out_.after.values.size()) rules.min_first_removed = 0;
-    const bool form = IsTheirVolume(trial.found) && !IsFarBetter(trial, over);
+    const bool form =
+        IsTheirVolume(trial.found, out_.effects) && !IsFarBetter(trial.fit, out_.after, over);
     if (form || !Verdict(over, false, true, rules).empty()) {
       if (out_.effects.size() == 1) {
         NoteConfusable(out_.after, trial.fit, "unlisted", &out_.effects.front());
@@ -336,44 +336,6 @@ class Search {
     RecordFormula(trial, "accepted");
     out_.effects.clear();
     TakeFormula(trial, trial.evidence);
-  }
-
-  /// A force with the direction or over the speed is friction: beside or instead of a listed
-  /// friction effect it is no more than the form of that.
-  bool IsTheirForm(const FoundFormula& found) const {
-    const bool friction =
-        std::any_of(out_.effects.begin(), out_.effects.end(), [](const AcceptedEffect& e) {
-          const auto* info = effects::Catalogue().Find(e.candidate.effect);
-          return info != nullptr && info->family == "friction";
-        });
-    return friction && std::all_of(found.terms.begin(), found.terms.end(), [](const auto& term) {
-             return term.text.starts_with("s*") || term.text.starts_with("s^") ||
-                    term.text.find('v') != std::string::npos;
-           });
-  }
-
-  /// A volume over the pressure of a line says how that line yields: so do some listed effects.
-  bool IsTheirVolume(const FoundFormula& found) const {
-    static const std::vector<std::string> yielding = {
-        "entrained_air", "hose_expansion", "accumulator_precharge", "diaphragm_stop", "cavitation"};
-    return found.unit == effects::UnitSuffix(effects::FormulaUnit::kVolume) &&
-           std::any_of(out_.effects.begin(), out_.effects.end(), [&](const AcceptedEffect& e) {
-             const std::vector<std::string>& on = e.candidate.params.targets;
-             const bool same_place = on.empty() || found.targets.empty() ||
-                                     std::find_first_of(on.begin(), on.end(), found.targets.begin(),
-                                                        found.targets.end()) != on.end();
-             return same_place && std::find(yielding.begin(), yielding.end(), e.candidate.effect) !=
-                                      yielding.end();
-           });
-  }
-
-  /// More than the form of a listed effect not being quite right: much less is left, or it is said
-  /// with fewer numbers, the chosen threshold and power counted.
-  bool IsFarBetter(const FormulaTrial& trial, const Evidence& over) const {
-    constexpr double kFar = 0.3;  // of the residual's rms
-    constexpr size_t kChosen = 2;
-    return over.estimation_gain > kFar ||
-           trial.fit.values.size() + kChosen < out_.after.values.size();
   }
 
   void RecordFormula(const FormulaTrial& trial, const std::string& verdict) {

@@ -67,6 +67,41 @@ std::vector<int> BestOfEach(const std::vector<FullTrial>& trials, int channels,
   return chosen;
 }
 
+/// Where the full fit of a candidate begins: the numbers of its coarse fit. A thinned record may
+/// mislead (a line that rings faster than its samples seems damped): where these say less than
+/// nothing on the full one, what is best there of neighbours of each number and of the candidate's
+/// own starts.
+std::vector<double> FullStart(const FitProblem& problem, const FreeModel& whole,
+                              const FitResult& without, const FullTrial& trial) {
+  const std::vector<double>& coarse = trial.coarse.values;
+  auto error = [&](const std::vector<double>& values) {
+    const Eigen::VectorXd residual = problem.Residual(whole, values);
+    return residual.size() > 0 ? residual.squaredNorm() : 1e300;
+  };
+  double least = error(coarse);
+  if (least < without.residual.squaredNorm()) return coarse;
+  const size_t first = without.values.size();
+  std::vector<std::vector<double>> tried;
+  for (const std::vector<double>& start : trial.candidate->starts) {
+    tried.push_back(coarse);
+    std::copy(start.begin(), start.end(), tried.back().begin() + static_cast<long>(first));
+  }
+  for (size_t i = first; i < coarse.size(); ++i) {
+    const FreeParameter& p = whole.free[i];
+    if (!p.logarithmic) continue;
+    for (const double factor : {0.1, 0.3, 3.0, 10.0}) {
+      tried.push_back(coarse);
+      tried.back()[i] = std::clamp(factor * coarse[i], p.low, p.high);
+    }
+  }
+  std::vector<double> best = coarse;
+  for (std::vector<double>& values : tried) {
+    const double here = error(values);
+    if (here < least) least = here, best = std::move(values);
+  }
+  return best;
+}
+
 }  // namespace
 
 std::vector<FullTrial> TryEffects(const FitProblem& problem, const FitProblem& coarse,
@@ -95,7 +130,8 @@ std::vector<FullTrial> TryEffects(const FitProblem& problem, const FitProblem& c
     FullTrial& trial = trials[chosen[k]];
     trial.coarse = ShapeForm(coarse, model, trial.coarse, &trial.form);
     const FreeModel whole = WithCandidate(model, trial.form);
-    trial.fit = FitNear(problem, whole, trial.coarse.values, {}, {.first_own = 0, .max_steps = 1});
+    trial.fit = FitNear(problem, whole, FullStart(problem, whole, fit, trial), {},
+                        {.first_own = 0, .max_steps = 1});
     if (!trial.fit.ok) return;
     const int count = static_cast<int>(trial.fit.values.size());
     trial.fit = FitBalanced(problem, whole, trial.fit.values, trial.fit.jacobian,

@@ -27,7 +27,10 @@ Result<std::shared_ptr<const ForwardModel>> RigForward::Create(const FitData& da
 }
 
 RigForward::RigForward(const FitData& data, std::vector<int> output_index, int stride)
-    : data_(data), stride_(stride), output_index_(std::move(output_index)) {
+    : data_(data), options_(data.options), stride_(stride), output_index_(std::move(output_index)) {
+  // A thinned record shows nothing of a line that rings faster than its samples.
+  constexpr int kMostOfThinned = 5;
+  if (stride > 1) options_.most_substeps = kMostOfThinned;
   full_.t0_s = short_.t0_s = data.time_s.front();
   full_.step_s = data.step_s;
   short_.step_s = data.step_s * stride;
@@ -75,7 +78,7 @@ void PressureMemory::Keep(const PhsParams& hydraulics,
 Status RigForward::RunMotion(const PhsParams& params, const RigMotion& motion,
                              std::shared_ptr<const effects::RigPressures>* pressures,
                              Channels* out) const {
-  Result<RigModel> rig = RigModel::Create(data_.kind, params, data_.options);
+  Result<RigModel> rig = RigModel::Create(data_.kind, params, options_);
   if (!rig.ok()) return rig.status();
   RigPrediction prediction;
   if (Status s = rig.value().Run(motion, &prediction, pressures); !s.ok()) return s;
@@ -125,7 +128,7 @@ Result<std::vector<hydraulics::ForcePlace>> RigForward::Places(const PhsParams& 
   constexpr double kRamp = 2e-4;  // [m/s]
   PhsParams bare = params;        // pressures themselves, without the errors of their sensors
   std::erase_if(bare.effects, [](const auto& e) { return e.name.starts_with("sensor_"); });
-  Result<RigModel> rig = RigModel::Create(data_.kind, bare, data_.options);
+  Result<RigModel> rig = RigModel::Create(data_.kind, bare, options_);
   if (!rig.ok()) return rig.error();
   RigPrediction prediction;
   if (Status s = rig.value().Run(short_, &prediction); !s.ok()) return s.error();

@@ -52,6 +52,7 @@ class RigForward final : public ForwardModel {
                    std::shared_ptr<const effects::RigPressures>* pressures, Channels* out) const;
 
   const FitData& data_;
+  effects::RigOptions options_;
   int stride_ = 1;
   effects::RigMotion full_;        ///< whole record
   effects::RigMotion short_;       ///< to the end of the estimation window, in strides
