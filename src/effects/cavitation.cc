@@ -4,6 +4,7 @@
 #include <cmath>
 #include <memory>
 
+#include "effects/dissolving_air.h"
 #include "effects/targets.h"
 #include "hydraulics/gas_law.h"
 
@@ -32,14 +33,24 @@ class ReleasedAir final : public hydraulics::VolumeLaw {
   double pV_, release_;
 };
 
+constexpr double kAtOnce = 1e-3;  // [s] beside a lag of the other way
+
 Status Install(const EffectParams& effect, Extension* extension) {
   for (int line : TargetLines(effect, extension->params())) {
     const hydraulics::LineParams& l = extension->line(line);
-    extension->AddVolume(
-        line, std::make_unique<ReleasedAir>(effect.values.at("solubility") *
-                                                LineFactor(effect, extension->params(), line) *
-                                                l.oil_volume_m3,
-                                            effect.values.at("release_Pa"), l.static_pressure_Pa));
+    const double air = effect.values.at("solubility") *
+                       LineFactor(effect, extension->params(), line) * l.oil_volume_m3;
+    const double release = effect.values.at("release_Pa");
+    const double out = effect.values.at("release_time_s");
+    const double back = effect.values.at("dissolving_time_s");
+    if (out > 0 || back > 0) {
+      const LagTimes times{std::max(out, kAtOnce), std::max(back, kAtOnce)};
+      const Solution solution{std::min(release, l.static_pressure_Pa), 0};
+      extension->AddVolume(line, std::make_unique<LaggingAir>(Bubble{air, 1}, solution, times,
+                                                              l.static_pressure_Pa));
+    } else {
+      extension->AddVolume(line, std::make_unique<ReleasedAir>(air, release, l.static_pressure_Pa));
+    }
   }
   return {};
 }
@@ -55,6 +66,8 @@ const EffectInfo& CavitationInfo() {
       {
           {"release_Pa", "Pa", 1e5, 1e2, 1e8, 2e3, 1.5e6, "p_c"},
           {"solubility", "-", 0.09, 0, 0.5, 0.01, 0.5, "b"},
+          {"release_time_s", "s", 0, 0, 1e6, 0, 10, "air comes out with this lag; 0 = at once"},
+          {"dissolving_time_s", "s", 0, 0, 1e6, 0, 60, "and goes back with this; 0 = at once"},
           {"rod_ratio", "-", 1, 1e-3, 1e3, 0.2, 5, "air of rod lines over that of bore lines"},
       },
       Install};

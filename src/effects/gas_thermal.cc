@@ -23,6 +23,8 @@ Status Install(const EffectParams& effect, Extension* extension) {
         effect.values.at("heat_capacity_ratio");
     l.reservoir.wall_heat_ratio = l.accumulator.wall_heat_ratio =
         effect.values.at("wall_heat_ratio");
+    l.reservoir.density_exponent = l.accumulator.density_exponent =
+        effect.values.at("density_exponent");
     l.reservoir.wall_time_s = l.accumulator.wall_time_s = effect.values.at("wall_time_s");
   }
   return {};
@@ -43,6 +45,7 @@ const EffectInfo& GasThermalInfo() {
           {"wall_heat_ratio", "-", 0, 0, 1e4, 0, 10,
            "r: heat capacity of the gas over that of a wall that warms up"},
           {"wall_time_s", "s", 60, 1e-3, 1e9, 2, 1000, "tau_w: wall with its surroundings"},
+          {"density_exponent", "-", 0, -2, 2, 0, 1, "m: tau ~ density^-m, free convection"},
           {"rod_ratio", "-", 1, 1e-3, 1e3, 0.2, 5,
            "time constant of rod lines over that of bore lines"},
           {"accumulator_ratio", "-", 1, 1e-4, 1e4, 1e-3, 100,

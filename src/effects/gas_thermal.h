@@ -4,8 +4,9 @@
 // or `bwr` (real gas). Fast: adiabatic; slow: isothermal. tau [s] 0.3 … 30 (Otis and Pourmovahed
 // 1985; thesis Table B-1). Heat may also be stored by a filler at the gas's temperature
 // (heat_capacity_ratio) and by a wall between gas and surroundings (wall_heat_ratio r, wall_time_s:
-// gas_law.h). Blow-off accumulators may have another tau (accumulator_ratio). States: deviations of
-// gas and wall temperature [K]. Loss: exergy destroyed by the heat flows.
+// gas_law.h); tau may fall with density (density_exponent: convection). Blow-off accumulators may
+// have another tau (accumulator_ratio). States: deviations of gas and wall temperature [K]. Loss:
+// exergy destroyed by the heat flows.
 #pragma once
 
 #include "hydraulics/extension.h"

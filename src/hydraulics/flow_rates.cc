@@ -130,7 +130,7 @@ void CalcGasRates(const Node& node, const NodeState& at, double ambient, double 
     const double a = 1 + heat[k].kappa * gas[k].dV_dT;
     rate[g.state] = (heat[k].relax - heat[k].kappa * gas[k].dV_dp * p_rate) / a;
     const double coupled = -heat[k].kappa * gas[k].dV_dp * gas[k].dV_dT / (a * stiff);
-    diagonal[g.state] = -(1 + coupled) / (g.gas.thermal_time * a);
+    diagonal[g.state] = -(1 + coupled) / (heat[k].time * a);
     if (g.wall_state >= 0) slow->over_next[g.state] = -diagonal[g.state];
   }
 }

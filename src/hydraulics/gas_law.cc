@@ -152,11 +152,14 @@ GasHeat CalcGasHeat(const GasVolume& gas, double volume, double temperature, dou
     dp_dT = at.dp_dT;
   }
   cv += FillerHeat(gas);
-  out.relax = (wall - T) / gas.thermal_time;
+  const double denser = gas.reference_volume / volume;
+  out.time = gas.density_exponent == 0 ? gas.thermal_time
+                                       : gas.thermal_time * std::pow(denser, -gas.density_exponent);
+  out.relax = (wall - T) / out.time;
   out.kappa = T * dp_dT / (gas.mass * cv);
-  out.loss = ambient * gas.mass * cv * (T - wall) * (T - wall) / (gas.thermal_time * T * wall);
+  out.loss = ambient * gas.mass * cv * (T - wall) * (T - wall) / (out.time * T * wall);
   if (!gas.HasWallState()) return out;
-  out.wall_taken = gas.wall_heat_ratio * cv / kNitrogenCv / gas.thermal_time;
+  out.wall_taken = gas.wall_heat_ratio * cv / kNitrogenCv / out.time;
   out.wall_rate = out.wall_taken * (T - wall) + (ambient - wall) / gas.wall_time;
   out.wall_slope = -out.wall_taken - 1 / gas.wall_time;
   out.loss += WallHeat(gas) * (wall - ambient) * (wall - ambient) / (gas.wall_time * wall);

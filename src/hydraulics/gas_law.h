@@ -9,6 +9,8 @@
 // With a wall that takes up heat, T_w stands for T_s above, and
 //   dT_w/dt = r (c_v/c_v0) (T - T_w)/tau + (T_s - T_w)/tau_w,   r = m c_v0/C_w
 // (heat balance of a wall of heat capacity C_w; r = 0: it stays at T_s).
+// Denser gas gives its heat off faster by free convection: tau = tau_0 (rho_0/rho)^m, m = 0 a
+// constant, 1/2 laminar, 2/3 turbulent (Nu ~ Gr^m/2, Gr ~ rho²).
 // p absolute [Pa], V [m3], T [K], tau thermal time constant at constant volume [s].
 // Source: T. P. Löwe, M.Eng. thesis, University of Pretoria, eqs. 12-19, constants corrected (see
 // bwr_nitrogen.h); D. R. Otis and P. E. Pourmovahed, J. Dyn. Syst. Meas. Control 107 (1985) 116.
@@ -39,6 +41,7 @@ struct GasVolume {
   double heat_capacity_ratio = 1;    ///< (gas + filler that stores heat with it) / gas, >= 1
   double wall_heat_ratio = 0;        ///< r: heat capacity of the gas over its wall's; 0 = no wall
   double wall_time = 0;              ///< tau_w [s], > 0 with a wall
+  double density_exponent = 0;       ///< m
   double min_volume = 0;             ///< [m3]
   double max_volume = 0;             ///< [m3]
   double mass = 0;                   ///< [kg]; set by SetMass
@@ -72,6 +75,7 @@ double CalcGasEnergy(const GasVolume& gas, double volume, double temperature, do
 /// Heat balance of a law with a state: dT/dt = relax - kappa dV/dt.
 struct GasHeat {
   double relax = 0;  ///< (T_w - T)/tau [K/s]
+  double time = 0;   ///< tau at this density [s]
   double kappa = 0;  ///< T (dp/dT)_v / (m c_v) [K/m3], > 0
   /// Available power destroyed by the heat flows, T_s Q (1/T_w - 1/T) + C_w (T_w-T_s)^2/(tau_w T_w)
   /// [W].

@@ -85,6 +85,7 @@ NodeGas CompileGas(const GasChargeParams& charge, double volume, double pressure
   g.gas.thermal_time = charge.thermal_time_s;
   g.gas.heat_capacity_ratio = charge.heat_capacity_ratio;
   g.gas.wall_heat_ratio = charge.wall_heat_ratio;
+  g.gas.density_exponent = charge.density_exponent;
   g.gas.wall_time = charge.wall_time_s;
   g.gas.min_volume = charge.min_gas_volume_m3;
   g.gas.max_volume = std::max(charge.volume_m3, volume);

@@ -52,6 +52,7 @@ struct GasChargeParams {
   /// (gas + filler) / gas, >= 1: set by the effect gas_thermal.
   double heat_capacity_ratio = 1.0;
   double wall_heat_ratio = 0;    ///< of the gas over its wall; set by gas_thermal
+  double density_exponent = 0;   ///< of the time constant; set by gas_thermal
   double wall_time_s = 60.0;     ///< of the wall with its surroundings; set by gas_thermal
   double min_gas_volume_m3 = 0;  ///< diaphragm on its stop
   /// Standard deviation of the above over the parts of a diaphragm that come to rest one after the

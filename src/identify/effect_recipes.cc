@@ -115,6 +115,11 @@ const std::vector<Recipe>& Hydraulic() {
        Spread::kEach,
        {"release_Pa", "solubility"},
        {{8e4, 0.05}, {2.5e5, 0.05}, {8e5, 0.05}}},
+      {"cavitation",
+       Spread::kEach,
+       {"release_Pa", "solubility", "dissolving_time_s"},
+       {{2.5e5, 0.05, 1}, {6e5, 0.05, 3}},
+       {{"release_time_s", 0.3}}},
   };
   return rows;
 }
@@ -283,10 +288,13 @@ const std::vector<OptionRow>& Options() {
       {"hose_expansion", {"rod_ratio"}, {{1}}},
       {"gas_thermal", {"heat_capacity_ratio"}, {{2}, {30}}},
       {"gas_thermal", {"wall_heat_ratio", "wall_time_s"}, {{0.3, 20}, {0.3, 100}}},
+      {"gas_thermal", {"density_exponent"}, {{0.3}}},
       {"gas_thermal", {"rod_ratio"}, {{1}}},
       {"gas_thermal", {"accumulator_ratio"}, {{0.02}, {3}}},
       {"accumulator_precharge", {"spread_Pa"}, {{2e5}, {8e5}}},
       {"diaphragm_stop", {"spread"}, {{0.1}, {0.4}}},
+      {"cavitation", {"release_time_s", "dissolving_time_s"}, {{0.3, 0.3}, {0.3, 3}}},
+      {"cavitation", {"release_time_s"}, {{0.3}}},
       {"cavitation", {"rod_ratio"}, {{1}}},
       {"stribeck", {"exponent"}, {{1.5}}},
       {"presliding", {"share"}, {{0.7}}},

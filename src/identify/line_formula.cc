@@ -48,7 +48,8 @@ class LineTerms final : public TermLibrary {
     Add(fmt::format("(t/{:g}[s])*", RoundScale(end)) + p, 2);
   }
 
-  /// The ramps that fit best beyond a pressure, above and below static.
+  /// The ramps that fit best beyond a pressure, above and below static: sought among sums of a few
+  /// that the model has answered to.
   void AddForResidual(const Eigen::VectorXd& residual) override {
     for (const double end : {place_.high, place_.low}) {
       if (std::abs(end) < 0.05 * scale_) continue;
@@ -57,7 +58,7 @@ class LineTerms final : public TermLibrary {
   }
 
  private:
-  static constexpr int kScan = 12, kRefine = 5;
+  static constexpr int kGrid = 12, kScan = 240;
 
   std::string Ramp(double share, double end, int power) const {
     const double onset = std::abs(share * end);
@@ -73,20 +74,68 @@ class LineTerms final : public TermLibrary {
     return norm > 0 ? std::pow(c.dot(residual), 2) / norm : 0;
   }
 
+  /// Ramps max(p - p_k, 0)/P from onsets p_k on a grid up to `end`, what the model can imitate
+  /// taken out. A ramp from between two of them is their mean, a squared one their sum from its
+  /// onset on.
+  struct RampGrid {
+    double end = 0;
+    Eigen::MatrixXd own, products;
+    double Step() const { return 1.0 / static_cast<double>(own.cols()); }
+  };
+
+  const RampGrid& Grid(double end) {
+    for (const RampGrid& grid : grids_) {
+      if (grid.end == end) return grid;
+    }
+    RampGrid grid;
+    grid.end = end;
+    grid.own.resize(model_.residual.size(), kGrid);
+    for (int k = 0; k < kGrid; ++k) {
+      grid.own.col(k) = Own(Column(Ramp(k / static_cast<double>(kGrid), end, 1)));
+    }
+    grid.products = grid.own.transpose() * grid.own;
+    grids_.push_back(std::move(grid));
+    return grids_.back();
+  }
+
+  /// The ramp from `share` of the end as a sum of those of the grid.
+  static Eigen::VectorXd Weights(const RampGrid& grid, double share, int power) {
+    const Eigen::Index count = grid.own.cols();
+    const double place = share / grid.Step();
+    const auto k = std::min(static_cast<Eigen::Index>(place), count - 1);
+    const double part = place - static_cast<double>(k);
+    Eigen::VectorXd w = Eigen::VectorXd::Zero(count + 1);  // the last begins at the end: nothing
+    w[k] = 1 - part, w[k + 1] = part;
+    if (power == 2) {  // trapezes from the onset on
+      w *= 0.5 * (1 - part);
+      w[k + 1] += 0.5 * (1 - part);
+      for (Eigen::Index i = k + 1; i < count; ++i) w[i] += 0.5, w[i + 1] += 0.5;
+    }
+    return w.head(count);
+  }
+
   void AddBestRamp(const Eigen::VectorXd& residual, double end, int power) {
+    const RampGrid& grid = Grid(end);
+    const Eigen::VectorXd along = grid.own.transpose() * residual;
     double best = 0.5, most = -1;
-    const auto look = [&](double share) {
-      const double taken = Taken(residual, Ramp(share, end, power));
+    for (int k = 0; k < kScan; ++k) {
+      const double share = k / static_cast<double>(kScan);
+      const Eigen::VectorXd w = Weights(grid, share, power);
+      const double norm = w.dot(grid.products * w);
+      const double taken = norm > 0 ? std::pow(w.dot(along), 2) / norm : 0;
       if (taken > most) most = taken, best = share;
-    };
-    for (int k = 0; k < kScan; ++k) look(k / static_cast<double>(kScan));
-    double step = 0.5 / kScan;
-    for (int k = 0; k < kRefine; ++k, step /= 2) {
-      for (const double share : {best - step, best + step}) {
-        if (share > 0 && share < 1) look(share);
+    }
+    // Between the grid's onsets the sum is not quite the ramp.
+    most = Taken(residual, Ramp(best, end, power));
+    for (double step = grid.Step() / 4; step > grid.Step() / 20; step /= 2) {
+      const double about = best;
+      for (const double share : {about - step, about + step}) {
+        if (share <= 0 || share >= 1) continue;
+        const double taken = Taken(residual, Ramp(share, end, power));
+        if (taken > most) most = taken, best = share;
       }
     }
-    Add(Ramp(best, end, power), power + 1, std::log(kScan + 2 * kRefine));
+    Add(Ramp(best, end, power), power + 1, std::log(2 * kGrid));
   }
 
   /// What the model answers to the term (coefficient 1), weighted; zeros where it refuses it.
@@ -115,6 +164,7 @@ class LineTerms final : public TermLibrary {
   const Model& model_;
   const LinePlace& place_;
   const double scale_;
+  std::vector<RampGrid> grids_;
 };
 
 /// Lines of the first cylinder, each alone and together, and its piston.

@@ -185,6 +185,42 @@ TEST(EffectForms, AccumulatorsMayKeepToTheirSurroundingsWhileReservoirsDoNot) {
   EXPECT_NEAR(at.p_bore / bore.static_pressure_Pa * std::pow((1e-5 + swept) / 1e-5, n), 1, 5e-3);
 }
 
+TEST(EffectForms, DenserGasGivesItsHeatOffFaster) {
+  // Warmed by compression, then held: T - T_s falls with tau = tau_0 (V/V_0)^m at constant volume.
+  const double m = 0.7, tau = 2, x = 4e-4;
+  PhsParams params = OilWith("gas_thermal", {{"thermal_time_s", tau}, {"density_exponent", m}});
+  for (auto& l : params.lines) l.gas_volume_m3 = 1e-5, l.oil_volume_m3 = 1e-6;
+  for (auto& l : params.lines) l.reservoir.volume_m3 = 1e-3;
+  const PhsSystem s = Compile(params);
+  const auto push = [=](double t) { return x * std::min(t / 0.01, 1.0); };
+  const Held early = Drive(s, 0.02, 1e-3, push), late = Drive(s, 1.02, 1e-3, push);
+  const double denser = 1e-5 / (1e-5 - x * params.cylinders[0].RodArea());
+  const size_t rod = 0;
+  ASSERT_GT(early.state[rod], 10) << "compressed gas is warm";
+  EXPECT_NEAR(std::log(early.state[rod] / late.state[rod]), std::pow(denser, m) / tau, 5e-3);
+}
+
+TEST(EffectForms, ReleasedAirComesAndGoesWithItsTimes) {
+  const double pc = 5e5, b = 0.05, out = 0.2, back = 3, x = 8e-4;
+  std::map<std::string, double> values = {{"release_Pa", pc}, {"solubility", b}};
+  const double settled = Hold(Compile(OilWith("cavitation", values)), x, 0).p_bore;
+  values["release_time_s"] = out, values["dissolving_time_s"] = back;
+  const PhsParams params = OilWith("cavitation", values);
+  const PhsSystem s = Compile(params);
+  EXPECT_LT(Hold(s, x, 0).p_bore, 1e4) << "nothing has come out yet";
+  EXPECT_NEAR(Hold(s, x, 20 * out).p_bore, settled, 1e-3 * settled);
+  // Back at x = 0 what has come out holds the line above its static pressure, A s/p = C (p - p0),
+  // and dissolves: s ~ exp(-t/tau).
+  const auto& l = params.lines[1];
+  const double C = l.oil_volume_m3 / l.bulk_modulus_Pa, p0 = l.static_pressure_Pa;
+  const double A = b * l.oil_volume_m3 * kAtmosphere;
+  const auto pull = [=](double t) { return t < 4 ? x : 0; };
+  const Held early = Drive(s, 4.1, 1e-3, pull), late = Drive(s, 6.1, 1e-3, pull);
+  const auto free = [&](const Held& at) { return C * (at.p_bore - p0) * at.p_bore / A; };
+  EXPECT_GT(free(early), 0.1);
+  EXPECT_NEAR(std::log(free(early) / free(late)), 2 / back, 2e-3);
+}
+
 TEST(EffectForms, AGasAndItsWallStayStableInStepsFarBeyondTheirTime) {
   // h = 5 ms, tau = 0.1 ms, the wall nearly insulated: gas and wall at one temperature.
   PhsParams params = OilWith(

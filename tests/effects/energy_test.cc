@@ -105,6 +105,8 @@ TEST(EnergyOfForms, WorkIsStoredPlusLost) {
       {"gas_thermal", {{"heat_capacity_ratio", 5}, {"real_gas", 1}}},
       {"gas_thermal", {{"thermal_time_s", 0.3}, {"wall_heat_ratio", 2}, {"wall_time_s", 0.5}}},
       {"gas_thermal", {{"wall_heat_ratio", 2}, {"wall_time_s", 0.5}, {"real_gas", 1}}},
+      {"gas_thermal", {{"thermal_time_s", 0.3}, {"density_exponent", 0.7}}},
+      {"cavitation", {{"release_Pa", 1.5e6}, {"release_time_s", 0.1}, {"dissolving_time_s", 0.6}}},
       {"accumulator_precharge", {{"precharge_Pa", 2.6e6}, {"spread_Pa", 4e5}}},
       {"diaphragm_stop", {{"min_gas_volume_m3", 12e-6}, {"spread", 0.3}}},
       {"piston_leakage", {{"exponent", 0.5}}},
