@@ -1,8 +1,7 @@
 // Rates of gas temperatures and flows over a step.
 //
 // F: flow q = law(p_from - p_to), or with an inertance I dq/dt = p_from - p_to - drop(q);
-// gas heat balance dT/dt = relax - kappa dV/dt with dV/dt = V_p dp/dt + V_T dT/dt, and the volume
-// balance of the node S dp/dt - sum V_T dT/dt = dD/dt solved for dp/dt.
+// heat and memories by node_rates.h.
 //
 // Heat alone (time constants of seconds): the two-stage Rosenbrock method ROS2, second order for
 // any matrix A (Verwer, Spee, Blom and Hundsdorfer, SIAM J. Sci. Comput. 20 (1999) 1456), A
@@ -16,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hydraulics/node_rates.h"
 #include "hydraulics/phs_impl.h"
 
 namespace phs::hydraulics {
@@ -63,78 +63,6 @@ struct PathMatrix {
   double value[kMaxPaths][kMaxPaths];
 };
 
-// A of the slow states: the diagonal, and what couples a state with the next one (a gas with its
-// wall).
-struct SlowMatrix {
-  explicit SlowMatrix(int count) {
-    for (double* row : {diagonal, over_next, of_next}) std::fill(row, row + count, 0.0);
-  }
-  double diagonal[kMaxStates];
-  double over_next[kMaxStates];  // d(rate of i)/d(state i + 1)
-  double of_next[kMaxStates];    // d(rate of i + 1)/d(state i)
-
-  // Solves (1 - a A) x = b in place of b, for the states from `first` to `end`.
-  void SolveShifted(double a, int first, int end, double* b) const {
-    for (int i = first; i < end; ++i) {
-      const double d = 1 - a * diagonal[i];
-      if (over_next[i] == 0 || i + 1 >= end) {
-        b[i] /= d;
-        continue;
-      }
-      const double up = -a * over_next[i], down = -a * of_next[i], e = 1 - a * diagonal[i + 1];
-      const double x = (b[i] * e - up * b[i + 1]) / (d * e - up * down);
-      b[i + 1] = (b[i + 1] - down * x) / e;
-      b[i++] = x;
-    }
-  }
-};
-
-// Memories of volume laws and heat balances of one node; `inflow` = dD/dt. Writes rates and A.
-void CalcGasRates(const Node& node, const NodeState& at, double ambient, double inflow,
-                  const double* state, double* rate, SlowMatrix* slow) {
-  double* diagonal = slow->diagonal;
-  for (const NodeLaw& l : node.laws) {
-    if (l.state < 0) continue;
-    const MemoryRate memory = l.law->Memory(at.p, state[l.state]);
-    rate[l.state] = memory.rate;
-    // The node's pressure answers to the memory: dp/dm = -V_m / S at constant oil.
-    diagonal[l.state] = memory.rate_slope - memory.rate_rise * memory.volume_rise / at.slope;
-    inflow -= memory.volume_rise * memory.rate;
-  }
-  bool any = false;
-  for (const NodeGas& g : node.gases) any |= g.state >= 0;
-  if (!any) return;
-  constexpr int kMost = 6;  // three parts each of a reservoir and of an accumulator
-  GasState gas[kMost];
-  GasHeat heat[kMost];
-  double stiff = at.slope, driven = inflow;
-  const int count = std::min<int>(static_cast<int>(node.gases.size()), kMost);
-  for (int k = 0; k < count; ++k) {
-    const NodeGas& g = node.gases[k];
-    if (g.state < 0) continue;
-    const double T = GasTemperature(g, ambient, state);
-    gas[k] = CalcGas(g.gas, at.p, T, g.blow_off ? 0 : at.gas_volume);
-    heat[k] = CalcGasHeat(g.gas, gas[k].volume, T, WallTemperature(g, ambient, state), ambient);
-    if (g.wall_state >= 0) {
-      rate[g.wall_state] = heat[k].wall_rate, diagonal[g.wall_state] = heat[k].wall_slope;
-      slow->of_next[g.state] = heat[k].wall_taken;
-    }
-    const double a = 1 + heat[k].kappa * gas[k].dV_dT;
-    stiff += gas[k].dV_dT * heat[k].kappa * gas[k].dV_dp / a;
-    driven += gas[k].dV_dT * heat[k].relax / a;
-  }
-  const double p_rate = driven / stiff;
-  for (int k = 0; k < count; ++k) {
-    const NodeGas& g = node.gases[k];
-    if (g.state < 0) continue;
-    const double a = 1 + heat[k].kappa * gas[k].dV_dT;
-    rate[g.state] = (heat[k].relax - heat[k].kappa * gas[k].dV_dp * p_rate) / a;
-    const double coupled = -heat[k].kappa * gas[k].dV_dp * gas[k].dV_dT / (a * stiff);
-    diagonal[g.state] = -(1 + coupled) / (heat[k].time * a);
-    if (g.wall_state >= 0) slow->over_next[g.state] = -diagonal[g.state];
-  }
-}
-
 // Flow of a path at dp and its slope. With a flow `q` of the last iterate: linear about it where
 // the law is solved by its drop, q + (dp - Drop(q))/Drop'(q).
 double CalcFlow(const FlowLaw& law, double time, double dp, const double* q, double* slope) {
@@ -146,52 +74,67 @@ double CalcFlow(const FlowLaw& law, double time, double dp, const double* q, dou
   return *q + (dp - drop) * *slope;
 }
 
-void CalcDropSlopes(const CompiledPhs& sys, const Instant& at, PathSlopes* slopes) {
+// `heat`: what the heat of compression adds to dD/dp of the nodes.
+void CalcDropSlopes(const CompiledPhs& sys, const Instant& at, const double* heat,
+                    PathSlopes* slopes) {
   for (size_t k = 0; k < sys.paths.size(); ++k) {
     const Path& path = sys.paths[k];
     for (size_t l = 0; l < sys.paths.size(); ++l) {
       const Path& other = sys.paths[l];
       auto rise = [&](int node) {  // of its pressure with the volume that the other lets pass
         if (node == kOpen || (node != other.to && node != other.from)) return 0.0;
-        return (node == other.to ? 1 : -1) / at.node[node].slope;
+        return (node == other.to ? 1 : -1) / (at.node[node].slope + heat[node]);
       };
       slopes->drop[k][l] = rise(path.from) - rise(path.to);
     }
   }
 }
 
-// F(t, u) at an instant; `slow` of the gases and `slopes` of the paths (or null). `flows`: those of
-// the last iterate by state, or null.
-void CalcDerivative(const CompiledPhs& sys, double time, const Instant& at, const double* speed,
-                    const double* state, const double* flows, double* rate, SlowMatrix* slow,
-                    PathSlopes* slopes) {
+// Rates of volumes passed and of flows with inertance; slopes of the laws. `flows`: those of the
+// last iterate by state, or null.
+void CalcPathRates(const CompiledPhs& sys, double time, const Instant& at, const double* state,
+                   const double* flows, double* rate, PathSlopes* slopes) {
+  for (size_t k = 0; k < sys.paths.size(); ++k) {
+    const Path& path = sys.paths[k];
+    const double dp = sys.Pressure(at, path.from) - sys.Pressure(at, path.to);
+    double* slope = &slopes->law[k];
+    if (path.flow >= 0) {
+      const double flow = state[path.flow];
+      rate[path.flow] = (dp - path.law->Drop(time, flow, slope)) / path.law->Inertance();
+      rate[path.volume] = flow;
+    } else {
+      rate[path.volume] =
+          CalcFlow(*path.law, time, dp, flows != nullptr ? &flows[path.volume] : nullptr, slope);
+    }
+  }
+}
+
+// Rates of the nodes' states, given those of the volumes passed; `heat` as above.
+void CalcAllNodeRates(const CompiledPhs& sys, const Instant& at, const double* speed,
+                      const double* state, double* rate, SlowMatrix* slow, double* heat) {
   double inflow[kMaxNodes] = {};
   for (size_t i = 0; i < sys.cylinders.size(); ++i) {
     const CompiledCylinder& c = sys.cylinders[i];
     if (c.bore != kOpen) inflow[c.bore] -= c.bore_area * speed[i];
     if (c.rod != kOpen) inflow[c.rod] += c.rod_area * speed[i];
   }
-  for (size_t k = 0; k < sys.paths.size(); ++k) {
-    const Path& path = sys.paths[k];
-    const double dp = sys.Pressure(at, path.from) - sys.Pressure(at, path.to);
-    double flow, slope = 0;
-    if (path.flow >= 0) {
-      flow = state[path.flow];
-      const double drop = path.law->Drop(time, flow, &slope);
-      rate[path.flow] = (dp - drop) / path.law->Inertance();
-    } else {
-      flow =
-          CalcFlow(*path.law, time, dp, flows != nullptr ? &flows[path.volume] : nullptr, &slope);
-    }
-    rate[path.volume] = flow;
-    if (path.from != kOpen) inflow[path.from] -= flow;
-    if (path.to != kOpen) inflow[path.to] += flow;
-    if (slopes != nullptr) slopes->law[k] = slope;
+  for (const Path& path : sys.paths) {
+    if (path.from != kOpen) inflow[path.from] -= rate[path.volume];
+    if (path.to != kOpen) inflow[path.to] += rate[path.volume];
   }
-  if (slopes != nullptr) CalcDropSlopes(sys, at, slopes);
   for (size_t n = 0; n < sys.nodes.size(); ++n) {
-    CalcGasRates(sys.nodes[n], at.node[n], at.ambient, inflow[n], state, rate, slow);
+    heat[n] = CalcNodeRates(sys.nodes[n], at.node[n], at.ambient, inflow[n], state, rate, slow) -
+              at.node[n].slope;
   }
+}
+
+// F(t, u) at an instant, and A of the slow states.
+void CalcDerivative(const CompiledPhs& sys, double time, const Instant& at, const double* speed,
+                    const double* state, double* rate, SlowMatrix* slow) {
+  PathSlopes slopes;
+  double heat[kMaxNodes];
+  CalcPathRates(sys, time, at, state, nullptr, rate, &slopes);
+  CalcAllNodeRates(sys, at, speed, state, rate, slow, heat);
 }
 
 // Pistons that have moved for `since`, and what is pushed into the nodes at time t by states `u`.
@@ -220,14 +163,14 @@ void HeatStep(const CompiledPhs& sys, double time, double h, const Instant& star
   const int count = sys.num_states(), first = sys.first_slow;
   double k1[kMaxStates], k2[kMaxStates], next[kMaxStates];
   SlowMatrix slow(count), ignored(count);
-  CalcDerivative(sys, time, start, speed, state, nullptr, k1, &slow, nullptr);
+  CalcDerivative(sys, time, start, speed, state, k1, &slow);
   slow.SolveShifted(kGamma * h, first, count, k1);
   for (int i = first; i < count; ++i) next[i] = state[i] + h * k1[i];
   std::copy(state, state + first, next);
   Instant end = start;
   PlaceAt(sys, time + h, h, start, speed, next, &end);
   sys.SolveNodes(next, &end, &end);
-  CalcDerivative(sys, time + h, end, speed, next, nullptr, k2, &ignored, nullptr);
+  CalcDerivative(sys, time + h, end, speed, next, k2, &ignored);
   for (int i = first; i < count; ++i) k2[i] -= 2 * k1[i];
   slow.SolveShifted(kGamma * h, first, count, k2);
   for (int i = first; i < count; ++i) rate[i] = 1.5 * k1[i] + 0.5 * k2[i];
@@ -264,61 +207,94 @@ double StepPaths(const CompiledPhs& sys, double a, const PathSlopes& slopes, con
 }
 
 // Solves u = base + a F(t, u) for the hydraulic states; `u` holds a guess and gets the solution,
-// `F` the derivative there, `at` pressures close by and those of the solution.
-void SolveStage(const CompiledPhs& sys, double time, double since, double a, const Instant& start,
+// `F` the derivative there, `at` pressures close by and those of the solution. False if it was not
+// found.
+bool SolveStage(const CompiledPhs& sys, double time, double since, double a, const Instant& start,
                 const double* speed, const double* base, double* u, double* F, Instant* at) {
   const int count = sys.num_states(), first = sys.first_slow;
   const int first_flow = sys.paths[0].volume;
-  double flow[kMaxStates], step[kMaxStates];
+  double flow[kMaxStates], step[kMaxStates], heat[kMaxNodes] = {};
   SlowMatrix slow(count);
   PathSlopes slopes;
   for (const Path& path : sys.paths) {
     if (path.flow >= 0) u[path.volume] = base[path.volume] + a * u[path.flow];
   }
   constexpr int kMostIterations = 30, kStepped = 8;
-  double before = 0;
+  constexpr double kPoor = 1e4;  // 100 Pa on a chamber, 1 mK
+  double largest = 0, before = 0;
   for (int iteration = 0; iteration < kMostIterations; ++iteration) {
     PlaceAt(sys, time, since, start, speed, u, at);
     // Pressures and flows by one Newton's method: 1e-8 of a pressure leaves nothing.
     // Should they not meet within a few steps, each pressure is solved inside its bracket.
-    double largest = 0;
+    largest = 0;
     if (iteration < kStepped) {
       largest = 1e8 * StepNodes(sys, u, at);
     } else {
       sys.SolveNodes(u, at, at);
     }
     for (int i = first_flow; i < count; ++i) flow[i] = (u[i] - base[i]) / a;
-    CalcDerivative(sys, time, *at, speed, u, flow, F, &slow, &slopes);
+    CalcPathRates(sys, time, *at, u, flow, F, &slopes);
+    CalcDropSlopes(sys, *at, heat, &slopes);
+    // 1e-14 m3 is 0.01 Pa on a chamber.
+    largest = std::max(largest, 1e14 * StepPaths(sys, a, slopes, base, F, u));
+    // Heat answers to the flow as it will be: through a pipe that hardly resists, what the law
+    // gives at pressures not yet settled is far off.
+    for (const Path& path : sys.paths) F[path.volume] = (u[path.volume] - base[path.volume]) / a;
+    CalcAllNodeRates(sys, *at, speed, u, F, &slow, heat);
     for (int i = first; i < first_flow; ++i) step[i] = base[i] + a * F[i] - u[i];
     slow.SolveShifted(a, first, first_flow, step);
     for (int i = first; i < first_flow; ++i) {
       u[i] += step[i];
       largest = std::max(largest, std::abs(step[i]) * 1e7);
     }
-    // 1e-14 m3 is 0.01 Pa on a chamber.
-    largest = std::max(largest, 1e14 * StepPaths(sys, a, slopes, base, F, u));
     // What is left is at most the share of this change that this is of the one before.
     if (largest <= 1 || (largest < before && largest * largest <= before)) break;
     before = largest;
   }
   // The derivative that the solved stage stands for.
   for (int i = first; i < count; ++i) F[i] = (u[i] - base[i]) / a;
+  return largest < kPoor;
 }
 
-void FlowStep(const CompiledPhs& sys, double time, double h, const Instant& start,
-              const double* speed, const double* state, double* rate) {
+// One step by both stages: the mean rates over h. False if a stage was not solved.
+bool TwoStages(const CompiledPhs& sys, double time, double h, const Instant& start,
+               const double* speed, const double* state, double* rate) {
   const int count = sys.num_states(), first = sys.first_slow;
   const double a = kGamma * h;
   double u[kMaxStates], base[kMaxStates] = {}, F1[kMaxStates], F2[kMaxStates];
   std::copy(state, state + count, u);
   Instant at = start;
-  SolveStage(sys, time + a, a, a, start, speed, state, u, F1, &at);
+  bool solved = SolveStage(sys, time + a, a, a, start, speed, state, u, F1, &at);
   for (int i = first; i < count; ++i) {
     base[i] = state[i] + (1 - kGamma) * h * F1[i];
     u[i] = base[i] + a * F1[i];
   }
-  SolveStage(sys, time + h, h, a, start, speed, base, u, F2, &at);
+  solved = SolveStage(sys, time + h, h, a, start, speed, base, u, F2, &at) && solved;
   for (int i = first; i < count; ++i) rate[i] = (u[i] - state[i]) / h;
+  return solved;
+}
+
+// Where the stages find no solution (a valve that snaps), two steps of half the length, and so on.
+void FlowStep(const CompiledPhs& sys, double time, double h, const Instant& start,
+              const double* speed, const double* state, double* rate, int halvings = 6) {
+  if (TwoStages(sys, time, h, start, speed, state, rate) || halvings == 0) return;
+  const int count = sys.num_states(), first = sys.first_slow;
+  const double half = 0.5 * h;
+  double middle[kMaxStates], second[kMaxStates];
+  FlowStep(sys, time, half, start, speed, state, rate, halvings - 1);
+  std::copy(state, state + count, middle);
+  for (int i = first; i < count; ++i) middle[i] += half * rate[i];
+  Instant at = start;
+  PlaceAt(sys, time + half, half, start, speed, middle, &at);
+  sys.SolveNodes(middle, &at);
+  FlowStep(sys, time + half, half, at, speed, middle, second, halvings - 1);
+  for (int i = first; i < count; ++i) rate[i] = 0.5 * (rate[i] + second[i]);
+}
+
+void TakeStep(const CompiledPhs& sys, double time, double h, const Instant& start,
+              const double* speed, const double* state, double* rate) {
+  if (sys.paths.empty()) return HeatStep(sys, time, h, start, speed, state, rate);
+  FlowStep(sys, time, h, start, speed, state, rate);
 }
 
 }  // namespace
@@ -326,12 +302,12 @@ void FlowStep(const CompiledPhs& sys, double time, double h, const Instant& star
 void CalcHydraulicRates(const CompiledPhs& sys, double time, double h, const Instant& start,
                         const double* speed, const double* state, double* rate) {
   if (h > 0) {
-    (sys.paths.empty() ? HeatStep : FlowStep)(sys, time, h, start, speed, state, rate);
+    TakeStep(sys, time, h, start, speed, state, rate);
     return;
   }
   double now[kMaxStates];
   SlowMatrix ignored(sys.num_states());
-  CalcDerivative(sys, time, start, speed, state, nullptr, now, &ignored, nullptr);
+  CalcDerivative(sys, time, start, speed, state, now, &ignored);
   std::copy(now + sys.first_slow, now + sys.num_states(), rate + sys.first_slow);
 }
 
