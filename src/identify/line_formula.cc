@@ -127,7 +127,7 @@ class LineTerms final : public TermLibrary {
     }
     // Between the grid's onsets the sum is not quite the ramp.
     most = Taken(residual, Ramp(best, end, power));
-    for (double step = grid.Step() / 4; step > grid.Step() / 20; step /= 2) {
+    for (double step = grid.Step() / 2; step > grid.Step() / 40; step /= 2) {
       const double about = best;
       for (const double share : {about - step, about + step}) {
         if (share <= 0 || share >= 1) continue;
@@ -234,8 +234,12 @@ FoundFormula SearchLineFormula(const FitProblem& problem, const FreeModel& model
     found[static_cast<size_t>(k)] =
         SearchAt(at, places[static_cast<size_t>(k)], data, space, limits);
   });
-  const auto best = std::max_element(found.begin(), found.end(), [](const auto& a, const auto& b) {
-    return TotalEvidence(a) < TotalEvidence(b);
+  // In both lines must say more than in one: the other may hardly come to where the law acts.
+  const auto worth = [&](const FoundFormula& f) {
+    return TotalEvidence(f) - (f.targets.size() > 1 ? limits.threshold : 0);
+  };
+  const auto best = std::max_element(found.begin(), found.end(), [&](const auto& a, const auto& b) {
+    return worth(a) < worth(b);
   });
   return best == found.end() ? FoundFormula{} : *best;
 }
