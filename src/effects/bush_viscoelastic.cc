@@ -14,7 +14,7 @@ Status Install(const EffectParams& effect, Extension* extension) {
     hydraulics::MountTerms& m = extension->mount(i);
     m.present = true;
     AddInSeries(&m, effect.values.at("stiffness_N_per_m"));
-    m.hardening_1_per_m2 = effect.values.at("hardening_1_per_m2");
+    m.hardening_1_per_m2 = std::max(m.hardening_1_per_m2, effect.values.at("hardening_1_per_m2"));
     m.maxwell_stiffness_N_per_m[0] = effect.values.at("relaxing_N_per_m");
     m.maxwell_damping_Ns_per_m[0] =
         m.maxwell_stiffness_N_per_m[0] * effect.values.at("relaxation_s");

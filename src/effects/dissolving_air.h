@@ -5,7 +5,7 @@
 // all of it free at p_f, dissolved at the saturation pressure p_s. With a lag
 //   ds/dt = (s_e(p) - s)/tau, tau of release where s rises, of dissolving where it falls
 // (bubbles grow fast and dissolve slowly: J. Zhou, A. Vacca and B. Manhartsgruber, J. Fluids Eng.
-// 135 (2013) 101301). Volume V = A p^(-1/n) s, A = V_a p_a^(1/n).
+// 135 (2013) 091305). Volume V = A p^(-1/n) s, A = V_a p_a^(1/n).
 #pragma once
 
 #include <string>

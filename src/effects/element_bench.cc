@@ -115,8 +115,8 @@ class MountedFriction {
     return 0.5 * (low + high);
   }
   double MountForce(double u) const {
-    const double half = 0.5 * mount_.gap_m;
-    return mount_.stiffness_N_per_m * (u - std::clamp(u, -half, half));
+    double slope;
+    return mount_.SpringForce(mount_.PlayFree(u), &slope);
   }
   double FrictionAfter(double move, FrictionPlace place) const {
     place.piston = y_ + move;

@@ -3,6 +3,7 @@
 #include "base/words.h"
 #include "effects/bogie_spread.h"
 #include "effects/catalogue.h"
+#include "effects/targets.h"
 
 namespace phs::effects {
 namespace {
@@ -22,6 +23,20 @@ void AddLeak(const std::string& line, double conductance, double at_s, PhsParams
   params->effects.push_back(std::move(leak));
 }
 
+/// An effect that describes a part of the line no longer does: the part has failed.
+void TakeOff(const std::string& effect, int line, PhsParams* params) {
+  for (EffectParams& e : params->effects) {
+    if (e.name != effect) continue;
+    std::vector<int> lines = TargetLines(e, *params);
+    e.targets.clear();
+    std::erase(lines, line);
+    for (const int l : lines) e.targets.push_back(params->lines[static_cast<size_t>(l)].name);
+  }
+  // No target would mean every line: those that are left without were of this line alone.
+  std::erase_if(params->effects,
+                [&](const EffectParams& e) { return e.name == effect && e.targets.empty(); });
+}
+
 Status ApplyOne(const Failure& failure, PhsParams* params) {
   const int index = params->FindLine(failure.line);
   if (index < 0) {
@@ -38,6 +53,7 @@ Status ApplyOne(const Failure& failure, PhsParams* params) {
   } else if (failure.kind == "reservoir_gas_lost") {
     line.gas_volume_m3 = 0;
     line.reservoir.min_gas_volume_m3 = 0;
+    TakeOff("diaphragm_stop", index, params);
     line.static_pressure_Pa = kAtmospheric;
   } else if (failure.kind == "accumulator_gas_lost") {
     if (line.accumulator.volume_m3 <= 0) {
@@ -45,6 +61,7 @@ Status ApplyOne(const Failure& failure, PhsParams* params) {
                    "a line with a blow-off accumulator", "on the Bo-Bo: L1 or L4"};
     }
     line.accumulator_precharge_Pa = kAtmospheric;
+    TakeOff("accumulator_precharge", index, params);
   } else if (failure.kind == "air") {
     line.free_air_m3 += failure.air_m3;
   } else {

@@ -13,7 +13,7 @@ Status Install(const EffectParams& effect, Extension* extension) {
   for (int i : TargetCylinders(effect, extension->params())) {
     hydraulics::MountTerms& m = extension->mount(i);
     m.present = true;
-    m.hardening_1_per_m2 = effect.values.at("hardening_1_per_m2");
+    m.hardening_1_per_m2 = std::max(m.hardening_1_per_m2, effect.values.at("hardening_1_per_m2"));
     m.tension_ratio = effect.values.at("tension_ratio");
     AddInSeries(&m, effect.values.at("stiffness_N_per_m"));
   }

@@ -131,14 +131,27 @@ struct FrictionTerms {
 struct MountTerms {
   static constexpr int kBranches = 2;
   bool present = false;
-  double gap_m = 0;               ///< total free play
-  double stiffness_N_per_m = 0;   ///< series spring; 0 = the contact stiffness below only
-  double hardening_1_per_m2 = 0;  ///< b >= 0
-  double tension_ratio = 1;       ///< stiffness in tension over that in compression, > 0
+  double gap_m = 0;                ///< total free play
+  double gap_tension_share = 0.5;  ///< of it that is crossed before tension, from rest, 0 … 1
+  double stiffness_N_per_m = 0;    ///< series spring; 0 = the contact stiffness below only
+  double hardening_1_per_m2 = 0;   ///< b >= 0
+  double tension_ratio = 1;        ///< stiffness in tension over that in compression, > 0
   /// Parallel branches of a bush.
   double maxwell_stiffness_N_per_m[kBranches] = {0, 0};
   double maxwell_damping_Ns_per_m[kBranches] = {0, 0};
   bool HasBranch(int k) const { return maxwell_stiffness_N_per_m[k] > 0; }
+  /// e: what of actuator minus piston `u` is beyond the play [m].
+  double PlayFree(double u) const {
+    const double tension = gap_tension_share * gap_m, compression = gap_m - tension;
+    return u > tension ? u - tension : (u < -compression ? u + compression : 0);
+  }
+  /// Force of the spring [N], tension > 0, and its slope, where `e` is beyond the play.
+  double SpringForce(double e, double* slope) const {
+    const double k = stiffness_N_per_m * (e > 0 ? tension_ratio : 1);
+    const double harder = hardening_1_per_m2 * e * e;
+    *slope = k * (1 + 3 * harder);
+    return k * e * (1 + harder);
+  }
 };
 /// Stiffness used for a mounting that only has play [N/m].
 inline constexpr double kContactStiffness = 2e9;

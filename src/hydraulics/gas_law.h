@@ -10,7 +10,8 @@
 //   dT_w/dt = r (c_v/c_v0) (T - T_w)/tau + (T_s - T_w)/tau_w,   r = m c_v0/C_w
 // (heat balance of a wall of heat capacity C_w; r = 0: it stays at T_s).
 // Denser gas gives its heat off faster by free convection: tau = tau_0 (rho_0/rho)^m, m = 0 a
-// constant, 1/2 laminar, 2/3 turbulent (Nu ~ Gr^m/2, Gr ~ rho²).
+// constant, 1/2 laminar, 2/3 turbulent (Nu ~ Gr^(m/2), Gr ~ rho²; measured by A. Pourmovahed and
+// D. R. Otis, J. Dyn. Syst. Meas. Control 112 (1990) 116).
 // p absolute [Pa], V [m3], T [K], tau thermal time constant at constant volume [s].
 // Source: T. P. Löwe, M.Eng. thesis, University of Pretoria, eqs. 12-19, constants corrected (see
 // bwr_nitrogen.h); D. R. Otis and P. E. Pourmovahed, J. Dyn. Syst. Meas. Control 107 (1985) 116.

@@ -4,7 +4,8 @@
 //   of u
 //                 +--[ k2 ]--q--[ c ]--+  (one or two)
 //   F = k e (1 + b e²) [times r for e > 0] + sum k2 (e - q),  dq/dt = k2 (e - q)/c,
-//   e = u - sgn(u) min(|u|, gap/2)
+//   e = u beyond the play: u - s gap above s gap, u + (1-s) gap below -(1-s) gap, s = 1/2 in the
+//   middle
 // The piston has no mass worth a state: F = pressure force + end stop + friction(dy/dt), which is
 // solved for the piston's move over the step by backward Euler. The sum rises with the move, so a
 // bracketed Newton finds it; cylinders that share lines are swept until none moves any more
@@ -18,13 +19,6 @@ namespace phs::hydraulics {
 namespace {
 
 constexpr double kSmallestStep = 1e-7;  // [s] stands for "now" in instantaneous rates
-
-double PlayFree(double u, double gap) {
-  const double half = 0.5 * gap;
-  if (u > half) return u - half;
-  if (u < -half) return u + half;
-  return 0;
-}
 
 // Force balance of one piston that moves by `move` during h: value rises with `move`.
 class PistonBalance {
@@ -123,11 +117,8 @@ double SolveMove(PistonBalance* balance, double guess) {
 }  // namespace
 
 double CalcMountForce(const MountTerms& mount, double u, const MountCreep& q, double* slope) {
-  const double e = PlayFree(u, mount.gap_m);
-  const double k = mount.stiffness_N_per_m * (e > 0 ? mount.tension_ratio : 1);
-  const double harder = mount.hardening_1_per_m2 * e * e;
-  double force = k * e * (1 + harder);
-  *slope = k * (1 + 3 * harder);
+  const double e = mount.PlayFree(u);
+  double force = mount.SpringForce(e, slope);
   for (int b = 0; b < MountTerms::kBranches; ++b) {
     force += mount.maxwell_stiffness_N_per_m[b] * (e - q[b]);
     *slope += mount.maxwell_stiffness_N_per_m[b];
@@ -137,7 +128,7 @@ double CalcMountForce(const MountTerms& mount, double u, const MountCreep& q, do
 }
 
 double CalcMountEnergy(const MountTerms& mount, double u, const MountCreep& q) {
-  const double e = PlayFree(u, mount.gap_m);
+  const double e = mount.PlayFree(u);
   const double k = mount.stiffness_N_per_m * (e > 0 ? mount.tension_ratio : 1);
   double energy = 0.5 * k * e * e * (1 + 0.5 * mount.hardening_1_per_m2 * e * e);
   for (int b = 0; b < MountTerms::kBranches; ++b) {
@@ -151,7 +142,7 @@ double CalcMountLoss(const CompiledPhs& sys, const double* state) {
   for (const CompiledCylinder& c : sys.cylinders) {
     for (int k = 0; k < MountTerms::kBranches; ++k) {
       if (c.maxwell[k] < 0) continue;
-      const double e = PlayFree(state[c.mount_state], c.mount.gap_m);
+      const double e = c.mount.PlayFree(state[c.mount_state]);
       const double force = c.mount.maxwell_stiffness_N_per_m[k] * (e - state[c.maxwell[k]]);
       lost += force * force / c.mount.maxwell_damping_Ns_per_m[k];
     }
@@ -201,7 +192,7 @@ void CalcMountRates(const CompiledPhs& sys, double time, double h, const double*
     piston_speed[i] = move[i] / step;
     rate[c.mount_state] = v[i] - piston_speed[i];
     const double u = state[c.mount_state] + step * rate[c.mount_state];
-    const double e = PlayFree(u, c.mount.gap_m);
+    const double e = c.mount.PlayFree(u);
     for (int k = 0; k < MountTerms::kBranches; ++k) {
       if (c.maxwell[k] < 0) continue;
       const double speed =

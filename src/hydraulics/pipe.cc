@@ -81,23 +81,24 @@ double GapFlow::Flow(double time, double dp, double* slope) const noexcept {
     *slope = 0;
     return 0;
   }
+  const double G = Conductance(dp);
   if (exponent_ == 1) {
-    *slope = conductance_;
-    return conductance_ * dp;
+    *slope = G;
+    return G * dp;
   }
   constexpr double kSmooth = 2e3;  // [Pa]
   const double square = dp * dp + kSmooth * kSmooth;
   const double factor = std::pow(square / (kReference * kReference), 0.5 * (exponent_ - 1));
-  *slope = conductance_ * factor * (1 + (exponent_ - 1) * dp * dp / square);
-  return conductance_ * factor * dp;
+  *slope = G * factor * (1 + (exponent_ - 1) * dp * dp / square);
+  return G * factor * dp;
 }
 
 // A leak has no inertia, so its drop is never asked for in a run; Newton, for completeness of the
 // law: the flow rises with dp.
 double GapFlow::Drop(double time, double flow, double* slope) const noexcept {
-  double dp =
-      kReference *
-      std::copysign(std::pow(std::abs(flow) / (conductance_ * kReference), 1 / exponent_), flow);
+  double dp = kReference *
+              std::copysign(
+                  std::pow(std::abs(flow) / (Conductance(flow) * kReference), 1 / exponent_), flow);
   double rise = 1;
   for (int i = 0; i < 50; ++i) {
     const double error = Flow(std::max(time, start_), dp, &rise) - flow;

@@ -39,14 +39,21 @@ class PipeFlow final : public FlowLaw {
 class GapFlow final : public FlowLaw {
  public:
   static constexpr double kReference = 5e6;  ///< [Pa]
-  /// `conductance` G > 0 [m3/(Pa s)] at the reference, exponent n > 0.
-  GapFlow(double conductance, double exponent, double start_s = -1e300)
-      : conductance_(conductance), exponent_(exponent), start_(start_s) {}
+  /// `conductance` G > 0 [m3/(Pa s)] at the reference, exponent n > 0; `return_ratio` > 0: G at
+  /// dp < 0 over that at dp > 0.
+  GapFlow(double conductance, double exponent, double start_s = -1e300, double return_ratio = 1)
+      : conductance_(conductance),
+        exponent_(exponent),
+        start_(start_s),
+        return_ratio_(return_ratio) {}
   double Flow(double time, double dp, double* slope) const noexcept override;
   double Drop(double time, double flow, double* slope) const noexcept override;
 
  private:
-  double conductance_, exponent_, start_;
+  double Conductance(double dp) const {
+    return dp < 0 ? return_ratio_ * conductance_ : conductance_;
+  }
+  double conductance_, exponent_, start_, return_ratio_;
 };
 
 /// Two laws one behind the other: drops and inertances add.

@@ -18,6 +18,21 @@ TEST(Backlash, PistonStaysWhileThePlayIsCrossed) {
   EXPECT_NEAR(beyond.piston, 2e-3 - gap / 2 - beyond.force / 1e9, 1e-9);
 }
 
+TEST(Backlash, MayRestNearOneEndOfItsPlay) {
+  const double gap = 4e-4, share = 0.2, k = 1e9, b = 1e9;
+  const PhsSystem s = Compile(With(Quarter(), "backlash",
+                                   {{"gap_m", gap},
+                                    {"contact_N_per_m", k},
+                                    {"tension_share", share},
+                                    {"hardening_1_per_m2", b}}));
+  for (const double x : {2e-3, -2e-3}) {
+    const Held beyond = Drive(s, 1, 1e-3, [x](double t) { return x * t; });
+    const double e = x - beyond.piston - (x > 0 ? share * gap : -(1 - share) * gap);
+    EXPECT_NEAR(beyond.force, k * e * (1 + b * e * e), 1e-3 * std::abs(beyond.force));
+    EXPECT_GT(std::abs(beyond.force), 5e3);
+  }
+}
+
 TEST(MountCompliance, DeflectsByForceOverStiffness) {
   const double k = 4.1e7;
   const PhsSystem s = Compile(With(Quarter(), "mount_compliance", {{"stiffness_N_per_m", k}}));

@@ -97,6 +97,20 @@ TEST(FailuresTest, LostGasAndAirChangeTheLineFromTheStart) {
   EXPECT_NEAR(lines[0].free_air_m3, 3e-6, 1e-12);
 }
 
+TEST(FailuresTest, LostGasIsNotFilledUpByAnIdentifiedPrecharge) {
+  auto params = effects::FindPhsParams("bo_bo");
+  ASSERT_TRUE(params.ok());
+  auto& list = params.value().effects;
+  list.push_back({"accumulator_precharge", {}, {{"precharge_Pa", 1.2e7}}});
+  list.push_back({"diaphragm_stop", {"L3"}, {{"min_gas_volume_m3", 4e-6}}});
+  ASSERT_TRUE(effects::ApplyFailures({{.kind = "reservoir_gas_lost", .line = "L3"},
+                                      {.kind = "accumulator_gas_lost", .line = "L4"}},
+                                     "bogie", &params.value())
+                  .ok());
+  ASSERT_EQ(list.size(), 1u) << "the stop was of the failed reservoir alone";
+  EXPECT_THAT(list[0].targets, testing::ElementsAre("L1", "L2", "L3"));
+}
+
 TEST(FailuresTest, OneBogieOfALocomotiveMayFailAlone) {
   Scenario s =
       Straight({{.kind = "line_burst", .line = "L1", .system = "rear_bogie", .at_s = 0.2}});
