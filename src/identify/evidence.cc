@@ -135,6 +135,7 @@ Evidence Compare(const FitProblem& problem, const FitResult& without, const FitR
     const double gain = 1 - std::exp(0.5 * change);
     if (c == 0 || gain > e.best_channel_gain) {
       e.best_channel_gain = gain, e.best_channel = problem.data().outputs[c].name;
+      e.best_channel_left = with.channel_ms[c];
     }
   }
   e.estimation_gain = 1 - std::exp(0.5 * mean);

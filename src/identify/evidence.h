@@ -24,6 +24,7 @@ struct Evidence {
   double estimation_gain = 0;    ///< share of the residual rms removed, over all channels
   double best_channel_gain = 0;  ///< the same of the channel that gains most
   std::string best_channel;
+  double best_channel_left = 0;  ///< mean square it is left with, over that of noise and input
   double cross_validation_gain = 0;
   /// Share of the mean square beyond the noise that went, over all channels (1:
   /// all of it).
