@@ -1,7 +1,8 @@
 // Seals are pressed on by the oil: level + k_bore (p_bore - p_bore0) + k_rod (p_rod - p_rod0), kept
 // >= 0. k [N/Pa] = mu pi D l of the seal lip: 0 … 5e-4 for a 100 mm cylinder (1e-4: 100 N per MPa).
-// On an element bench p is the pressure channel and p0 = 0. Dissipative: part of the friction
-// level.
+// A lip that turns over with the motion is gripped by another share in retraction
+// (retraction_ratio). On an element bench p is the pressure channel and p0 = 0. Dissipative: part
+// of the friction level.
 #pragma once
 
 #include "hydraulics/extension.h"

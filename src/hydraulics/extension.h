@@ -102,7 +102,7 @@ struct ElementTerms {
 /// all times 1 - temperature_slope (T - T_static), kept >= 0,
 /// plus viscous force c v |v/1 cm/s|^(viscous_exponent - 1) and a further force (effect
 /// `unlisted`). Pressure terms: k_bore, k_rod times the chamber's rise and k_difference times the
-/// rise of |p_bore - p_rod|.
+/// rise of |p_bore - p_rod|; in retraction pressure_retraction_ratio times their sum.
 /// phi: dwell state, dphi/dt = (1 - phi)/dwell_time - phi |v|/dwell_length.
 struct FrictionTerms {
   double stribeck_extra_extension_N = 0, stribeck_extra_retraction_N = 0;
@@ -111,7 +111,8 @@ struct FrictionTerms {
   double viscous_exponent = 1;
   double pressure_bore_N_per_Pa = 0, pressure_rod_N_per_Pa = 0;  ///< times p - p0 of the chamber
   double pressure_difference_N_per_Pa = 0;
-  double static_difference_Pa = 0;  ///< p_bore - p_rod at rest; set by the core
+  double pressure_retraction_ratio = 1;  ///< of the pressure terms in retraction, >= 0
+  double static_difference_Pa = 0;       ///< p_bore - p_rod at rest; set by the core
   double level_shift_N = 0;
   double position_slope_1_per_m = 0, position_curvature_1_per_m2 = 0;
   double spot_share = 0, spot_centre_m = 0, spot_width_m = 1e-3;

@@ -99,13 +99,14 @@ double Friction::Level(int sign, double speed, const FrictionPlace& place) const
   }
   level += sign > 0 ? terms_.level_shift_N : -terms_.level_shift_N;
   level += terms_.dwell_extra_N * place.rested;
-  level += terms_.pressure_bore_N_per_Pa * place.bore_rise;
-  level += terms_.pressure_rod_N_per_Pa * place.rod_rise;
+  double grip = terms_.pressure_bore_N_per_Pa * place.bore_rise +
+                terms_.pressure_rod_N_per_Pa * place.rod_rise;
   if (terms_.pressure_difference_N_per_Pa != 0) {
     const double rest = terms_.static_difference_Pa;
-    level += terms_.pressure_difference_N_per_Pa *
-             (std::abs(rest + place.bore_rise - place.rod_rise) - std::abs(rest));
+    grip += terms_.pressure_difference_N_per_Pa *
+            (std::abs(rest + place.bore_rise - place.rod_rise) - std::abs(rest));
   }
+  level += sign > 0 ? grip : terms_.pressure_retraction_ratio * grip;
   level *= std::max(1 - terms_.temperature_slope_1_per_K * place.warmer, 0.0);
   return std::max(level, 0.0);
 }

@@ -71,6 +71,11 @@ TEST(PressureFriction, GrowsWithThePressureOfEachChamber) {
       kb * (at.p_bore - 1.8e6) + kr * (at.p_rod - p.lines[0].static_pressure_Pa);
   EXPECT_NEAR(Sliding(with, v) - Sliding(p, v), -expected, 0.03 * std::abs(expected))
       << "the bristle follows the rising level by its own length";
+  const PhsParams lip =
+      With(p, "pressure_friction",
+           {{"bore_N_per_Pa", kb}, {"rod_N_per_Pa", kr}, {"retraction_ratio", 0.4}});
+  EXPECT_NEAR(Sliding(lip, v) - Sliding(p, v), -0.4 * expected, 0.03 * std::abs(expected));
+  EXPECT_NEAR(Sliding(lip, -v), Sliding(with, -v), 1e-6);
 }
 
 TEST(PositionFriction, ScalesTheLevel) {

@@ -250,6 +250,21 @@ TEST(TemperatureDrift, SettlesWhereItIsToldTo) {
   EXPECT_NEAR(s.Ambient(1000) - p.temperature_K, 5, 1e-6);
 }
 
+TEST(LineInertance, MayBeInOneChamberAlone) {
+  const double I = 2e7, share = 0.2;
+  for (const double ratio : {0.02, 50.0}) {
+    const double own = ratio < 1 ? I : I / ratio;
+    PhsParams params =
+        With(Frictionless(), "line_inertance",
+             {{"inertance_kg_per_m4", own}, {"oil_share", share}, {"rod_ratio", ratio}});
+    const PhsSystem s = Compile(params);
+    EXPECT_EQ(s.num_states(), 2) << "volume and flow of one chamber";
+    const double volume = params.lines[0].oil_volume_m3;
+    const double stiffness = 1.4e9 / volume * (1 / share + 1 / (1 - share));
+    EXPECT_NEAR(s.max_line_frequency() / std::sqrt(stiffness / I), 1, 1e-6) << ratio;
+  }
+}
+
 TEST(Effects, ResistanceAndInertanceOnOneChamberAddUp) {
   PhsParams p = With(With(Frictionless(), "line_resistance"), "line_inertance");
   const PhsSystem s = Compile(p);
