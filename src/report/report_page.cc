@@ -104,7 +104,8 @@ void ReportPage::EndDetails() { body_ += "</details>\n"; }
 
 void ReportPage::Add(const DataTable& table) {
   const std::string id = "table-" + std::to_string(++num_tables_);
-  body_ += "<p class=\"caption\" id=\"" + id + "\">" + EscapeHtml(table.caption) +
+  // One box, so that a grid keeps the caption over its table.
+  body_ += "<div><p class=\"caption\" id=\"" + id + "\">" + EscapeHtml(table.caption) +
            "</p><div class=\"scroll\" tabindex=\"0\"><table aria-labelledby=\"" + id +
            "\">\n<thead><tr>";
   for (const std::string& title : table.head)
@@ -125,7 +126,7 @@ void ReportPage::Add(const DataTable& table) {
     }
     body_ += "</tr>\n";
   }
-  body_ += "</tbody></table></div>\n";
+  body_ += "</tbody></table></div></div>\n";
 }
 
 void ReportPage::Add(const BarChart& chart) {
