@@ -1,5 +1,7 @@
 #include "effects/bush_viscoelastic.h"
 
+#include <algorithm>
+
 #include "effects/targets.h"
 
 namespace phs::effects {

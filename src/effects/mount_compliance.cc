@@ -1,5 +1,7 @@
 #include "effects/mount_compliance.h"
 
+#include <algorithm>
+
 #include "effects/targets.h"
 
 namespace phs::effects {

@@ -50,7 +50,7 @@ Status CheckFits(RigKind kind, const PhsParams& params, const RigOptions& option
         "model " + params.name + " has " + std::to_string(params.cylinders.size()) + " cylinders",
         std::to_string(need) + " for this rig", "choose a model of this rig"};
   }
-  if (options.substeps < 1 || options.substeps > 1000 || options.most_substeps < 1) {
+  if (options.substeps < 1 || options.substeps > 1000) {
     return Error{"substeps", std::to_string(options.substeps) + " is out of range", "1 to 1000"};
   }
   if (!(options.beam.lever_m > 0 && options.beam.inertia_kg_m2 > 0 &&

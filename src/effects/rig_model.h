@@ -38,7 +38,7 @@ struct BeamParams {
 
 struct RigOptions {
   int substeps = 1;       ///< integration steps per sample (1 … 1000); more where a line rings
-  int most_substeps = 8;  ///< for a ringing line, >= 1
+  int most_substeps = 8;  ///< of a ringing line, unless more are asked for
   BeamParams beam;        ///< full rig only
 };
 

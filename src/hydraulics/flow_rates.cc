@@ -291,20 +291,12 @@ void FlowStep(const CompiledPhs& sys, double time, double h, const Instant& star
   for (int i = first; i < count; ++i) rate[i] = 0.5 * (rate[i] + second[i]);
 }
 
-void TakeStep(const CompiledPhs& sys, double time, double h, const Instant& start,
-              const double* speed, const double* state, double* rate) {
-  if (sys.paths.empty()) return HeatStep(sys, time, h, start, speed, state, rate);
-  FlowStep(sys, time, h, start, speed, state, rate);
-}
-
 }  // namespace
 
 void CalcHydraulicRates(const CompiledPhs& sys, double time, double h, const Instant& start,
                         const double* speed, const double* state, double* rate) {
-  if (h > 0) {
-    TakeStep(sys, time, h, start, speed, state, rate);
-    return;
-  }
+  if (h > 0 && sys.paths.empty()) return HeatStep(sys, time, h, start, speed, state, rate);
+  if (h > 0) return FlowStep(sys, time, h, start, speed, state, rate);
   double now[kMaxStates];
   SlowMatrix ignored(sys.num_states());
   CalcDerivative(sys, time, start, speed, state, now, &ignored);

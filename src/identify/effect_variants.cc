@@ -136,7 +136,13 @@ std::vector<std::string> CandidateNames() {
 Candidate WithOption(const Candidate& candidate, size_t option) {
   Candidate out = candidate;
   for (const FreeParameter& p : candidate.options[option].free) out.free.push_back(p);
-  out.options.erase(out.options.begin() + static_cast<long>(option));
+  const auto is_free = [&](const FreeParameter& p) {
+    return std::any_of(out.free.begin(), out.free.end(),
+                       [&](const FreeParameter& free) { return free.name == p.name; });
+  };
+  std::erase_if(out.options, [&](const EffectOption& other) {
+    return std::any_of(other.free.begin(), other.free.end(), is_free);
+  });
   return out;
 }
 

@@ -41,7 +41,8 @@ std::vector<Candidate> ListCandidates(const hydraulics::PhsParams& params, effec
 /// Names of the effects that ListCandidates can give, and `unlisted`.
 std::vector<std::string> CandidateNames();
 
-/// The candidate with one of its options free as well (taken off the list of its options).
+/// The candidate with one of its options free as well; it and others with a number in common go off
+/// the list of its options.
 Candidate WithOption(const Candidate& candidate, size_t option);
 
 /// Targets and free numbers, for people: "L2,oil_share".

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "identify/data_checks.h"
+#include "identify/effect_verdict.h"
 #include "identify/fit_intervals.h"
 #include "tests/identify/search_record.h"
 
@@ -55,6 +56,34 @@ TEST(EffectSearchTest, FindsAnOrificeLeakAndItsExponent) {
     if (free[i].name == "effects.piston_leakage.exponent") exponent = found.after.values[i];
   }
   EXPECT_NEAR(exponent, 0.5, 0.15);
+}
+
+TEST(EffectSearchTest, FindsThatBothPressuresReadLow) {
+  // Gauge sensors at altitude: both lack as much of the atmosphere, 88 kPa here.
+  hydraulics::PhsParams truth = OffDeclared();
+  truth.effects.push_back({"sensor_offset", {}, {{"p_bore_Pa", -8.8e4}, {"p_rod_Pa", -8.8e4}}});
+  const Identification found = Find(Declared(), Record(truth));
+  ASSERT_EQ(found.effects.size(), 1u);
+  EXPECT_EQ(found.effects[0].candidate.effect, "sensor_offset");
+  const auto& free = found.corrected.free;
+  int pressures = 0;
+  for (size_t i = 0; i < free.size(); ++i) {
+    if (!free[i].name.starts_with("effects.sensor_offset.p_")) continue;
+    EXPECT_NEAR(found.after.values[i], -8.8e4, 3e3) << free[i].name;
+    ++pressures;
+  }
+  EXPECT_EQ(pressures, 2);
+}
+
+TEST(EffectVerdict, AFirstEffectMayTakeOneChannelDownToItsNoise) {
+  const SearchOptions rules;
+  Evidence e;
+  e.delta_bic = e.whitened_bic = 2400, e.estimation_gain = e.cross_validation_gain = 0.1;
+  e.best_channel_gain = 0.34, e.excess_removed = 0.1, e.best_channel_left = 0.7;
+  EXPECT_EQ(Verdict(e, false, true, rules), "");
+  EXPECT_NE(Verdict(e, false, false, rules), "") << "beside another it may be that one's form";
+  e.best_channel_left = 1.3;
+  EXPECT_NE(Verdict(e, false, true, rules), "") << "more than noise is left";
 }
 
 TEST(EffectSearchTest, FindsARestrictionInOneChamberAlone) {

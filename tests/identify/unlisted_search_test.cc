@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <set>
 
 #include "identify/result_json.h"
 #include "tests/identify/search_record.h"
@@ -103,6 +104,16 @@ TEST(CandidatesTest, OnlyThoseAskedForAreTried) {
     EXPECT_TRUE(c.effect == "backlash" || c.effect == "sensor_offset") << c.effect;
   }
   EXPECT_THAT(CandidateNames(), testing::IsSupersetOf({"backlash", "gas_thermal", "unlisted"}));
+}
+
+TEST(CandidatesTest, NoNumberIsFreedTwiceWhateverOptionsAreTaken) {
+  for (Candidate c : ListCandidates(Declared(), effects::RigKind::kQuarter)) {
+    while (!c.options.empty()) c = WithOption(c, 0);
+    std::set<std::string> names;
+    for (const FreeParameter& p : c.free) {
+      EXPECT_TRUE(names.insert(p.name).second) << c.effect << " " << p.name;
+    }
+  }
 }
 
 TEST(CandidatesTest, ALeakMayBeInOneCylinderOfFour) {
