@@ -19,7 +19,8 @@ Status Install(const EffectParams& effect, Extension* extension) {
   if (G <= 0) return {};
   for (int i : TargetCylinders(effect, extension->params())) {
     extension->AddFlow(Port::kBore, Port::kRod, i, -1, "piston_leakage",
-                       std::make_unique<GapFlow>(G, effect.values.at("exponent"), -1e300,
+                       std::make_unique<GapFlow>(G, effect.values.at("exponent"),
+                                                 effect.values.at("start_s"),
                                                  effect.values.at("return_ratio")));
   }
   return {};
@@ -32,13 +33,14 @@ const EffectInfo& PistonLeakageInfo() {
       "piston_leakage",
       "hydraulic",
       "cylinders",
-      "q = G d (|d|/5 MPa)^(n-1), d = p_bore - p_rod, past the piston seal",
+      "q = G d (|d|/5 MPa)^(n-1), d = p_bore - p_rod, past the piston seal from start_s on",
       {
           {"conductance_m3_per_Pas", "m3/(Pa s)", 1e-13, 0, 1e-6, 1e-17, 1e-11,
            "conductance of the gap at 5 MPa and 20 °C"},
           {"exponent", "-", 1, 0.2, 5, 0.4, 2.5, "n: 1 laminar, 1/2 orifice, > 1 widening gap"},
           {"return_ratio", "-", 1, 1e-4, 1e4, 5e-3, 200,
            "conductance from rod to bore over that from bore to rod: a lip lifts one way"},
+          {"start_s", "s", 0, -1e12, 1e12, 0, 1e6, "the seal fails at this time"},
       },
       Install};
   return info;

@@ -2,15 +2,12 @@
 
 #include <cmath>
 
+#include "hydraulics/drift_time.h"
+
 namespace phs::effects {
 namespace {
 
 using Channel = hydraulics::InstrumentTerms::Channel;
-
-/// Time the drift counts: t, or T (1 - exp(-t/T)) for one that settles.
-double DriftTime(double t, double settling) {
-  return settling > 0 ? -settling * std::expm1(-t / settling) : t;
-}
 
 void Apply(const Channel& error, const hydraulics::InstrumentTerms& terms, double t0_s,
            double step_s, std::vector<double>* values) {
@@ -30,7 +27,8 @@ void Apply(const Channel& error, const hydraulics::InstrumentTerms& terms, doubl
   }
   for (size_t i = 0; i < y.size(); ++i) {
     const double t = t0_s + static_cast<double>(i) * step_s;
-    y[i] = error.gain * y[i] + error.offset + error.drift_per_s * DriftTime(t, terms.settling_s);
+    y[i] = error.gain * y[i] + error.offset +
+           error.drift_per_s * hydraulics::DriftTime(t, terms.start_s, terms.settling_s);
     if (error.wave_sine != 0 || error.wave_cosine != 0) {
       const double phase = 2 * M_PI * t / terms.period_s;
       y[i] += error.wave_sine * std::sin(phase) + error.wave_cosine * (std::cos(phase) - 1);

@@ -13,6 +13,7 @@ Status Install(const EffectParams& effect, Extension* extension) {
   for (int i : TargetCylinders(effect, extension->params())) {
     hydraulics::InstrumentTerms& t = extension->instrument(i);
     t.present = true;
+    t.start_s = effect.values.at("start_s");
     t.settling_s = effect.values.at("settling_s");
     t.period_s = effect.values.at("period_s");
     t.load.wave_sine += effect.values.at("load_sine_N");
@@ -36,7 +37,7 @@ const EffectInfo& SensorDriftInfo() {
       "sensor_drift",
       "instrument",
       "cylinders",
-      "shown = true + drift t; settling: drift T (1 - exp(-t/T)); and a slow wave",
+      "shown = true + drift t from start_s on; settling: drift T (1 - exp(-t/T)); and a slow wave",
       {
           {"load_N_per_s", "N/s", 0, -1e6, 1e6, -30, 30, "load cell"},
           {"p_bore_Pa_per_s", "Pa/s", 0, -1e7, 1e7, -5e3, 5e3, "bore pressure"},
@@ -49,7 +50,8 @@ const EffectInfo& SensorDriftInfo() {
           {"p_rod_sine_Pa", "Pa", 0, -1e8, 1e8, -5e5, 5e5, "wave of the rod pressure"},
           {"p_rod_cosine_Pa", "Pa", 0, -1e8, 1e8, -5e5, 5e5, "wave of the rod pressure"},
           {"period_s", "s", 100, 1, 1e9, 15, 1e4, "period of the wave"},
-          {"settling_s", "s", 0, 0, 1e9, 3, 1e4, "T; 0 = never settles"},
+          {"settling_s", "s", 0, 0, 1e9, 0.3, 1e4, "T; 0 = never settles"},
+          {"start_s", "s", 0, -1e12, 1e12, 0, 1e6, "the drift begins at this time"},
       },
       Install};
   return info;

@@ -13,6 +13,7 @@ Status Install(const EffectParams& effect, Extension* extension) {
   hydraulics::TemperatureTerms& t = extension->temperature();
   t.present = true;
   t.rate_K_per_s = effect.values.at("rate_K_per_s");
+  t.start_s = effect.values.at("start_s");
   t.settling_s = effect.values.at("settling_s");
   t.limit_K = effect.values.at("limit_K");
   t.amplitude_K = effect.values.at("amplitude_K");
@@ -33,10 +34,12 @@ const EffectInfo& TemperatureDriftInfo() {
       "temperature_drift",
       "environment",
       "",
-      "T = T_static + rate t (limited, or rate T_s (1 - exp(-t/T_s))) + A sin(2 pi t/period)",
+      "T = T_static + rate t from start_s on (limited, or rate T_s (1 - exp(-t/T_s))) + A sin(2 pi "
+      "t/period)",
       {
           {"rate_K_per_s", "K/s", 0.01, -10, 10, -0.05, 0.05, "r"},
           {"settling_s", "s", 0, 0, 1e6, 0, 1e4, "T_s of a warming that settles; 0 = never"},
+          {"start_s", "s", 0, -1e12, 1e12, 0, 1e6, "the ramp begins at this time"},
           {"limit_K", "K", 40, 0, 100, 1, 60, "limit of the ramp"},
           {"amplitude_K", "K", 0, 0, 60, 0, 30, "A"},
           {"period_s", "s", 86400, 1e-3, 1e12, 60, 1e5, "period"},

@@ -158,24 +158,27 @@ struct MountTerms {
 inline constexpr double kContactStiffness = 2e9;
 
 /// Error of the instruments of one cylinder: shown = gain * true(t - delay) + offset + drift * t,
-/// or drift T (1 - exp(-t/T)) for a drift that settles with the time T; plus a slow wave
-/// wave_sine sin(2 pi t/P) + wave_cosine (cos(2 pi t/P) - 1).
+/// or drift T (1 - exp(-t/T)) for a drift that settles with the time T, its t counted from `start_s`
+/// on; plus a slow wave wave_sine sin(2 pi t/P) + wave_cosine (cos(2 pi t/P) - 1).
 struct InstrumentTerms {
   struct Channel {
     double gain = 1, offset = 0, drift_per_s = 0, delay_s = 0;
     double wave_sine = 0, wave_cosine = 0;
   };
   Channel load, p_bore, p_rod, piston;
+  double start_s = 0;     ///< no drift before
   double settling_s = 0;  ///< T; 0 = never settles
   double period_s = 100;  ///< P
   bool present = false;
 };
 
 /// Temperature of surroundings and oil: static + ramp up to `limit` + amplitude sin(2 pi t/period);
-/// ramp: rate t, or rate T_s (1 - exp(-t/T_s)) for one that settles with the time T_s.
+/// ramp: rate t, or rate T_s (1 - exp(-t/T_s)) for one that settles with the time T_s; its t is
+/// counted from `start_s` on.
 struct TemperatureTerms {
   bool present = false;
   double rate_K_per_s = 0;
+  double start_s = 0;     ///< no ramp before
   double settling_s = 0;  ///< T_s; 0 = never settles
   double amplitude_K = 0, period_s = 86400;
   double limit_K = 40;           ///< |rate t| stays below this

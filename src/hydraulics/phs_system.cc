@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "hydraulics/drift_time.h"
 #include "hydraulics/phs_impl.h"
 
 namespace phs::hydraulics {
@@ -43,8 +44,7 @@ Result<PhsSystem> PhsSystem::Load(const std::string& path, const EffectTable* ef
 double CompiledPhs::Ambient(double time) const {
   const double T0 = params.temperature_K;
   if (!temperature.present) return T0;
-  const double settling = temperature.settling_s;
-  const double counted = settling > 0 ? -settling * std::expm1(-time / settling) : time;
+  const double counted = DriftTime(time, temperature.start_s, temperature.settling_s);
   const double ramp =
       std::clamp(temperature.rate_K_per_s * counted, -temperature.limit_K, temperature.limit_K);
   return T0 + ramp + temperature.amplitude_K * std::sin(2 * M_PI * time / temperature.period_s);

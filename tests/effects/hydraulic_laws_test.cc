@@ -250,6 +250,13 @@ TEST(TemperatureDrift, SettlesWhereItIsToldTo) {
   EXPECT_NEAR(s.Ambient(1000) - p.temperature_K, 5, 1e-6);
 }
 
+TEST(TemperatureDrift, MayBeginInTheRecord) {
+  const PhsParams p = Frictionless();
+  const PhsSystem s = Compile(With(p, "temperature_drift", {{"rate_K_per_s", 0.1}, {"start_s", 40}}));
+  EXPECT_DOUBLE_EQ(s.Ambient(30), p.temperature_K);
+  EXPECT_NEAR(s.Ambient(50) - p.temperature_K, 1, 1e-9);
+}
+
 TEST(LineInertance, MayBeInOneChamberAlone) {
   const double I = 2e7, share = 0.2;
   for (const double ratio : {0.02, 50.0}) {

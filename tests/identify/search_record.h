@@ -58,4 +58,12 @@ inline hydraulics::PhsParams OffDeclared() {
   return truth;
 }
 
+/// Value of a free number after the search; NaN where it was not freed.
+inline double ValueOf(const Identification& found, const std::string& name) {
+  for (size_t i = 0; i < found.corrected.free.size(); ++i) {
+    if (found.corrected.free[i].name == name) return found.after.values[i];
+  }
+  return std::nan("");
+}
+
 }  // namespace phs::identify::search

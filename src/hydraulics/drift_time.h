@@ -1,0 +1,16 @@
+// Time that counts for what drifts, of instruments and of the temperature.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+namespace phs::hydraulics {
+
+/// 0 before `start`, then t - start; for a drift that settles T (1 - exp(-(t - start)/T)) with
+/// T = `settling` > 0. All in s.
+inline double DriftTime(double time, double start, double settling) {
+  const double since = std::max(0.0, time - start);
+  return settling > 0 ? -settling * std::expm1(-since / settling) : since;
+}
+
+}  // namespace phs::hydraulics
