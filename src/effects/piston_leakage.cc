@@ -18,10 +18,10 @@ Status Install(const EffectParams& effect, Extension* extension) {
   const double G = LeakAtModelTemperature(effect, extension->params());
   if (G <= 0) return {};
   for (int i : TargetCylinders(effect, extension->params())) {
-    extension->AddFlow(Port::kBore, Port::kRod, i, -1, "piston_leakage",
-                       std::make_unique<GapFlow>(G, effect.values.at("exponent"),
-                                                 effect.values.at("start_s"),
-                                                 effect.values.at("return_ratio")));
+    extension->AddFlow(
+        Port::kBore, Port::kRod, i, -1, "piston_leakage",
+        std::make_unique<GapFlow>(G, effect.values.at("exponent"), effect.values.at("start_s"),
+                                  effect.values.at("return_ratio")));
   }
   return {};
 }

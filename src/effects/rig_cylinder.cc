@@ -20,6 +20,19 @@ class SampleStep {
     return x0_ + s * (v0_ + s * (3 * d - 2 * v0_ - v1_ + s * (v0_ + v1_ - 2 * d)));
   }
   double End() const { return x1_; }
+  /// dx/ds.
+  double Slope(double s) const {
+    const double d = x1_ - x0_;
+    return v0_ + s * (2 * (3 * d - 2 * v0_ - v1_) + s * 3 * (v0_ + v1_ - 2 * d));
+  }
+  /// Where between `from` and `to` the motion turns; `to` if it does not.
+  double Turn(double from, double to) const {
+    if (Slope(from) * Slope(to) >= 0) return to;
+    const double d = x1_ - x0_, half = 3 * d - 2 * v0_ - v1_, third = 3 * (v0_ + v1_ - 2 * d);
+    const double q = -(half + std::copysign(std::sqrt(half * half - third * v0_), half));
+    const double other = v0_ / q;
+    return other > from && other < to ? other : std::clamp(q / third, from, to);
+  }
 
  private:
   double x0_, x1_, v0_, v1_;
@@ -31,6 +44,8 @@ struct RigStep {
   double x = 0, v = 0;          ///< position at its start [m], mean speed [m/s]
   int sample = 0;
   bool first = false;  ///< starts at the sample itself
+  double turn_s = 0;   ///< time after its start at which the motion turns; `length` if it does not
+  double turn_x = 0;   ///< position there [m]
 };
 
 /// Calls visit(step) along the motion, `substeps` to a sample and a last one of no length.
@@ -49,8 +64,12 @@ void WalkSteps(const RigMotion& motion, const std::vector<double>& speed, int su
     const SampleStep step(motion.position_m[0][i], motion.position_m[0][i + 1], speed[i],
                           speed[i + 1], motion.step_s);
     for (int k = 0; k < substeps; ++k) {
-      const double next = k + 1 < substeps ? step.At((k + 1.0) / substeps) : step.End();
+      const double from = double(k) / substeps, to = (k + 1.0) / substeps;
+      const double next = k + 1 < substeps ? step.At(to) : step.End();
+      const double turn = step.Turn(from, to);
       at.v = (next - at.x) / h, at.first = k == 0;
+      at.turn_s = turn < to ? (turn - from) * motion.step_s : h;
+      at.turn_x = turn < to ? step.At(turn) : next;
       visit(at);
       at.time += h, at.x = next;
     }
@@ -92,7 +111,9 @@ RigPressures CalcPressures(const PhsSystem& system, const RigMotion& motion,
   return out;
 }
 
-// Rigid mountings: friction and load cell from the pressures of the walk with the same steps.
+// Rigid mountings: friction and load cell from the pressures of the walk with the same steps. A
+// bristle turns where the motion turns: a step in which it does is taken in two, or the way beyond
+// the samples were lost (some micrometres, as much as a stiff bristle takes to turn).
 void RunRigid(const PhsSystem& system, int substeps, const RigMotion& motion,
               const std::vector<double>& speed, const RigPressures& pressures, RigPrediction* out) {
   const int friction_states = system.num_friction_states();
@@ -105,10 +126,16 @@ void RunRigid(const PhsSystem& system, int substeps, const RigMotion& motion,
       sample.force = &out->channels[1][at.sample];
       system.CalcForces(at.time, &at.x, &speed[at.sample], state.data(), bore, rod, &sample);
     }
+    const auto slide = [&](double time, double length, double x, double way) {
+      if (length <= 0) return;
+      const double v = way / length;
+      system.CalcFrictionRate(time, length, &x, &v, state.data(), bore, rod, rate.data());
+      for (int j = 0; j < friction_states; ++j) state[j] += length * rate[j];
+    };
     if (friction_states > 0) {
-      system.CalcFrictionRate(at.time, at.length, &at.x, &at.v, state.data(), bore, rod,
-                              rate.data());
-      for (int j = 0; j < friction_states; ++j) state[j] += at.length * rate[j];
+      slide(at.time, at.turn_s, at.x, at.turn_x - at.x);
+      slide(at.time + at.turn_s, at.length - at.turn_s, at.turn_x,
+            at.x + at.length * at.v - at.turn_x);
     }
     ++bore, ++rod;
   });

@@ -39,9 +39,9 @@ const EffectInfo& SensorDriftInfo() {
       "cylinders",
       "shown = true + drift t from start_s on; settling: drift T (1 - exp(-t/T)); and a slow wave",
       {
-          {"load_N_per_s", "N/s", 0, -1e6, 1e6, -30, 30, "load cell"},
-          {"p_bore_Pa_per_s", "Pa/s", 0, -1e7, 1e7, -5e3, 5e3, "bore pressure"},
-          {"p_rod_Pa_per_s", "Pa/s", 0, -1e7, 1e7, -5e3, 5e3, "rod pressure"},
+          {"load_N_per_s", "N/s", 0, -1e6, 1e6, -300, 300, "load cell"},
+          {"p_bore_Pa_per_s", "Pa/s", 0, -1e7, 1e7, -5e4, 5e4, "bore pressure"},
+          {"p_rod_Pa_per_s", "Pa/s", 0, -1e7, 1e7, -5e4, 5e4, "rod pressure"},
           {"piston_m_per_s", "m/s", 0, -1, 1, -1e-5, 1e-5, "piston"},
           {"load_sine_N", "N", 0, -1e7, 1e7, -3000, 3000, "wave of the load cell"},
           {"load_cosine_N", "N", 0, -1e7, 1e7, -3000, 3000, "wave of the load cell"},

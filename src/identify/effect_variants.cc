@@ -105,7 +105,8 @@ Candidate MakeCandidate(const EffectInfo& info, const std::vector<const char*>& 
   candidate.mains = two || stiffens ? 2 : 1;
   candidate.hydraulic = info.family == "hydraulic";
   candidate.has_onset = candidate.hydraulic || info.family == "mounting" ||
-                        info.name == "presliding" || info.name == "dwell_friction";
+                        info.name == "presliding" || info.name == "dwell_friction" ||
+                        candidate.free.back().name.ends_with(".start_s");
   return candidate;
 }
 

@@ -18,6 +18,11 @@ bool OnBound(const FreeModel& model, const FitResult& fit, const Candidate& cand
 
 namespace {
 
+constexpr double kMuch = 0.5, kMuchToNoise = 0.25;
+// Of a second effect with strong evidence: of one channel's residual, and of what a pressure still
+// shows beyond its noise.
+constexpr double kStrong = 100, kMuchWhereStrong = 0.35, kMuchOfPressure = 0.6;
+
 std::string Significance(const Evidence& e, const SearchOptions& options) {
   constexpr double kWorse = -50;  // whitened: what is fast gets worse for the sake of what is slow
   if (e.delta_bic < options.min_delta_bic) return "not significant";
@@ -32,15 +37,19 @@ std::string Verdict(const Evidence& e, bool on_bound, bool first, const SearchOp
   // Of one channel's residual: enough whatever the others show. The first effect may take half as
   // much where the channel is left with its noise: what the uncertain motion makes of friction
   // about standstill is an upper bound, so that a residual may hide below it.
-  constexpr double kMuch = 0.5, kMuchToNoise = 0.25;
+  const bool strong = e.delta_bic >= kStrong && e.cross_validation_gain > 0.7 * e.estimation_gain;
+  const double much = strong && !first ? kMuchWhereStrong : kMuch;
   if (const std::string no = Significance(e, options); !no.empty()) return no;
+  const bool clear =
+      !first && e.pressure_removed >= kMuchOfPressure && e.delta_bic >= kStrong && !on_bound;
+  if (clear) return "";
   if (e.estimation_gain < options.min_gain && e.best_channel_gain < options.min_channel_gain) {
     return "gain too small";
   }
   if (on_bound) return kNotPlausible;
   const double least = first ? options.min_first_removed : options.min_excess_removed;
   const bool to_noise = first && e.best_channel_left <= 1;
-  if (e.excess_removed < least && e.best_channel_gain < (to_noise ? kMuchToNoise : kMuch)) {
+  if (e.excess_removed < least && e.best_channel_gain < (to_noise ? kMuchToNoise : much)) {
     return "explains too little of what is left";
   }
   return "";

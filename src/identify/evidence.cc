@@ -41,6 +41,13 @@ std::vector<Block> SplitFit(const FitProblem& problem, const FitResult& fit) {
   return blocks;
 }
 
+constexpr double kClear = 0.94;  // of a mean square: 3 % of the residual
+
+/// Share of what a mean square exceeds that of noise and input by.
+double ExcessRemoved(double without, double with) {
+  return without > 1 ? (without - with) / (without - 1) : 0;
+}
+
 double WeightedLog(const std::vector<double>& square, const std::vector<double>& weight) {
   double sum = 0, total = 0;
   for (size_t c = 0; c < square.size(); ++c) {
@@ -50,9 +57,8 @@ double WeightedLog(const std::vector<double>& square, const std::vector<double>&
   return sum / total;
 }
 
-/// Mean log, channels alike, of the residual's mean square on blocks held out
-/// of a linear refit.
-double CrossValidatedLog(const FitProblem& problem, const FitResult& fit) {
+/// Mean square of each channel's residual on blocks held out of a linear refit.
+std::vector<double> CrossValidated(const FitProblem& problem, const FitResult& fit) {
   const int n = problem.samples(), channels = problem.num_channels();
   const auto k = fit.jacobian.cols();
   const std::vector<Block> blocks = SplitFit(problem, fit);
@@ -72,7 +78,7 @@ double CrossValidatedLog(const FitProblem& problem, const FitResult& fit) {
                  n;
     }
   }
-  return WeightedLog(held, std::vector<double>(held.size(), 1.0));
+  return held;
 }
 
 /// Variance of what the last kOrder samples of y do not foretell: prediction
@@ -140,8 +146,19 @@ Evidence Compare(const FitProblem& problem, const FitResult& without, const FitR
   }
   e.estimation_gain = 1 - std::exp(0.5 * mean);
   e.excess_removed = excess > 0 ? 1 - left / excess : 0;
+  const std::vector<double> held = CrossValidated(problem, with);
+  const std::vector<double> held_without = CrossValidated(problem, without);
+  const std::vector<double> alike(held.size(), 1.0);
   e.cross_validation_gain =
-      1 - std::exp(0.5 * (CrossValidatedLog(problem, with) - CrossValidatedLog(problem, without)));
+      1 - std::exp(0.5 * (WeightedLog(held, alike) - WeightedLog(held_without, alike)));
+  for (size_t c = 0; c < held.size(); ++c) {
+    const std::string& name = problem.data().outputs[c].name;
+    if (!name.starts_with("p_")) continue;
+    if (with.channel_ms[c] > kClear * without.channel_ms[c]) continue;
+    const double removed = std::min(ExcessRemoved(without.channel_ms[c], with.channel_ms[c]),
+                                    ExcessRemoved(held_without[c], held[c]));
+    e.pressure_removed = std::max(e.pressure_removed, removed);
+  }
   return e;
 }
 

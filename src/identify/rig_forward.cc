@@ -23,32 +23,44 @@ Result<std::shared_ptr<const ForwardModel>> RigForward::Create(const FitData& da
     index.push_back(
         static_cast<int>(std::find(names.begin(), names.end(), channel.name) - names.begin()));
   }
-  return std::shared_ptr<const ForwardModel>(new RigForward(data, std::move(index), stride));
+  auto redrawn = std::make_shared<RedrawnMotion>(data);
+  return std::shared_ptr<const ForwardModel>(
+      new RigForward(data, std::move(redrawn), std::move(index), stride));
 }
 
-RigForward::RigForward(const FitData& data, std::vector<int> output_index, int stride)
-    : data_(data), options_(data.options), stride_(stride), output_index_(std::move(output_index)) {
+RigForward::RigForward(const FitData& data, std::shared_ptr<RedrawnMotion> redrawn,
+                       std::vector<int> output_index, int stride)
+    : data_(data),
+      options_(data.options),
+      stride_(stride),
+      redrawn_(std::move(redrawn)),
+      output_index_(std::move(output_index)) {
   // A thinned record shows nothing of a line that rings faster than its samples.
   constexpr int kMostOfThinned = 5;
   if (stride > 1) options_.most_substeps = kMostOfThinned;
-  full_.t0_s = short_.t0_s = data.time_s.front();
-  full_.step_s = data.step_s;
-  short_.step_s = data.step_s * stride;
-  auto thin = [&](const std::vector<double>& y) {
-    std::vector<double> out;
-    for (size_t i = 0; i < y.size() && data.time_s[i] < data.estimation[1]; i += stride) {
-      out.push_back(y[i]);
-    }
-    return out;
-  };
-  for (const SmoothMotion& motion : data.motion) {
-    full_.position_m.push_back(motion.position);
-    full_.speed_m_s.push_back(motion.speed);
-    short_.position_m.push_back(thin(motion.position));
-    short_.speed_m_s.push_back(thin(motion.speed));
+  full_ = MotionOf(data.motion, Span::kWhole);
+  short_ = MotionOf(data.motion, Span::kEstimation);
+}
+
+std::vector<double> RigForward::Thin(const std::vector<double>& y) const {
+  std::vector<double> out;
+  for (size_t i = 0; i < y.size() && data_.time_s[i] < data_.estimation[1]; i += stride_) {
+    out.push_back(y[i]);
   }
-  full_.pressure_Pa = data.pressure_Pa;
-  short_.pressure_Pa = thin(data.pressure_Pa);
+  return out;
+}
+
+RigMotion RigForward::MotionOf(const std::vector<SmoothMotion>& motion, Span span) const {
+  const bool whole = span == Span::kWhole;
+  RigMotion out;
+  out.t0_s = data_.time_s.front();
+  out.step_s = whole ? data_.step_s : data_.step_s * stride_;
+  for (const SmoothMotion& m : motion) {
+    out.position_m.push_back(whole ? m.position : Thin(m.position));
+    out.speed_m_s.push_back(whole ? m.speed : Thin(m.speed));
+  }
+  out.pressure_Pa = whole ? data_.pressure_Pa : Thin(data_.pressure_Pa);
+  return out;
 }
 
 std::shared_ptr<const effects::RigPressures> PressureMemory::Find(const PhsParams& hydraulics) {
@@ -118,6 +130,33 @@ Status RigForward::Uncertainty(const PhsParams& params, Span span, Channels* dev
   for (size_t c = 0; c < deviation->size(); ++c) {
     for (size_t i = 0; i < (*deviation)[c].size(); ++i) {
       (*deviation)[c][i] = 0.5 * ((*deviation)[c][i] - slow[c][i]);
+    }
+  }
+  return RemembersTheWay(params) ? AddDraws(params, span, deviation) : Status();
+}
+
+bool RigForward::RemembersTheWay(const PhsParams& params) const {
+  const Result<RigModel> rig = RigModel::Create(data_.kind, params, options_);
+  return rig.ok() && rig.value().system().num_friction_states() > 0;
+}
+
+Status RigForward::AddDraws(const PhsParams& params, Span span, Channels* deviation) const {
+  constexpr double kReach = 0.05;  // [s]
+  Channels plain;
+  if (Status s = Run(params, span, &plain); !s.ok()) return s;
+  std::vector<Channels> with(plain.size());  // [channel][draw]
+  for (const std::vector<SmoothMotion>& draw : redrawn_->Draws()) {
+    std::shared_ptr<const effects::RigPressures> pressures;
+    Channels drawn;
+    const Status s = RunMotion(params, MotionOf(draw, span), &pressures, &drawn);
+    if (!s.ok()) return s;
+    for (size_t c = 0; c < drawn.size(); ++c) with[c].push_back(std::move(drawn[c]));
+  }
+  const double step = span == Span::kWhole ? full_.step_s : short_.step_s;
+  for (size_t c = 0; c < plain.size(); ++c) {
+    const std::vector<double> drawn = DeviationOfDraws(with[c], plain[c], step, kReach);
+    for (size_t i = 0; i < drawn.size(); ++i) {
+      (*deviation)[c][i] = std::max(std::abs((*deviation)[c][i]), drawn[i]);
     }
   }
   return {};
@@ -197,7 +236,8 @@ std::vector<Candidate> RigForward::Candidates(const PhsParams& params) const {
 }
 
 std::shared_ptr<const ForwardModel> RigForward::Thinned(int stride) const {
-  return std::shared_ptr<const ForwardModel>(new RigForward(data_, output_index_, stride));
+  return std::shared_ptr<const ForwardModel>(
+      new RigForward(data_, redrawn_, output_index_, stride));
 }
 
 }  // namespace phs::identify::search

@@ -6,6 +6,7 @@
 
 #include "effects/rig_model.h"
 #include "identify/forward_model.h"
+#include "identify/redrawn_motion.h"
 #include "identify/search_data.h"
 
 namespace phs::identify::search {
@@ -37,7 +38,8 @@ class RigForward final : public ForwardModel {
 
   Status Run(const hydraulics::PhsParams& params, Span span, Channels* out) const override;
   /// Through what remains uncertain of the driving speed: where friction is steep (near standstill)
-  /// a sample says little.
+  /// a sample says little. Of a model whose friction remembers the way, through what remains
+  /// uncertain of that too (redrawn_motion.h), the larger of the two.
   Status Uncertainty(const hydraulics::PhsParams& params, Span span,
                      Channels* deviation) const override;
   Result<std::vector<hydraulics::ForcePlace>> Places(const hydraulics::PhsParams& params,
@@ -47,17 +49,24 @@ class RigForward final : public ForwardModel {
   std::shared_ptr<const ForwardModel> Thinned(int stride) const override;
 
  private:
-  RigForward(const FitData& data, std::vector<int> output_index, int stride);
+  RigForward(const FitData& data, std::shared_ptr<RedrawnMotion> redrawn,
+             std::vector<int> output_index, int stride);
+  /// Samples of the whole record -> those of `short_`.
+  std::vector<double> Thin(const std::vector<double>& y) const;
+  effects::RigMotion MotionOf(const std::vector<SmoothMotion>& motion, Span span) const;
+  bool RemembersTheWay(const hydraulics::PhsParams& params) const;
+  Status AddDraws(const hydraulics::PhsParams& params, Span span, Channels* deviation) const;
   Status RunMotion(const hydraulics::PhsParams& params, const effects::RigMotion& motion,
                    std::shared_ptr<const effects::RigPressures>* pressures, Channels* out) const;
 
   const FitData& data_;
   effects::RigOptions options_;
   int stride_ = 1;
-  effects::RigMotion full_;        ///< whole record
-  effects::RigMotion short_;       ///< to the end of the estimation window, in strides
-  std::vector<int> output_index_;  ///< of each measured channel in the model's outputs
-  mutable PressureMemory memory_;  ///< of runs on `short_`
+  effects::RigMotion full_;                 ///< whole record
+  effects::RigMotion short_;                ///< to the end of the estimation window, in strides
+  std::shared_ptr<RedrawnMotion> redrawn_;  ///< shared with the thinned
+  std::vector<int> output_index_;           ///< of each measured channel in the model's outputs
+  mutable PressureMemory memory_;           ///< of runs on `short_`
 };
 
 }  // namespace phs::identify::search

@@ -55,7 +55,9 @@ Result<FitProblem> FitProblem::Create(const FitData& data,
     if (t >= data.estimation[1]) break;
     if (t >= data.estimation[0]) problem.rows_.push_back(static_cast<int>(k));
   }
-  if (Status s = problem.SetWeights(declared); !s.ok()) return s.error();
+  Result<SampleWeights> weights = problem.CalcWeights(declared);
+  if (!weights.ok()) return weights.error();
+  problem.weight_ = std::move(weights.value());
   return problem;
 }
 
@@ -68,21 +70,22 @@ void FitProblem::ForEach(int n, const std::function<void(int)>& work) const {
   for (int i = 0; i < n; ++i) work(i);
 }
 
-Status FitProblem::SetWeights(const PhsParams& params) {
+Result<SampleWeights> FitProblem::CalcWeights(const PhsParams& params) const {
   Channels uncertain;
   if (Status s = forward_->Uncertainty(params, ForwardModel::Span::kEstimation, &uncertain);
-      !s.ok())
-    return s;
-  weight_.assign(data_->outputs.size(), std::vector<double>(rows_.size(), 0.0));
-  for (size_t c = 0; c < weight_.size(); ++c) {
+      !s.ok()) {
+    return s.error();
+  }
+  SampleWeights weight(data_->outputs.size(), std::vector<double>(rows_.size(), 0.0));
+  for (size_t c = 0; c < weight.size(); ++c) {
     const MeasuredChannel& channel = data_->outputs[c];
     for (size_t k = 0; k < rows_.size(); ++k) {
       const auto i = static_cast<size_t>(rows_[k]);
       if (!std::isfinite(channel.values[i * stride_])) continue;
-      weight_[c][k] = 1 / std::hypot(channel.noise, uncertain[c][i]);
+      weight[c][k] = 1 / std::hypot(channel.noise, uncertain[c][i]);
     }
   }
-  return {};
+  return weight;
 }
 
 Result<std::vector<double>> FitProblem::OverNoise(const PhsParams& params,

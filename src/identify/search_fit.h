@@ -53,6 +53,8 @@ struct FitResult {
   bool ok = false;
 };
 
+using SampleWeights = std::vector<std::vector<double>>;  ///< [channel][row], 0 = missing
+
 /// Data, driving motion and weights: everything a fit needs. Thread-safe for reading.
 class FitProblem {
  public:
@@ -98,15 +100,17 @@ class FitProblem {
   /// outlive what is done with them.
   void SetThreads(ThreadBudget* threads) { threads_ = threads; }
   void ForEach(int n, const std::function<void(int)>& work) const;
-  /// Sets weights anew with this model's sensitivity to speed.
-  Status SetWeights(const hydraulics::PhsParams& params);
+  /// Weights with this model's sensitivity to what is uncertain of its motion.
+  Result<SampleWeights> CalcWeights(const hydraulics::PhsParams& params) const;
+  const SampleWeights& weights() const { return weight_; }
+  void SetWeights(SampleWeights weights) { weight_ = std::move(weights); }
 
  private:
   const FitData* data_ = nullptr;
   int stride_ = 1;
   std::shared_ptr<const ForwardModel> forward_;
-  std::vector<int> rows_;                    ///< rows of the estimation span in its window
-  std::vector<std::vector<double>> weight_;  ///< [channel][row], 0 = missing
+  std::vector<int> rows_;  ///< rows of the estimation span in its window
+  SampleWeights weight_;
   std::function<bool()> go_on_;
   ThreadBudget* threads_ = nullptr;
 };

@@ -252,7 +252,8 @@ TEST(TemperatureDrift, SettlesWhereItIsToldTo) {
 
 TEST(TemperatureDrift, MayBeginInTheRecord) {
   const PhsParams p = Frictionless();
-  const PhsSystem s = Compile(With(p, "temperature_drift", {{"rate_K_per_s", 0.1}, {"start_s", 40}}));
+  const PhsSystem s =
+      Compile(With(p, "temperature_drift", {{"rate_K_per_s", 0.1}, {"start_s", 40}}));
   EXPECT_DOUBLE_EQ(s.Ambient(30), p.temperature_K);
   EXPECT_NEAR(s.Ambient(50) - p.temperature_K, 1, 1e-9);
 }

@@ -30,8 +30,8 @@ TEST(Instruments, GainOffsetDriftDelayOnPredictedChannels) {
   EXPECT_DOUBLE_EQ(offset[1][200], plain[1][200] + 120);
   EXPECT_DOUBLE_EQ(offset[3][200], plain[3][200] - 3e4);
   EXPECT_DOUBLE_EQ(drift[2][200], plain[2][200] + 1000);
-  const auto later = run(With(
-      p, "sensor_drift", {{"p_bore_Pa_per_s", 500}, {"start_s", 1.5}, {"settling_s", 0.5}}));
+  const auto later = run(
+      With(p, "sensor_drift", {{"p_bore_Pa_per_s", 500}, {"start_s", 1.5}, {"settling_s", 0.5}}));
   EXPECT_DOUBLE_EQ(later[2][140], plain[2][140]);
   EXPECT_NEAR(later[2][200], plain[2][200] + 500 * 0.5 * (1 - std::exp(-1)), 1e-6);
   EXPECT_DOUBLE_EQ(gain[1][200], 1.05 * plain[1][200]);

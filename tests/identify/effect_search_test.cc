@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
+#include <string>
 
 #include "identify/data_checks.h"
 #include "identify/effect_verdict.h"
@@ -67,11 +69,11 @@ TEST(EffectSearchTest, FindsALeakThatOpensInTheRecord) {
 TEST(EffectSearchTest, FindsADriftThatBeginsInTheRecord) {
   hydraulics::PhsParams truth = OffDeclared();
   truth.effects.push_back(
-      {"sensor_drift", {}, {{"load_N_per_s", 60}, {"start_s", 27}, {"settling_s", 3}}});
+      {"sensor_drift", {}, {{"load_N_per_s", 60}, {"start_s", 22}, {"settling_s", 8}}});
   const Identification found = Find(Declared(), Record(truth));
   ASSERT_EQ(found.effects.size(), 1u);
   EXPECT_EQ(found.effects[0].candidate.effect, "sensor_drift");
-  EXPECT_NEAR(ValueOf(found, "effects.sensor_drift.start_s"), 27, 0.3);
+  EXPECT_NEAR(ValueOf(found, "effects.sensor_drift.start_s"), 22, 0.3);
 }
 
 TEST(EffectSearchTest, FindsThatBothPressuresReadLow) {
@@ -94,6 +96,29 @@ TEST(EffectVerdict, AFirstEffectMayTakeOneChannelDownToItsNoise) {
   EXPECT_NE(Verdict(e, false, false, rules), "") << "beside another it may be that one's form";
   e.best_channel_left = 1.3;
   EXPECT_NE(Verdict(e, false, true, rules), "") << "more than noise is left";
+}
+
+TEST(EffectVerdict, ASecondEffectMayClearOnePressureBesideAFrictionThatIsNotQuiteRight) {
+  const SearchOptions rules;
+  Evidence e;
+  e.delta_bic = e.correlated_bic = 800, e.estimation_gain = e.cross_validation_gain = 0.01;
+  e.best_channel_gain = 0.035, e.excess_removed = 0.02, e.best_channel_left = 1.2;
+  e.pressure_removed = 0.7;
+  EXPECT_EQ(Verdict(e, false, false, rules), "");
+  EXPECT_NE(Verdict(e, true, false, rules), "") << "but not with numbers on their bounds";
+  EXPECT_NE(Verdict(e, false, true, rules), "") << "nor alone";
+  e.pressure_removed = 0.5;
+  EXPECT_NE(Verdict(e, false, false, rules), "");
+}
+
+TEST(EffectSearchTest, FindsAWeakLeakBesideAPistonThatSticks) {
+  hydraulics::PhsParams truth = OffDeclared();
+  truth.effects.push_back({"presliding", {}, {{"stiffness_N_per_m", 5e7}}});
+  truth.effects.push_back({"external_leakage", {"L1"}, {{"conductance_m3_per_Pas", 6e-16}}});
+  const Identification found = Find(Declared(), Record(truth, false));
+  std::set<std::string> names;
+  for (const AcceptedEffect& effect : found.effects) names.insert(effect.candidate.effect);
+  EXPECT_EQ(names, (std::set<std::string>{"presliding", "external_leakage"}));
 }
 
 TEST(EffectSearchTest, FindsARestrictionInOneChamberAlone) {

@@ -11,8 +11,9 @@
 
 namespace phs::identify::search {
 
-/// 60 s at 100 Hz: sines of two speeds, holds at rest; white sensor noise.
-inline FitData Record(const hydraulics::PhsParams& truth) {
+/// 60 s at 100 Hz: sines of two speeds, holds at rest (or not: they begin at once, from full
+/// speed); white sensor noise.
+inline FitData Record(const hydraulics::PhsParams& truth, bool holds = true) {
   FitData data;
   data.step_s = 0.01;
   data.estimation = {0, 40};
@@ -24,8 +25,9 @@ inline FitData Record(const hydraulics::PhsParams& truth) {
     const double t = i * data.step_s;
     data.time_s.push_back(t);
     const double phase = std::fmod(t, 20.0);
-    const double x =
-        phase < 16 ? 2e-3 * std::sin(2 * M_PI * phase / 4) + 4e-4 * std::sin(2 * M_PI * phase) : 0;
+    const double x = phase < 16 || !holds
+                         ? 2e-3 * std::sin(2 * M_PI * phase / 4) + 4e-4 * std::sin(2 * M_PI * phase)
+                         : 0;
     motion.position_m[0].push_back(x);
   }
   const auto rig = effects::RigModel::Create(effects::RigKind::kQuarter, truth);
