@@ -4,7 +4,6 @@
 #include <atomic>
 #include <cmath>
 #include <mutex>
-#include <numeric>
 
 #include "identify/driven_formula.h"
 #include "identify/effect_recipes.h"
@@ -13,6 +12,7 @@
 #include "identify/effect_verdict.h"
 #include "identify/formula_rivals.h"
 #include "identify/near_fit.h"
+#include "identify/reweigh.h"
 #include "identify/seen_starts.h"
 
 namespace phs::identify::search {
@@ -70,7 +70,7 @@ class Search {
     for (int round = 0; round < options_.max_effects; ++round) {
       share_ = 0.02 + 0.6 * round / options_.max_effects;
       if (!AddOne(round)) break;
-      Reweigh();
+      if (!cancelled_) Reweigh(&problem_, &coarse_, &out_);
       if (out_.effects.size() > 1 && options_.thorough) {
         ReshapeEffects(
             problem_, coarse_, options_, [this](double) { return GoOn(); }, &out_);
@@ -80,7 +80,7 @@ class Search {
     if (out_.effects.size() > 1) {
       Exchange();
       DropSuperfluous();
-      Reweigh();
+      if (!cancelled_) Reweigh(&problem_, &coarse_, &out_);
     }
     ChallengeByFormula();
     AddFormula();
@@ -95,39 +95,6 @@ class Search {
     constexpr double kNoise = 1.04;  // mean square over that of noise and input
     return std::all_of(fit.channel_ms.begin(), fit.channel_ms.end(),
                        [](double ms) { return ms < kNoise; });
-  }
-
-  /// An effect may be far more sensitive to what is uncertain of the motion than the model without
-  /// it (a stiff bristle, where the piston rests): the samples are then weighed by the model with
-  /// it, and both models fitted anew.
-  void Reweigh() {
-    if (cancelled_) return;
-    const auto params = problem_.Params(out_.corrected, out_.after.values);
-    Result<SampleWeights> full = problem_.CalcWeights(params);
-    if (!full.ok() || !AreOther(problem_.weights(), full.value())) return;
-    Result<SampleWeights> thin = coarse_.CalcWeights(params);
-    if (!thin.ok()) return;
-    const SampleWeights old = problem_.weights();
-    problem_.SetWeights(std::move(full.value()));
-    FitResult before =
-        FitBalanced(problem_, out_.declared, out_.before.values, {}, {.final_jacobian = true});
-    FitResult after =
-        FitBalanced(problem_, out_.corrected, out_.after.values, {}, {.final_jacobian = true});
-    if (!before.ok || !after.ok) return problem_.SetWeights(old);
-    coarse_.SetWeights(std::move(thin.value()));
-    out_.before = std::move(before), out_.after = std::move(after);
-  }
-
-  /// True where the mean square weight of a channel differs by more than a tenth.
-  static bool AreOther(const SampleWeights& a, const SampleWeights& b) {
-    constexpr double kOther = 0.1;
-    const auto square = [](const std::vector<double>& w) {
-      return std::inner_product(w.begin(), w.end(), w.begin(), 1e-300);
-    };
-    for (size_t c = 0; c < a.size(); ++c) {
-      if (std::abs(std::log(square(a[c]) / square(b[c]))) > kOther) return true;
-    }
-    return false;
   }
 
   bool Tick(double part) {
