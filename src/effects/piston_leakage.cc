@@ -40,7 +40,7 @@ const EffectInfo& PistonLeakageInfo() {
           {"exponent", "-", 1, 0.2, 5, 0.4, 2.5, "n: 1 laminar, 1/2 orifice, > 1 widening gap"},
           {"return_ratio", "-", 1, 1e-4, 1e4, 5e-3, 200,
            "conductance from rod to bore over that from bore to rod: a lip lifts one way"},
-          {"start_s", "s", 0, -1e12, 1e12, 0, 1e6, "the seal fails at this time"},
+          {"start_s", "s", -1e12, -1e12, 1e12, 0, 1e6, "the seal fails at this time"},
       },
       Install};
   return info;

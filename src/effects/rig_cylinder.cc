@@ -25,7 +25,7 @@ class SampleStep {
     const double d = x1_ - x0_;
     return v0_ + s * (2 * (3 * d - 2 * v0_ - v1_) + s * 3 * (v0_ + v1_ - 2 * d));
   }
-  /// Where between `from` and `to` the motion turns; `to` if it does not.
+  /// Where between `from` and `to` the motion turns; `to` if it does not (or twice).
   double Turn(double from, double to) const {
     if (Slope(from) * Slope(to) >= 0) return to;
     const double d = x1_ - x0_, half = 3 * d - 2 * v0_ - v1_, third = 3 * (v0_ + v1_ - 2 * d);

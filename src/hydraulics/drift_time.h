@@ -6,10 +6,10 @@
 
 namespace phs::hydraulics {
 
-/// 0 before `start`, then t - start; for a drift that settles T (1 - exp(-(t - start)/T)) with
-/// T = `settling` > 0. All in s.
+/// 0 before `start`, then t - start; `start` 0: t, also where it is negative. For a drift that
+/// settles T (1 - exp(-(t - start)/T)) with T = `settling` > 0. All in s.
 inline double DriftTime(double time, double start, double settling) {
-  const double since = std::max(0.0, time - start);
+  const double since = start == 0 ? time : std::max(0.0, time - start);
   return settling > 0 ? -settling * std::expm1(-since / settling) : since;
 }
 

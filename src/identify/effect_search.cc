@@ -79,10 +79,11 @@ class Search {
     }
     if (out_.effects.size() > 1) {
       Exchange();
-      DropSuperfluous();
       if (!cancelled_) Reweigh(&problem_, &coarse_, &out_);
+      DropSuperfluous();
     }
     ChallengeByFormula();
+    if (!cancelled_) Reweigh(&problem_, &coarse_, &out_);
     AddFormula();
     UpdateRecords();
     RankEffects();

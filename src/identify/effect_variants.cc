@@ -41,6 +41,8 @@ void AddOptions(const EffectInfo& info, const Recipe& recipe, Candidate* candida
     // Air that does not dissolve has no lag in it.
     const std::string first = row.free[0];
     if (first == "dissolving_time_s" && !is_free("saturation_Pa")) continue;
+    // A wave has no beginning.
+    if (first == "start_s" && is_free("period_s")) continue;
     // What stands for one side alone stays there.
     const bool one_side = std::any_of(recipe.fixed.begin(), recipe.fixed.end(), [](const auto& f) {
       return std::string(f.first) == "rod_ratio";

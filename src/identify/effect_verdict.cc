@@ -18,6 +18,9 @@ bool OnBound(const FreeModel& model, const FitResult& fit, const Candidate& cand
 
 namespace {
 
+// Of one channel's residual: enough whatever the others show. The first effect may take half as
+// much where the channel is left with its noise: what the uncertain motion makes of friction about
+// standstill is an upper bound, so that a residual may hide below it.
 constexpr double kMuch = 0.5, kMuchToNoise = 0.25;
 // Of a second effect with strong evidence: of one channel's residual, and of what a pressure still
 // shows beyond its noise.
@@ -34,9 +37,6 @@ std::string Significance(const Evidence& e, const SearchOptions& options) {
 }  // namespace
 
 std::string Verdict(const Evidence& e, bool on_bound, bool first, const SearchOptions& options) {
-  // Of one channel's residual: enough whatever the others show. The first effect may take half as
-  // much where the channel is left with its noise: what the uncertain motion makes of friction
-  // about standstill is an upper bound, so that a residual may hide below it.
   const bool strong = e.delta_bic >= kStrong && e.cross_validation_gain > 0.7 * e.estimation_gain;
   const double much = strong && !first ? kMuchWhereStrong : kMuch;
   if (const std::string no = Significance(e, options); !no.empty()) return no;

@@ -45,7 +45,8 @@ constexpr double kClear = 0.94;  // of a mean square: 3 % of the residual
 
 /// Share of what a mean square exceeds that of noise and input by.
 double ExcessRemoved(double without, double with) {
-  return without > 1 ? (without - with) / (without - 1) : 0;
+  constexpr double kSure = 1.04;  // what the estimate of the noise may be off by
+  return without > kSure ? std::min(1.0, (without - with) / (without - 1)) : 0;
 }
 
 double WeightedLog(const std::vector<double>& square, const std::vector<double>& weight) {
@@ -152,8 +153,8 @@ Evidence Compare(const FitProblem& problem, const FitResult& without, const FitR
   e.cross_validation_gain =
       1 - std::exp(0.5 * (WeightedLog(held, alike) - WeightedLog(held_without, alike)));
   for (size_t c = 0; c < held.size(); ++c) {
-    const std::string& name = problem.data().outputs[c].name;
-    if (!name.starts_with("p_")) continue;
+    const bool pressure = problem.data().outputs[c].name.ends_with("_Pa");
+    if (!pressure || problem.data().kind == effects::RigKind::kFull) continue;
     if (with.channel_ms[c] > kClear * without.channel_ms[c]) continue;
     const double removed = std::min(ExcessRemoved(without.channel_ms[c], with.channel_ms[c]),
                                     ExcessRemoved(held_without[c], held[c]));

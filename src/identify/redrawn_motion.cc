@@ -10,17 +10,20 @@ const std::vector<std::vector<SmoothMotion>>& RedrawnMotion::Draws() {
   std::call_once(drawn_, [this] {
     std::mt19937 generator(20260101);
     std::normal_distribution<double> normal;
+    std::vector<std::vector<SmoothMotion>> draws;
     for (int k = 0; k < kDraws; ++k) {
       std::vector<SmoothMotion> motions;
       for (size_t a = 0; a < data_.motion.size(); ++a) {
         const double noise = data_.inputs[a].noise;
         std::vector<double> samples = data_.motion[a].position;
         for (double& x : samples) x += noise * normal(generator);
-        motions.push_back(noise > 0 ? SmoothPosition(samples, {}, data_.step_s, noise)
-                                    : data_.motion[a]);
+        SmoothMotion drawn =
+            noise > 0 ? SmoothPosition(samples, {}, data_.step_s, noise) : data_.motion[a];
+        motions.push_back({std::move(drawn.position), std::move(drawn.speed), {}, {}, {}});
       }
-      draws_.push_back(std::move(motions));
+      draws.push_back(std::move(motions));
     }
+    draws_ = std::move(draws);
   });
   return draws_;
 }

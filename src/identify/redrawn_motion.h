@@ -18,7 +18,7 @@ class RedrawnMotion {
   /// `data` must outlive it.
   explicit RedrawnMotion(const FitData& data) : data_(data) {}
   /// [draw][actuator] over the whole record; drawn when first asked for, always the same.
-  const std::vector<std::vector<SmoothMotion>>& Draws();
+  const std::vector<std::vector<SmoothMotion>>& Draws();  // position and speed alone
 
  private:
   const FitData& data_;

@@ -1,7 +1,5 @@
 #include "identify/reweigh.h"
 
-#include <cmath>
-#include <numeric>
 #include <utility>
 
 #include "identify/near_fit.h"
@@ -9,13 +7,19 @@
 namespace phs::identify::search {
 namespace {
 
+/// Mean square that a right model would leave weighed by `a` if `b` were right.
+double MeanSquare(const std::vector<double>& a, const std::vector<double>& b) {
+  double sum = 0, count = 0;
+  for (size_t i = 0; i < a.size(); ++i) {
+    if (a[i] > 0 && b[i] > 0) sum += a[i] * a[i] / (b[i] * b[i]), ++count;
+  }
+  return count > 0 ? sum / count : 1;
+}
+
 bool AreOther(const SampleWeights& a, const SampleWeights& b) {
-  constexpr double kOther = 0.1;
-  const auto square = [](const std::vector<double>& w) {
-    return std::inner_product(w.begin(), w.end(), w.begin(), 1e-300);
-  };
+  constexpr double kOther = 1.1;
   for (size_t c = 0; c < a.size(); ++c) {
-    if (std::abs(std::log(square(a[c]) / square(b[c]))) > kOther) return true;
+    if (MeanSquare(a[c], b[c]) > kOther || MeanSquare(b[c], a[c]) > kOther) return true;
   }
   return false;
 }

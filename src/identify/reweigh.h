@@ -6,9 +6,10 @@
 
 namespace phs::identify::search {
 
-/// Weights of both problems by `found->corrected`, if they differ by more than a tenth from those
-/// at hand in the mean square of a channel; then declared and corrected model are fitted anew. If
-/// either cannot be, all stays as it was.
+/// Weights of both problems by `found->corrected`, if by one of the two, that and that at hand, the
+/// other's noise were off by more than a tenth in the mean square of a channel; then declared and
+/// corrected model are fitted anew. If either cannot be, all stays as it was. The evidence of an
+/// effect remains that of the choice.
 void Reweigh(FitProblem* problem, FitProblem* coarse, Identification* found);
 
 }  // namespace phs::identify::search

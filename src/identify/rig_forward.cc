@@ -132,10 +132,10 @@ Status RigForward::Uncertainty(const PhsParams& params, Span span, Channels* dev
       (*deviation)[c][i] = 0.5 * ((*deviation)[c][i] - slow[c][i]);
     }
   }
-  return RemembersTheWay(params) ? AddDraws(params, span, deviation) : Status();
+  return HasStates(params) ? AddDraws(params, span, deviation) : Status();
 }
 
-bool RigForward::RemembersTheWay(const PhsParams& params) const {
+bool RigForward::HasStates(const PhsParams& params) const {
   const Result<RigModel> rig = RigModel::Create(data_.kind, params, options_);
   return rig.ok() && rig.value().system().num_friction_states() > 0;
 }
@@ -150,7 +150,13 @@ Status RigForward::AddDraws(const PhsParams& params, Span span, Channels* deviat
     Channels drawn;
     const Status s = RunMotion(params, MotionOf(draw, span), &pressures, &drawn);
     if (!s.ok()) return s;
-    for (size_t c = 0; c < drawn.size(); ++c) with[c].push_back(std::move(drawn[c]));
+    for (size_t c = 0; c < drawn.size(); ++c) {
+      if (!std::all_of(drawn[c].begin(), drawn[c].end(),
+                       [](double y) { return std::isfinite(y); })) {
+        return Error{params.name, "no finite answer to the motion with other noise"};
+      }
+      with[c].push_back(std::move(drawn[c]));
+    }
   }
   const double step = span == Span::kWhole ? full_.step_s : short_.step_s;
   for (size_t c = 0; c < plain.size(); ++c) {
@@ -205,6 +211,20 @@ void BoundPeriods(double longest, std::vector<FreeParameter>* free) {
   }
 }
 
+/// What begins in the record does so in the first five sixths of the estimation window, so that it
+/// is seen; the starts of its beginning are counted from there.
+void BoundOnsets(const std::array<double, 2>& window, std::vector<FreeParameter>* free,
+                 std::vector<std::vector<double>>* starts) {
+  for (size_t i = 0; i < free->size(); ++i) {
+    FreeParameter& p = (*free)[i];
+    if (!p.name.ends_with(".start_s")) continue;
+    const double length = window[1] - window[0];
+    p.low = window[0] + 0.02 * length, p.high = window[0] + length * 5 / 6;
+    p.logarithmic = false, p.scale = length / 10;
+    for (std::vector<double>& start : *starts) start[i] += window[0];
+  }
+}
+
 /// Starts are where the bounds allow them.
 void BoundStarts(const std::vector<FreeParameter>& free, std::vector<std::vector<double>>* starts) {
   for (std::vector<double>& start : *starts) {
@@ -221,9 +241,11 @@ std::vector<Candidate> RigForward::Candidates(const PhsParams& params) const {
   const double longest = 6 * (data_.estimation[1] - data_.estimation[0]);
   for (Candidate& candidate : out) {
     BoundPeriods(longest, &candidate.free);
+    BoundOnsets(data_.estimation, &candidate.free, &candidate.starts);
     BoundStarts(candidate.free, &candidate.starts);
     for (EffectOption& option : candidate.options) {
       BoundPeriods(longest, &option.free);
+      BoundOnsets(data_.estimation, &option.free, &option.starts);
       BoundStarts(option.free, &option.starts);
     }
   }

@@ -38,8 +38,8 @@ class RigForward final : public ForwardModel {
 
   Status Run(const hydraulics::PhsParams& params, Span span, Channels* out) const override;
   /// Through what remains uncertain of the driving speed: where friction is steep (near standstill)
-  /// a sample says little. Of a model whose friction remembers the way, through what remains
-  /// uncertain of that too (redrawn_motion.h), the larger of the two.
+  /// a sample says little. Of a model whose friction or mounting has states, through what
+  /// remains uncertain of the way too (redrawn_motion.h), the larger of the two.
   Status Uncertainty(const hydraulics::PhsParams& params, Span span,
                      Channels* deviation) const override;
   Result<std::vector<hydraulics::ForcePlace>> Places(const hydraulics::PhsParams& params,
@@ -54,7 +54,7 @@ class RigForward final : public ForwardModel {
   /// Samples of the whole record -> those of `short_`.
   std::vector<double> Thin(const std::vector<double>& y) const;
   effects::RigMotion MotionOf(const std::vector<SmoothMotion>& motion, Span span) const;
-  bool RemembersTheWay(const hydraulics::PhsParams& params) const;
+  bool HasStates(const hydraulics::PhsParams& params) const;
   Status AddDraws(const hydraulics::PhsParams& params, Span span, Channels* deviation) const;
   Status RunMotion(const hydraulics::PhsParams& params, const effects::RigMotion& motion,
                    std::shared_ptr<const effects::RigPressures>* pressures, Channels* out) const;

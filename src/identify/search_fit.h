@@ -3,7 +3,7 @@
 // Minimised: sum over channels c and samples i of the estimation window of
 //   w_ci² (y_ci - model_ci(theta))²,   1/w_ci² = noise_c² + u_ci²
 // u is the model's own uncertainty (forward_model.h): of a rig, what the remaining uncertainty of
-// the driving speed does to the output. Each number is fitted as its logarithm (wide
+// the driving motion does to the output. Each number is fitted as its logarithm (wide
 // positive range) or on a linear scale, inside bounds; Ceres, Levenberg–Marquardt, numeric
 // derivatives.
 #pragma once

@@ -1,9 +1,10 @@
-// Where an effect was at its best while others were still missing: a start beside them. The first
-// look at a model is thorough; the later ones, at dearer models, begin from what it found.
+// Where an effect stood when it was last looked at, others still missing: a start beside them. The
+// first look at a model is thorough; the later ones, at dearer models, begin from what it found.
 #pragma once
 
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "identify/effect_trials.h"
@@ -19,8 +20,10 @@ class SeenStarts {
   void AddStarts(std::vector<Candidate>* list) const;
 
  private:
-  static std::string Key(const Candidate& candidate);
-  std::map<std::string, std::vector<double>> best_;
+  /// Effect with places and free numbers, and the numbers that are not free.
+  using Key = std::pair<std::string, std::map<std::string, double>>;
+  static Key KeyOf(const Candidate& candidate);
+  std::map<Key, std::vector<double>> last_;
 };
 
 }  // namespace phs::identify::search

@@ -19,23 +19,28 @@ RigMotion TwoSines() {
   return motion;
 }
 
-/// Every turning point is a sample.
-RigMotion TurningAtSamples() {
-  RigMotion motion{0, 0.005, {{}}, {}, {}, {}};
-  for (int i = 0; i < 1200; ++i) {
-    motion.position_m[0].push_back(2e-3 * (1 - std::cos(2 * M_PI * i / 300)));
+/// Share of a step after which the cubic through both ends, with their speeds, turns; 1 if it does
+/// not. By bisection.
+double TurnOf(double x0, double x1, double v0, double v1, double h) {
+  const auto speed = [&](double s) {
+    return 6 * s * (1 - s) * (x1 - x0) / h + (1 - s) * (1 - 3 * s) * v0 + s * (3 * s - 2) * v1;
+  };
+  if (v0 * v1 >= 0) return 1;
+  double low = 0, high = 1;
+  for (int k = 0; k < 60; ++k) {
+    const double middle = 0.5 * (low + high);
+    (speed(middle) * v0 > 0 ? low : high) = middle;
   }
-  return motion;
+  return low;
 }
 
 PhsParams Quarter2() { return FindPhsParams("quarter_setup2").value(); }
 
-RigPrediction RunRig(const PhsParams& params, std::shared_ptr<const RigPressures>* pressures,
-                     const RigMotion& motion = TwoSines()) {
+RigPrediction RunRig(const PhsParams& params, std::shared_ptr<const RigPressures>* pressures) {
   const auto rig = RigModel::Create(RigKind::kQuarter, params);
   EXPECT_TRUE(rig.ok());
   RigPrediction out;
-  EXPECT_TRUE(rig.value().Run(motion, &out, pressures).ok());
+  EXPECT_TRUE(rig.value().Run(TwoSines(), &out, pressures).ok());
   return out;
 }
 
@@ -60,10 +65,13 @@ TEST(RigPressures, AndForcesAreThoseOfTheSystemStepByStep) {
   params = With(params, "pressure_friction", {{"bore_N_per_Pa", 5e-5}, {"rod_N_per_Pa", 2e-5}});
   params = With(params, "presliding", {{"stiffness_N_per_m", 1e7}});
   params = With(params, "line_resistance", {{"laminar_Pas_per_m3", 2e9}});
+  params = With(params, "dwell_friction", {{"extra_N", 300}, {"time_s", 0.5}});
   std::shared_ptr<const RigPressures> none;
-  const RigMotion motion = TurningAtSamples();
-  const RigPrediction run = RunRig(params, &none, motion);
+  const RigMotion motion = TwoSines();
+  const RigPrediction run = RunRig(params, &none);
   const PhsSystem system = CreatePhsSystem(params).value();
+  const int friction = system.num_friction_states();
+  ASSERT_EQ(friction, 2);
   const std::vector<double>& x = motion.position_m[0];
   const std::vector<double> speed = DifferentiateMotion(x, motion.step_s);
   std::vector<double> state(static_cast<size_t>(system.num_states()), 0.0), rate(state);
@@ -77,9 +85,22 @@ TEST(RigPressures, AndForcesAreThoseOfTheSystemStepByStep) {
     ASSERT_NEAR(run.channels[2][i], bore, 1e-4) << i;
     ASSERT_NEAR(run.channels[3][i], rod, 1e-4) << i;
     if (i + 1 == x.size()) break;
-    const double v = (x[i + 1] - x[i]) / motion.step_s;
-    system.CalcStateRate(t, motion.step_s, &x[i], &v, state.data(), rate.data());
-    for (size_t j = 0; j < state.size(); ++j) state[j] += motion.step_s * rate[j];
+    const double h = motion.step_s, v = (x[i + 1] - x[i]) / h;
+    system.CalcStateRate(t, h, &x[i], &v, state.data(), rate.data());
+    for (size_t j = friction; j < state.size(); ++j) state[j] += h * rate[j];
+    // Friction goes to where the motion turns, and back.
+    const double s = TurnOf(x[i], x[i + 1], speed[i], speed[i + 1], h);
+    const double at_turn = x[i] +
+                           h * (s * (1 - s) * (1 - s) * speed[i] - s * s * (1 - s) * speed[i + 1]) +
+                           s * s * (3 - 2 * s) * (x[i + 1] - x[i]);
+    const double ways[2] = {at_turn - x[i], x[i + 1] - at_turn}, times[2] = {s * h, h - s * h};
+    for (int part = 0; part < 2; ++part) {
+      if (times[part] <= 0) continue;
+      const double from = part == 0 ? x[i] : at_turn, slow = ways[part] / times[part];
+      system.CalcFrictionRate(t + (part == 0 ? 0 : times[0]), times[part], &from, &slow,
+                              state.data(), &bore, &rod, rate.data());
+      for (int j = 0; j < friction; ++j) state[j] += times[part] * rate[j];
+    }
   }
 }
 
