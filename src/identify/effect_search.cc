@@ -157,6 +157,7 @@ class Search {
       if (!trials[i].fit.ok) continue;
       CandidateRecord& record = out_.candidates[places[i]];
       const FreeModel model = WithCandidate(out_.corrected, trials[i].form);
+      record.evidence.settled = IsSettled(model, trials[i].fit, trials[i].form);
       record.verdict = Verdict(record.evidence, OnBound(model, trials[i].fit, trials[i].form),
                                out_.effects.empty(), options_);
       if (!record.verdict.empty()) continue;

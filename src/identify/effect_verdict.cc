@@ -16,6 +16,16 @@ bool OnBound(const FreeModel& model, const FitResult& fit, const Candidate& cand
   return nil == candidate.mains;
 }
 
+bool IsSettled(const FreeModel& model, const FitResult& fit, const Candidate& candidate) {
+  constexpr double kAny = 0.25;  // of its range
+  const size_t base = model.free.size() - candidate.free.size();
+  for (size_t i = base; i < base + static_cast<size_t>(candidate.mains); ++i) {
+    const FreeParameter& p = model.free[i];
+    if (fit.half_95[i] > kAny * (p.ToCoordinate(p.high) - p.ToCoordinate(p.low))) return false;
+  }
+  return true;
+}
+
 namespace {
 
 // Of one channel's residual: enough whatever the others show. The first effect may take half as
@@ -37,12 +47,11 @@ std::string Significance(const Evidence& e, const SearchOptions& options) {
 }  // namespace
 
 std::string Verdict(const Evidence& e, bool on_bound, bool first, const SearchOptions& options) {
-  const bool strong = e.delta_bic >= kStrong && e.cross_validation_gain > 0.7 * e.estimation_gain;
-  const double much = strong && !first ? kMuchWhereStrong : kMuch;
+  const bool sure = !first && e.settled && e.delta_bic >= kStrong;
+  const bool strong = sure && e.cross_validation_gain > 0.7 * e.estimation_gain;
+  const double much = strong ? kMuchWhereStrong : kMuch;
   if (const std::string no = Significance(e, options); !no.empty()) return no;
-  const bool clear =
-      !first && e.pressure_removed >= kMuchOfPressure && e.delta_bic >= kStrong && !on_bound;
-  if (clear) return "";
+  if (sure && !on_bound && e.pressure_removed >= kMuchOfPressure) return "";
   if (e.estimation_gain < options.min_gain && e.best_channel_gain < options.min_channel_gain) {
     return "gain too small";
   }

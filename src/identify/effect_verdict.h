@@ -13,6 +13,11 @@ inline constexpr const char* kNotPlausible = "value not plausible";
 /// two amounts, one of them may be nil. `model` ends with the candidate's numbers.
 bool OnBound(const FreeModel& model, const FitResult& fit, const Candidate& candidate);
 
+/// True if the record tells the amounts of the candidate: 95 % within a quarter of their range to
+/// either side. One that trades against another effect's (two resistances, one behind the other)
+/// is not.
+bool IsSettled(const FreeModel& model, const FitResult& fit, const Candidate& candidate);
+
 /// Empty if the effect may be accepted. `first`: nothing was accepted before it.
 std::string Verdict(const Evidence& evidence, bool on_bound, bool first,
                     const SearchOptions& options);

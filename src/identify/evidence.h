@@ -34,6 +34,7 @@ struct Evidence {
   /// nothing of friction, whose laws are never quite right: what exceeds their noise was made by
   /// something else. (Not so on the full rig, whose beam yields to friction.)
   double pressure_removed = 0;
+  bool settled = true;  ///< the amounts of what came in are told by the record
 };
 
 Evidence Compare(const FitProblem& problem, const FitResult& without, const FitResult& with);

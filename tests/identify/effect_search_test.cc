@@ -106,6 +106,9 @@ TEST(EffectVerdict, ASecondEffectMayClearOnePressureBesideAFrictionThatIsNotQuit
   e.pressure_removed = 0.7;
   EXPECT_EQ(Verdict(e, false, false, rules), "");
   EXPECT_NE(Verdict(e, true, false, rules), "") << "but not with numbers on their bounds";
+  e.settled = false;
+  EXPECT_NE(Verdict(e, false, false, rules), "") << "nor with an amount that could be any";
+  e.settled = true;
   EXPECT_NE(Verdict(e, false, true, rules), "") << "nor alone";
   e.pressure_removed = 0.5;
   EXPECT_NE(Verdict(e, false, false, rules), "");
