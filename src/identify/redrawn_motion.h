@@ -17,8 +17,9 @@ class RedrawnMotion {
   static constexpr int kDraws = 4;
   /// `data` must outlive it.
   explicit RedrawnMotion(const FitData& data) : data_(data) {}
-  /// [draw][actuator] over the whole record; drawn when first asked for, always the same.
-  const std::vector<std::vector<SmoothMotion>>& Draws();  // position and speed alone
+  /// [draw][actuator] over the whole record, position and speed alone; drawn when first asked for,
+  /// always the same.
+  const std::vector<std::vector<SmoothMotion>>& Draws();
 
  private:
   const FitData& data_;
