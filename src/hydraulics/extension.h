@@ -158,8 +158,8 @@ struct MountTerms {
 inline constexpr double kContactStiffness = 2e9;
 
 /// Error of the instruments of one cylinder: shown = gain * true(t - delay) + offset + drift * t,
-/// or drift T (1 - exp(-t/T)) for a drift that settles with the time T, its t counted from `start_s`
-/// on; plus a slow wave wave_sine sin(2 pi t/P) + wave_cosine (cos(2 pi t/P) - 1).
+/// or drift T (1 - exp(-t/T)) for a drift that settles with the time T, its t counted from
+/// `start_s` on; plus a slow wave wave_sine sin(2 pi t/P) + wave_cosine (cos(2 pi t/P) - 1).
 struct InstrumentTerms {
   struct Channel {
     double gain = 1, offset = 0, drift_per_s = 0, delay_s = 0;
