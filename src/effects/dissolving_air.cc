@@ -53,8 +53,12 @@ hydraulics::MemoryRate LaggingAir::Memory(double pressure, double memory) const 
   out.rate_rise /= time;
   out.rate_slope = -1 / time;
   out.volume_rise = -bubble_.At(pressure);
-  out.loss = amount_ * (Potential(solution_.PressureOf(s)) - Potential(pressure)) * out.rate;
   return out;
+}
+
+double LaggingAir::Loss(double pressure, double memory) const noexcept {
+  const double solved = solution_.PressureOf(start_ + memory);
+  return amount_ * (Potential(solved) - Potential(pressure)) * Memory(pressure, memory).rate;
 }
 
 double LaggingAir::Work(double p) const {

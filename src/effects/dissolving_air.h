@@ -44,6 +44,7 @@ class LaggingAir final : public hydraulics::VolumeLaw {
   double Energy(double pressure, double memory) const noexcept override;
   std::string MemoryName() const override { return "free_air"; }
   hydraulics::MemoryRate Memory(double pressure, double memory) const noexcept override;
+  double Loss(double pressure, double memory) const noexcept override;
 
  private:
   double Work(double p) const;

@@ -26,7 +26,9 @@ struct Kind {
 };
 constexpr Kind kKinds[] = {{kNewton, "N", "force [N]"},
                            {{3, 0, 0, 0}, "m3", "volume [m^3]"},
-                           {{3, 0, -1, 0}, "m3_per_s", "flow [m^3/s]"}};
+                           {{3, 0, -1, 0}, "m3_per_s", "flow [m^3/s]"},
+                           {{1, 0, 0, 0}, "m", "length [m]"},
+                           {{-1, 1, -2, 0}, "Pa", "pressure [Pa]"}};
 
 struct Symbol {
   const char* name;

@@ -9,7 +9,7 @@
 // may carry a unit in brackets: 0.0025[m], 3[N/m], 2[m/s]. Operators + - * / ^ (a plain number as
 // exponent), functions sin, cos, exp, tanh, abs, sqrt, max(a, b), constant pi. The dimension of
 // every part is checked: sums need equal dimensions, functions plain numbers, the whole is what is
-// asked for: a force [N], a volume [m^3] or a flow [m^3/s].
+// asked for: a force [N], a volume [m^3], a flow [m^3/s], a length [m] or a pressure [Pa].
 //
 // Evaluation does not allocate.
 #pragma once
@@ -25,8 +25,8 @@
 namespace phs::effects {
 
 /// What a formula gives.
-enum class FormulaUnit { kForce, kVolume, kFlow };
-/// "N", "m3", "m3_per_s": as in names of coefficients, c1_N.
+enum class FormulaUnit { kForce, kVolume, kFlow, kLength, kPressure };
+/// "N", "m3", "m3_per_s", "m", "Pa": as in names of coefficients, c1_N.
 const char* UnitSuffix(FormulaUnit unit);
 
 class Formula {

@@ -60,12 +60,16 @@ class CreepVolume final : public hydraulics::VolumeLaw {
   }
   std::string MemoryName() const override { return "hose_creep"; }
   hydraulics::MemoryRate Memory(double pressure, double memory) const noexcept override {
-    const double behind = (pressure - p0_) / kScale - memory;
-    return {behind / time_, -1 / time_, 1 / (time_ * kScale), compliance_ * kScale,
-            compliance_ * kScale * kScale * behind * behind / time_};
+    return {Behind(pressure, memory) / time_, -1 / time_, 1 / (time_ * kScale),
+            compliance_ * kScale};
+  }
+  double Loss(double pressure, double memory) const noexcept override {
+    const double behind = kScale * Behind(pressure, memory);
+    return compliance_ * behind * behind / time_;
   }
 
  private:
+  double Behind(double pressure, double memory) const { return (pressure - p0_) / kScale - memory; }
   static constexpr double kScale = 1e7;  // P [Pa]: makes the memory of the order of one
   double compliance_, time_, p0_;
 };

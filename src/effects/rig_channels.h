@@ -1,4 +1,5 @@
-// Instrument errors on predicted channels: shown = gain * true(t - delay) + offset + drift * t.
+// Instrument errors on predicted channels: shown = gain * true(t - delay) + offset + drift * t +
+// what a formula says of the true state (effect `unlisted`).
 #pragma once
 
 #include "effects/rig_model.h"

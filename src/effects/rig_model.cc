@@ -115,7 +115,7 @@ PhsParams HydraulicsOf(const PhsParams& params) {
   std::erase_if(out.effects, [](const hydraulics::EffectParams& effect) {
     const hydraulics::EffectInfo* info = Catalogue().Find(effect.name);
     if (info == nullptr) return false;
-    if (effect.name == UnlistedInfo().name) return IsForce(effect);
+    if (effect.name == UnlistedInfo().name) return !ActsOnOil(effect);
     return info->family == "friction" || info->family == "instrument" || info->family == "element";
   });
   return out;

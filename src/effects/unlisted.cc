@@ -19,7 +19,8 @@ using hydraulics::ForcePlace;
 using hydraulics::Port;
 
 constexpr int kCoefficients = 6;
-constexpr FormulaUnit kUnits[] = {FormulaUnit::kForce, FormulaUnit::kVolume, FormulaUnit::kFlow};
+constexpr FormulaUnit kUnits[] = {FormulaUnit::kForce, FormulaUnit::kVolume, FormulaUnit::kFlow,
+                                  FormulaUnit::kLength, FormulaUnit::kPressure};
 
 /// Step of the central difference that gives slopes over pressure [Pa].
 constexpr double kNudge = 100;
@@ -28,6 +29,15 @@ class FurtherForce final : public hydraulics::ForceLaw {
  public:
   explicit FurtherForce(Formula formula) : formula_(std::move(formula)) {}
   double Force(const ForcePlace& place) const noexcept override { return formula_.Value(place); }
+
+ private:
+  Formula formula_;
+};
+
+class FurtherReading final : public hydraulics::ReadingLaw {
+ public:
+  explicit FurtherReading(Formula formula) : formula_(std::move(formula)) {}
+  double Error(const ForcePlace& place) const noexcept override { return formula_.Value(place); }
 
  private:
   Formula formula_;
@@ -176,6 +186,46 @@ Status AddFlow(const EffectParams& effect, const Formula& formula, Extension* ex
   return {};
 }
 
+/// The sensors whose readings are meant: of pistons, or of the pressures of lines.
+Result<std::vector<hydraulics::InstrumentTerms::Channel*>> Readings(const EffectParams& effect,
+                                                                    FormulaUnit unit,
+                                                                    Extension* extension) {
+  std::vector<hydraulics::InstrumentTerms::Channel*> out;
+  const auto& params = extension->params();
+  if (unit == FormulaUnit::kLength) {
+    for (int i : TargetCylinders(effect, params)) {
+      if (i < 0) return Refuse(effect, "lines have no piston to be measured", "cylinders");
+      extension->instrument(i).present = true;
+      out.push_back(&extension->instrument(i).piston);
+    }
+    return out;
+  }
+  for (int line : TargetLines(effect, params)) {
+    if (line < 0) return Refuse(effect, "a pressure is that of a line", "lines");
+    const std::string& name = params.lines[static_cast<size_t>(line)].name;
+    for (size_t i = 0; i < params.cylinders.size(); ++i) {
+      const auto& c = params.cylinders[i];
+      if (c.bore_line != name && c.rod_line != name) continue;
+      hydraulics::InstrumentTerms& terms = extension->instrument(static_cast<int>(i));
+      terms.present = true;
+      out.push_back(c.bore_line == name ? &terms.p_bore : &terms.p_rod);
+    }
+  }
+  return out;
+}
+
+Status AddReading(const EffectParams& effect, const Formula& formula, FormulaUnit unit,
+                  Extension* extension) {
+  if (const std::string other = formula.VariableOtherThan("xpqt"); !other.empty()) {
+    return Refuse(effect, "a reading over " + other, "a formula over x, p, q and t");
+  }
+  const auto readings = Readings(effect, unit, extension);
+  if (!readings.ok()) return readings.error();
+  const auto law = std::make_shared<const FurtherReading>(formula);
+  for (auto* channel : readings.value()) channel->further = law;
+  return {};
+}
+
 Status Install(const EffectParams& effect, Extension* extension) {
   const Result<FormulaUnit> unit = UnitOf(effect);
   if (!unit.ok()) return unit.error();
@@ -196,6 +246,9 @@ Status Install(const EffectParams& effect, Extension* extension) {
       return AddVolume(effect, formula.value(), extension);
     case FormulaUnit::kFlow:
       return AddFlow(effect, formula.value(), extension);
+    case FormulaUnit::kLength:
+    case FormulaUnit::kPressure:
+      return AddReading(effect, formula.value(), unit.value(), extension);
   }
   return {};
 }
@@ -208,7 +261,9 @@ std::vector<hydraulics::EffectParameter> Parameters() {
   };
   constexpr Row kRows[] = {{FormulaUnit::kForce, "N", 1e9, 1e5},
                            {FormulaUnit::kVolume, "m3", 1, 1e-4},
-                           {FormulaUnit::kFlow, "m3/s", 1, 1e-4}};
+                           {FormulaUnit::kFlow, "m3/s", 1, 1e-4},
+                           {FormulaUnit::kLength, "m", 1, 1e-2},
+                           {FormulaUnit::kPressure, "Pa", 1e9, 1e7}};
   std::vector<hydraulics::EffectParameter> out;
   for (const Row& row : kRows) {
     for (int k = 1; k <= kCoefficients; ++k) {
@@ -228,9 +283,10 @@ const EffectInfo& UnlistedInfo() {
   return info;
 }
 
-bool IsForce(const hydraulics::EffectParams& effect) {
-  return std::all_of(effect.values.begin(), effect.values.end(), [](const auto& value) {
-    return value.second == 0 || value.first.ends_with("_N");
+bool ActsOnOil(const hydraulics::EffectParams& effect) {
+  return std::any_of(effect.values.begin(), effect.values.end(), [](const auto& value) {
+    return value.second != 0 &&
+           (value.first.ends_with("_m3") || value.first.ends_with("_m3_per_s"));
   });
 }
 

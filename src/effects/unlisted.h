@@ -5,9 +5,12 @@
 //   c1_m3 …        a volume that a line takes up, over its p     targets: lines
 //   c1_m3_per_s …  a flow out of a line over its p and t         targets: lines
 //                  or from bore to rod over p = p_bore - p_rod   targets: cylinders
+//   c1_m …         what the piston's sensor shows beyond it      targets: cylinders
+//   c1_Pa …        what a pressure sensor shows beyond it        targets: lines
 //
 // p of a line is its pressure above static, of a cylinder's flow the difference above the static
-// one; flows must vanish at p = 0. Example: formula: "c1*(max(p-9e6[Pa],0[Pa])/1e6[Pa])" with
+// one; flows must vanish at p = 0. Of readings x, p, q and t are those of the true state, p and q
+// of bore and rod, also on a line. Example: formula: "c1*(max(p-9e6[Pa],0[Pa])/1e6[Pa])" with
 // c1_m3_per_s: 2e-7 on L2, a valve that opens 9 MPa above static. Not passive by construction: it
 // is what was measured.
 #pragma once
@@ -17,7 +20,8 @@
 namespace phs::effects {
 
 const hydraulics::EffectInfo& UnlistedInfo();
-/// True of an effect `unlisted` that is a force: none of its coefficients is a volume or a flow.
-bool IsForce(const hydraulics::EffectParams& effect);
+/// True of an effect `unlisted` that gives or takes oil: one of its coefficients is a volume or a
+/// flow.
+bool ActsOnOil(const hydraulics::EffectParams& effect);
 
 }  // namespace phs::effects

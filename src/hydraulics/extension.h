@@ -25,7 +25,6 @@ struct MemoryRate {
   double rate_slope = 0;   ///< d(rate)/dm [1/s], <= 0
   double rate_rise = 0;    ///< d(rate)/dp [1/(s Pa)]
   double volume_rise = 0;  ///< dV/dm at constant pressure [m3]
-  double loss = 0;         ///< available power lost [W], >= 0
 };
 
 /// Volume taken up above the static state at pressure p: Volume(p0) = 0, rising with p (passive).
@@ -42,6 +41,8 @@ class VolumeLaw {
   /// Name of the memory among the states, "creep"; empty = none.
   virtual std::string MemoryName() const { return {}; }
   virtual MemoryRate Memory(double /*pressure*/, double /*memory*/) const noexcept { return {}; }
+  /// Available power lost by the memory's moving [W], >= 0.
+  virtual double Loss(double /*pressure*/, double /*memory*/) const noexcept { return 0; }
 };
 
 /// Flow through an opening or pipe: rises with the pressure difference, Flow(0) = 0 (passive).
@@ -80,6 +81,14 @@ class ForceLaw {
  public:
   virtual ~ForceLaw() = default;
   virtual double Force(const ForcePlace& place) const noexcept = 0;
+};
+
+/// What a sensor shows beyond the truth, in the unit of its channel; of `place` time, piston and
+/// pressures are set.
+class ReadingLaw {
+ public:
+  virtual ~ReadingLaw() = default;
+  virtual double Error(const ForcePlace& place) const noexcept = 0;
 };
 
 /// A part on a bench, beyond its declared ElementParams.
@@ -164,6 +173,7 @@ struct InstrumentTerms {
   struct Channel {
     double gain = 1, offset = 0, drift_per_s = 0, delay_s = 0;
     double wave_sine = 0, wave_cosine = 0;
+    std::shared_ptr<const ReadingLaw> further;  ///< none if empty
   };
   Channel load, p_bore, p_rod, piston;
   double start_s = 0;     ///< no drift before

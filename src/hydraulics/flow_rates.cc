@@ -325,7 +325,7 @@ double CalcHydraulicLoss(const CompiledPhs& sys, double time, const Instant& at,
   }
   for (size_t n = 0; n < sys.nodes.size(); ++n) {
     for (const NodeLaw& l : sys.nodes[n].laws) {
-      if (l.state >= 0) lost += l.law->Memory(at.node[n].p, state[l.state]).loss;
+      if (l.state >= 0) lost += l.law->Loss(at.node[n].p, state[l.state]);
     }
     for (const NodeGas& g : sys.nodes[n].gases) {
       if (g.state < 0) continue;

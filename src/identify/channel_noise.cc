@@ -1,15 +1,32 @@
 #include "identify/channel_noise.h"
 
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
 #include "identify/series.h"
+#include "identify/time_wave.h"
 
 namespace phs::identify {
 namespace {
 
 constexpr int kBlock = 40;        // samples over which noise is taken as even
 constexpr double kTrendTime = 1;  // [s] stretches at rest are levelled over this time
+
+/// Sum of squares without its strongest wave, where that is most of it: a vibration is no noise but
+/// something to be explained. Otherwise the sum itself.
+double WithoutLine(const std::vector<double>& y, double sum) {
+  constexpr double kMost = 0.75;
+  const double cycles = FindTimeWave(y, 1).frequency_Hz;
+  Eigen::MatrixXd wave(y.size(), 2);
+  for (size_t i = 0; i < y.size(); ++i) {
+    const double phase = 2 * M_PI * cycles * static_cast<double>(i);
+    wave.row(static_cast<Eigen::Index>(i)) << std::sin(phase), std::cos(phase);
+  }
+  const Eigen::Map<const Eigen::VectorXd> all(y.data(), static_cast<Eigen::Index>(y.size()));
+  const double left = (all - wave * wave.colPivHouseholderQr().solve(all)).squaredNorm();
+  return left < (1 - kMost) * sum ? left : sum;
+}
 
 }  // namespace
 
@@ -92,6 +109,7 @@ ChannelNoise EstimateNoise(const Channel& channel, const std::vector<char>& rest
       left[j] = channel.y[begin + j] - mean - s1 / s2 * u;
       sum += left[j] * left[j];
     }
+    sum = std::min(sum, WithoutLine(left, sum));
     squares.push_back(sum / static_cast<double>(stretch - 2));
     times.push_back(CorrelationTime(left));
     begin += stretch;

@@ -11,9 +11,13 @@
 
 namespace phs::identify::search {
 
-FoundFormula SearchForceFormula(const FitProblem& problem, const FreeModel& model,
-                                const FitResult& fit, const FormulaLimits& limits) {
-  const int channel = problem.FindOutput("load_cell_N");
+namespace {
+
+/// A formula for what one channel shows beyond the model.
+FoundFormula SearchChannelFormula(const FitProblem& problem, const FreeModel& model,
+                                  const FitResult& fit, const std::string& name,
+                                  const FormulaLimits& limits) {
+  const int channel = problem.FindOutput(name);
   const effects::RigKind kind = problem.data().kind;
   if (channel < 0 || (kind != effects::RigKind::kQuarter && kind != effects::RigKind::kCylinder)) {
     return {};
@@ -35,7 +39,38 @@ FoundFormula SearchForceFormula(const FitProblem& problem, const FreeModel& mode
   data.independent = [=](const Eigen::VectorXd& r) { return IndependentSamples(r, channels); };
   data.has_pressure = true;
   data.has_rod_pressure = kind == effects::RigKind::kQuarter;
+  data.has_friction = name == "load_cell_N";
+  data.has_time_waves = true;
+  data.first_row = static_cast<Eigen::Index>(channel) * n;
   return SearchFormula(data, limits);
+}
+
+}  // namespace
+
+FoundFormula SearchForceFormula(const FitProblem& problem, const FreeModel& model,
+                                const FitResult& fit, const FormulaLimits& limits) {
+  return SearchChannelFormula(problem, model, fit, "load_cell_N", limits);
+}
+
+FoundFormula SearchReadingFormula(const FitProblem& problem, const FreeModel& model,
+                                  const FitResult& fit, double noise, const FormulaLimits& limits) {
+  const auto& cylinder = model.params.cylinders.front();
+  struct Sensor {
+    const char *channel, *unit;
+    std::vector<std::string> targets;
+  };
+  FoundFormula best;
+  for (const Sensor& sensor :
+       {Sensor{"piston_m", "m", {}}, Sensor{"p_bore_Pa", "Pa", {cylinder.bore_line}},
+        Sensor{"p_rod_Pa", "Pa", {cylinder.rod_line}}}) {
+    const int channel = problem.FindOutput(sensor.channel);
+    if (channel < 0 || fit.channel_ms[static_cast<size_t>(channel)] < noise) continue;
+    FoundFormula found = SearchChannelFormula(problem, model, fit, sensor.channel, limits);
+    if (found.empty() || found.gain <= best.gain) continue;
+    best = std::move(found);
+    best.unit = sensor.unit, best.targets = sensor.targets;
+  }
+  return best;
 }
 
 namespace {
@@ -97,14 +132,14 @@ FormulaTrial TryLineFormula(const FitProblem& problem, const FitProblem& coarse,
 
 FormulaTrial TryFormula(const FitProblem& problem, const FitProblem& coarse, const FreeModel& model,
                         const FitResult& fit, const FormulaLimits& limits) {
-  constexpr double kNoise = 1.1, kMostForce_N = 1e5;
+  constexpr double kNoise = 1.1, kMostForce_N = 1e5, kMostReading_m = 1e-2, kMostReading_Pa = 1e7;
   double pressures = 0, load = 0;
   for (int c = 0; c < problem.num_channels(); ++c) {
     const std::string& name = problem.data().outputs[static_cast<size_t>(c)].name;
     double& worst = name.ends_with("_Pa") ? pressures : load;
     if (name != "piston_m") worst = std::max(worst, fit.channel_ms[static_cast<size_t>(c)]);
   }
-  FormulaTrial force, line;
+  FormulaTrial force, line, reading;
   if (load > kNoise) {
     force = FitFormula(problem, model, fit, fit.values,
                        SearchForceFormula(problem, model, fit, limits), kMostForce_N);
@@ -116,7 +151,12 @@ FormulaTrial TryFormula(const FitProblem& problem, const FitProblem& coarse, con
   if (pressures > kNoise && problem.data().kind != effects::RigKind::kFull) {
     line = TryLineFormula(problem, coarse, model, fit, limits);
   }
-  return Better(problem, line, force) ? line : force;
+  const FoundFormula shown = SearchReadingFormula(problem, model, fit, kNoise, limits);
+  reading = FitFormula(problem, model, fit, fit.values, shown,
+                       shown.unit == "m" ? kMostReading_m : kMostReading_Pa);
+  reading.channel_gain = reading.evidence.best_channel_gain;
+  FormulaTrial& best = Better(problem, line, force) ? line : force;
+  return Better(problem, reading, best) ? reading : best;
 }
 
 Candidate FormulaCandidate(const FoundFormula& found, double most) {

@@ -15,6 +15,11 @@ namespace phs::identify::search {
 FoundFormula SearchForceFormula(const FitProblem& problem, const FreeModel& model,
                                 const FitResult& fit, const FormulaLimits& limits);
 
+/// The formula that the sensor of piston or pressures asks for whose residual it lessens most,
+/// among those whose mean square is above `noise` times that of their noise.
+FoundFormula SearchReadingFormula(const FitProblem& problem, const FreeModel& model,
+                                  const FitResult& fit, double noise, const FormulaLimits& limits);
+
 /// A formula found and fitted together with all numbers of a model.
 struct FormulaTrial {
   FoundFormula found;
@@ -24,8 +29,9 @@ struct FormulaTrial {
   Evidence evidence;
   double channel_gain = 0;  ///< share of the residual rms of its channel that went
 };
-/// A force over direction, speed, place, pressures and time for what the load cell still shows, or
-/// a law of a line (line_formula.h) for the pressures: the one that explains more.
+/// A force over direction, speed, place, pressures and time for what the load cell still shows, a
+/// law of a line (line_formula.h) for the pressures, or what a sensor of piston or pressures shows
+/// beyond the truth over place, pressures and time: the one that explains more.
 FormulaTrial TryFormula(const FitProblem& problem, const FitProblem& coarse, const FreeModel& model,
                         const FitResult& fit, const FormulaLimits& limits);
 

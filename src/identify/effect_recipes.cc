@@ -362,6 +362,7 @@ const std::vector<OptionRow>& Options() {
 
 bool IsNested(const std::string& simple, const std::string& general) {
   return (simple == "line_resistance" && general == "check_restriction") ||
+         (simple == "line_resistance" && general == "line_inertance") ||
          (simple == "mount_compliance" && general == "bush_viscoelastic");
 }
 

@@ -1,6 +1,7 @@
 #include "identify/effect_reshape.h"
 
 #include <algorithm>
+#include <map>
 
 #include "identify/effect_recipes.h"
 #include "identify/effect_trials.h"
@@ -38,9 +39,14 @@ void Take(const FreeModel& model, FullTrial&& trial, Identification* found) {
       {trial.form.effect, VariantName(trial.form), 0, 0, 0, true, effect.evidence, "accepted"});
 }
 
-/// Tries the first effect anew and moves it to the end. True if that changed what is explained.
+/// The forms of each effect that were worth a full fit when it was first tried anew.
+using Promising = std::map<std::string, std::vector<Candidate>>;
+
+/// Tries the first effect anew and moves it to the end: at first in all its forms, from the
+/// declared numbers too, later in the promising ones. True if that changed what is explained.
 bool ReshapeFirst(const FitProblem& problem, const FitProblem& coarse, const SearchOptions& options,
-                  const std::function<bool(double)>& tick, Identification* found) {
+                  const std::function<bool(double)>& tick, Promising* promising,
+                  Identification* found) {
   constexpr double kGain = 0.01;  // enough to look at the others again
   FreeModel model;
   FitResult rest;
@@ -50,9 +56,16 @@ bool ReshapeFirst(const FitProblem& problem, const FitProblem& coarse, const Sea
     declared[i] = found->declared.free[i].start;
   }
   const std::string name = found->effects.front().candidate.effect;
-  std::vector<Candidate> list = problem.forward().Candidates(model.params);
-  std::erase_if(list,
-                [&](const Candidate& c) { return c.effect != name && !IsNested(c.effect, name); });
+  std::vector<std::vector<double>> points = {rest.values};
+  std::vector<Candidate> list;
+  if (promising->contains(name)) {
+    list = promising->at(name);
+  } else {
+    list = problem.forward().Candidates(model.params);
+    std::erase_if(
+        list, [&](const Candidate& c) { return c.effect != name && !IsNested(c.effect, name); });
+    points.push_back(std::move(declared));
+  }
   double reference = 0;
   std::vector<FullTrial> trials = TryEffects(problem, coarse, model, rest, list,
                                              {.coarse_fits = 6,
@@ -60,8 +73,13 @@ bool ReshapeFirst(const FitProblem& problem, const FitProblem& coarse, const Sea
                                               .each = 2,
                                               .thorough = true,
                                               .declared = found->declared.free.size(),
-                                              .points = {rest.values, declared}},
+                                              .points = std::move(points)},
                                              tick, &reference);
+  std::vector<Candidate>& fitted = (*promising)[name];
+  fitted.clear();
+  for (const FullTrial& trial : trials) {
+    if (trial.fit.ok) fitted.push_back(*trial.candidate);
+  }
   MoveFirstToEnd(problem, found);
   found->corrected = WithCandidate(model, found->effects.back().candidate);
   bool changed = false;
@@ -119,8 +137,9 @@ void ReshapeEffects(const FitProblem& problem, const FitProblem& coarse,
   const int count = static_cast<int>(found->effects.size());
   int since = 0;  // effects looked at since one changed
   int k = 0;
+  Promising promising;
   for (; k < kPasses * count && since < count && tick(0); ++k) {
-    since = ReshapeFirst(problem, coarse, options, tick, found) ? 1 : since + 1;
+    since = ReshapeFirst(problem, coarse, options, tick, &promising, found) ? 1 : since + 1;
   }
   for (; k % count != 0; ++k) {  // back in the order of their acceptance
     FreeModel rest;

@@ -14,6 +14,7 @@
 #include "identify/near_fit.h"
 #include "identify/reweigh.h"
 #include "identify/seen_starts.h"
+#include "identify/worst_place.h"
 
 namespace phs::identify::search {
 namespace {
@@ -144,6 +145,7 @@ class Search {
 
   bool AddOne(int round) {
     std::vector<Candidate> list = problem_.forward().Candidates(out_.corrected.params);
+    KeepWorstPlace(problem_, out_.after, out_.corrected.params, &list);
     seen_.AddStarts(&list);
     double reference = 0;
     std::vector<FullTrial> trials =
@@ -244,17 +246,14 @@ class Search {
 
   /// Tries to replace each accepted effect but the last by another.
   void Exchange() {
-    // What shaping a form may still bring on the coarse record [ln of the mean square].
-    constexpr double kShaping = 0.6;
-    const Eigen::VectorXd now = coarse_.Residual(out_.corrected, out_.after.values);
-    const double most =
-        now.size() > 0 ? MeanLogSquare(now, problem_.num_channels()) + kShaping : 1e300;
+    const double most = MostOfRivals(coarse_, out_.corrected, out_.after.values);
     for (size_t i = 0; i + 1 < out_.effects.size() && !cancelled_; ++i) {
       share_ = 0.68 + 0.1 * static_cast<double>(i);
       FreeModel model;
       const FitResult rest = FitWithout(problem_, out_, i, &model);
       if (!rest.ok) continue;
       std::vector<Candidate> list = problem_.forward().Candidates(model.params);
+      KeepWorstPlace(problem_, rest, model.params, &list);
       const std::string old = out_.effects[i].candidate.effect;
       std::erase_if(list, [&](const Candidate& c) { return c.effect == old; });
       double reference = 0;
@@ -270,6 +269,9 @@ class Search {
                                Margin(old, trial.candidate->effect))) {
           continue;
         }
+        // What contains it must show what it has beyond it, as an effect beside it would.
+        const bool more = IsNested(old, trial.candidate->effect);
+        if (more && !Verdict(e, false, false, options_).empty()) continue;
         AcceptedEffect replaced{trial.form, Compare(problem_, rest, trial.fit), {old}};
         Withdraw(old, "exchanged", &out_.candidates);
         out_.candidates.push_back({trial.candidate->effect, VariantName(trial.form), 0, 0, 0, true,
@@ -301,8 +303,9 @@ class Search {
         ++i;
         continue;
       }
-      Withdraw(out_.effects[i].candidate.effect, "superfluous beside the later ones",
-               &out_.candidates);
+      const std::string gone = out_.effects[i].candidate.effect;
+      Withdraw(gone, "superfluous beside the later ones", &out_.candidates);
+      if (gone == "unlisted") out_.formula = {};
       out_.effects.erase(out_.effects.begin() + static_cast<long>(i));
       out_.corrected = model, out_.after = rest;
       i = 0;
@@ -319,7 +322,9 @@ class Search {
     const std::string no =
         FormulaVerdict(trial.evidence, trial.channel_gain, out_.effects.empty(), options_);
     RecordFormula(trial, no.empty() ? "accepted" : no);
-    if (no.empty()) TakeFormula(trial, trial.evidence);
+    if (!no.empty()) return;
+    TakeFormula(trial, trial.evidence);
+    DropSuperfluous();
   }
 
   /// No listed effect is bent to stand for what is on no list: where a formula of one term says

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <limits>
+#include <map>
 
 #include "identify/effect_form.h"
 #include "identify/evidence.h"
@@ -67,6 +69,36 @@ std::vector<int> BestOfEach(const std::vector<FullTrial>& trials, int channels,
   return chosen;
 }
 
+/// True if both say the same with the same free numbers, whatever the way to them.
+bool AreSame(const Candidate& a, const Candidate& b) {
+  if (a.effect != b.effect || a.params.targets != b.params.targets) return false;
+  const auto numbers = [](const Candidate& c) {
+    std::map<std::string, double> out = c.params.values;
+    for (const FreeParameter& p : c.free) {
+      out[p.name.substr(p.name.rfind('.') + 1)] = std::numeric_limits<double>::infinity();
+    }
+    return out;
+  };
+  return numbers(a) == numbers(b);
+}
+
+/// Of trials that have come to the same form the best on the coarse record.
+std::vector<int> Distinct(const std::vector<FullTrial>& trials, const std::vector<int>& chosen) {
+  std::vector<int> out;
+  for (const int k : chosen) {
+    const auto same = std::find_if(out.begin(), out.end(), [&](int other) {
+      return AreSame(trials[k].form, trials[other].form);
+    });
+    if (same == out.end()) {
+      out.push_back(k);
+    } else if (trials[k].coarse.residual.squaredNorm() <
+               trials[*same].coarse.residual.squaredNorm()) {
+      *same = k;
+    }
+  }
+  return out;
+}
+
 /// Where the full fit of a candidate begins: the numbers of its coarse fit. A thinned record may
 /// mislead (a line that rings faster than its samples seems damped): where these say less than
 /// nothing on the full one, what is best there of neighbours of each number and of the candidate's
@@ -113,7 +145,7 @@ std::vector<FullTrial> TryEffects(const FitProblem& problem, const FitProblem& c
   if (points.empty()) points = Points(coarse, model, fit, options);
   if (!options.points.empty() ||
       (screening.thorough && AddDeclaredPoint(model, options.declared, &points))) {
-    screening.hydraulic_from = points.size() - 1;
+    screening.hydraulic_from = std::max<size_t>(1, points.size() - 1);
   }
   std::vector<Trial> found = ScreenCandidates(
       coarse, model, points, list, screening, [&](double part) { return tick(0.15 * part); },
@@ -125,10 +157,17 @@ std::vector<FullTrial> TryEffects(const FitProblem& problem, const FitProblem& c
   }
   const std::vector<int> chosen = BestOfEach(trials, problem.num_channels(), options);
   std::atomic<int> done{0};
+  const auto part = [&](size_t of) { return 0.075 * done++ / static_cast<double>(of); };
   problem.ForEach(static_cast<int>(chosen.size()), [&](int k) {
-    if (!tick(0.15 + 0.15 * done++ / static_cast<double>(chosen.size()))) return;
+    if (!tick(0.15 + part(chosen.size()))) return;
     FullTrial& trial = trials[chosen[k]];
     trial.coarse = ShapeForm(coarse, model, trial.coarse, &trial.form);
+  });
+  const std::vector<int> apart = Distinct(trials, chosen);
+  done = 0;
+  problem.ForEach(static_cast<int>(apart.size()), [&](int k) {
+    if (!tick(0.225 + part(apart.size()))) return;
+    FullTrial& trial = trials[apart[k]];
     const FreeModel whole = WithCandidate(model, trial.form);
     trial.fit = FitNear(problem, whole, FullStart(problem, whole, fit, trial), {},
                         {.first_own = 0, .max_steps = 1});
@@ -138,6 +177,13 @@ std::vector<FullTrial> TryEffects(const FitProblem& problem, const FitProblem& c
                             {.first_own = count, .max_steps = 6, .final_jacobian = true});
   });
   return trials;
+}
+
+double MostOfRivals(const FitProblem& coarse, const FreeModel& model,
+                    const std::vector<double>& values) {
+  constexpr double kShaping = 0.6;
+  const Eigen::VectorXd now = coarse.Residual(model, values);
+  return now.size() > 0 ? MeanLogSquare(now, coarse.num_channels()) + kShaping : 1e300;
 }
 
 }  // namespace phs::identify::search

@@ -25,7 +25,8 @@ struct TrialOptions {
   size_t declared = 0;    ///< so many of the model's numbers are the declared model's own
   /// Only those whose mean log square on the coarse record is below this are fitted in full.
   double most_coarse = 1e300;
-  /// Where candidates are tried, if not where the above would; the last by hydraulic ones only.
+  /// Where candidates are tried, if not where the above would; of several the last by hydraulic
+  /// ones only.
   std::vector<std::vector<double>> points = {};
 };
 
@@ -36,5 +37,10 @@ std::vector<FullTrial> TryEffects(const FitProblem& problem, const FitProblem& c
                                   const FreeModel& model, const FitResult& fit,
                                   const std::vector<Candidate>& list, const TrialOptions& options,
                                   const std::function<bool(double)>& tick, double* reference);
+
+/// What rivals of an accepted model may leave on the coarse record to be worth a full fit [mean log
+/// square]: what it leaves there itself, and what shaping a form may still bring.
+double MostOfRivals(const FitProblem& coarse, const FreeModel& model,
+                    const std::vector<double>& values);
 
 }  // namespace phs::identify::search

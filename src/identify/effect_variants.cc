@@ -58,7 +58,8 @@ void AddOptions(const EffectInfo& info, const Recipe& recipe, Candidate* candida
   }
 }
 
-void AddVariants(const Recipe& recipe, const PhsParams& params, std::vector<Candidate>* out) {
+void AddVariants(const Recipe& recipe, const PhsParams& params, effects::RigKind kind,
+                 std::vector<Candidate>* out) {
   const EffectInfo* info = effects::Catalogue().Find(recipe.effect);
   if (info == nullptr) return;
   Candidate candidate = MakeCandidate(*info, recipe.free, recipe.starts, recipe.fixed);
@@ -70,7 +71,9 @@ void AddVariants(const Recipe& recipe, const PhsParams& params, std::vector<Cand
   } else {
     for (const auto& cylinder : params.cylinders) places.push_back(cylinder.name);
   }
-  if (recipe.spread == Spread::kAll || places.size() < 2) return;
+  candidate.shows_at_place = recipe.spread == Spread::kAll;
+  const bool full = kind == effects::RigKind::kFull && info->targets != "lines";
+  if ((candidate.shows_at_place && !full) || places.size() < 2) return;
   std::erase_if(candidate.options, [](const EffectOption& option) {
     return option.free[0].name.ends_with(".rod_ratio");
   });
@@ -119,7 +122,7 @@ std::vector<Candidate> ListCandidates(const PhsParams& params, effects::RigKind 
     for (const Recipe& recipe : *rows) {
       const bool present = std::any_of(params.effects.begin(), params.effects.end(),
                                        [&](const auto& e) { return e.name == recipe.effect; });
-      if (!present) AddVariants(recipe, params, &out);
+      if (!present) AddVariants(recipe, params, kind, &out);
     }
   }
   return out;

@@ -27,6 +27,7 @@ struct Candidate {
   int mains = 1;                            ///< the first so many numbers are its amounts
   bool hydraulic = false;                   ///< can have bent the baseline's volumes
   bool has_onset = false;                   ///< far from linear in its own numbers
+  bool shows_at_place = false;              ///< of one cylinder alone, told by its own load cell
 };
 
 /// One way of switching an effect on: its free numbers, values of these from which a fit starts,
@@ -35,7 +36,8 @@ Candidate MakeCandidate(const hydraulics::EffectInfo& info, const std::vector<co
                         const std::vector<std::vector<double>>& starts,
                         const std::vector<std::pair<const char*, double>>& fixed = {});
 
-/// All candidates for a model of these lines, leaving out effects already in it.
+/// All candidates for a model of these lines, leaving out effects already in it. On the full rig
+/// every effect of cylinders is among them for each cylinder alone too.
 std::vector<Candidate> ListCandidates(const hydraulics::PhsParams& params, effects::RigKind kind);
 
 /// Names of the effects that ListCandidates can give, and `unlisted`.

@@ -2,10 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <utility>
 
 #include "effects/formula.h"
+#include "identify/time_wave.h"
 
 namespace phs::identify {
 namespace {
@@ -38,26 +42,106 @@ Scale MeasureScale(const FormulaPlaces& places) {
           RoundScale(largest.T)};
 }
 
-class ForceTerms final : public TermLibrary {
+class PlaceTerms final : public TermLibrary {
  public:
-  ForceTerms(const FormulaData& data, const Eigen::MatrixXd& model_space)
+  PlaceTerms(const FormulaData& data, const Eigen::MatrixXd& model_space)
       : TermLibrary(model_space), data_(data), scale_(MeasureScale(data.places)) {
     AddPowers();
   }
 
-  /// The strongest wave over x in this residual, plain and times s.
+  /// The strongest wave over x in this residual, plain and times s, and over t.
   void AddForResidual(const Eigen::VectorXd& residual) override {
     for (const bool turned : {false, true}) {
-      const double wave = FindWave(residual, turned);
+      if (turned && !data_.has_friction) continue;
+      double wave = FindWave(residual, turned);
       if (!(wave > 0)) continue;
-      const std::string length = fmt::format("{:.5g}[m]", 1 / wave), s = turned ? "s*" : "";
-      Add(s + "sin(2*pi*x/" + length + ")", s + "cos(2*pi*x/" + length + ")", turned ? 3 : 2,
-          std::log(waves_));
+      if (!data_.has_friction) {
+        wave = Refine(wave, 0.5 / (x_high_ - x_low_), 9, [&](double at) {
+          const auto [sine, cosine] = WaveTexts(at, false);
+          return TakenOff(residual, sine, cosine);
+        });
+      }
+      const auto [sine, cosine] = WaveTexts(wave, turned);
+      Add(sine, cosine, turned ? 3 : 2, std::log(waves_));
     }
+    if (data_.has_friction) AddRamp(residual);
+    if (data_.has_time_waves) AddTimeWave(residual);
   }
 
  private:
-  /// Column of a term (coefficient 1 N).
+  std::pair<std::string, std::string> WaveTexts(double wave, bool turned) const {
+    const std::string angle = fmt::format("(2*pi*x/{:.5g}[m])", 1 / wave), s = turned ? "s*" : "";
+    // A sensor has been set to zero where the motion begins.
+    return {s + "sin" + angle, data_.has_friction ? s + "cos" + angle : "(cos" + angle + "-1)"};
+  }
+
+  /// Square that a term takes from the residual beside what the model can imitate.
+  double TakenOff(const Eigen::VectorXd& residual, const std::string& text,
+                  const std::string& second = "") const {
+    Eigen::MatrixXd columns(residual.size(), second.empty() ? 1 : 2);
+    columns.col(0) = Column(text);
+    if (!second.empty()) columns.col(1) = Column(second);
+    const Eigen::MatrixXd own = Own(columns);
+    const Eigen::VectorXd right = own.transpose() * residual;
+    return right.dot((own.transpose() * own).ldlt().solve(right));
+  }
+
+  /// The number about `best` for which `taken` is largest, by steps to either side that are halved.
+  static double Refine(double best, double step, int halvings,
+                       const std::function<double(double)>& taken) {
+    double most = taken(best);
+    for (; halvings > 0; --halvings, step *= 0.5) {
+      for (const double at : {best - step, best + step}) {
+        if (const double now = taken(at); now > most) best = at, most = now;
+      }
+    }
+    return best;
+  }
+
+  /// What begins at a position, to either side (a stop, an end of a guide).
+  void AddRamp(const Eigen::VectorXd& residual) {
+    constexpr int kPositions = 24;
+    if (!places_known_) CollectRows();
+    std::vector<double> x = row_x_;
+    if (x.size() < 2 * kPositions) return;
+    std::sort(x.begin(), x.end());
+    const auto text = [&](double from, bool above) {
+      const std::string start = fmt::format("{:.4g}[m]", std::abs(from));
+      const char* sign = from < 0 ? "-" : "";
+      const std::string way =
+          above ? std::string("x") + (from < 0 ? "+" : "-") + start : sign + start + "-x";
+      return fmt::format("(max({},0[m])/{:g}[m])", way, scale_.x);
+    };
+    double best = 0, most = 0;
+    bool best_above = true;
+    for (int k = 1; k < kPositions; ++k) {
+      for (const bool above : {true, false}) {
+        const double at = x[static_cast<size_t>(k) * x.size() / kPositions];
+        const double taken = TakenOff(residual, text(at, above));
+        if (taken > most) most = taken, best = at, best_above = above;
+      }
+    }
+    if (!(most > 0)) return;
+    best = Refine(best, (x.back() - x.front()) / (2 * kPositions), 7,
+                  [&](double at) { return TakenOff(residual, text(at, best_above)); });
+    Add(text(best, best_above), "", 2, std::log(2 * kPositions));
+  }
+
+  void AddTimeWave(const Eigen::VectorXd& residual) {
+    const std::vector<ForcePlace>& run = data_.places.front();
+    const auto count = static_cast<Eigen::Index>(run.size());
+    if (count < 2) return;
+    if (weight_.size() == 0) weight_ = data_.column({std::vector<double>(run.size(), 1.0)});
+    const Eigen::VectorXd here = residual.segment(data_.first_row, count)
+                                     .cwiseProduct(weight_.segment(data_.first_row, count));
+    const TimeWave wave =
+        FindTimeWave({here.data(), here.data() + count}, run[1].time - run[0].time);
+    if (!(wave.frequency_Hz > 0)) return;
+    const std::string period = fmt::format("{:.8g}[s]", 1 / wave.frequency_Hz);
+    Add("sin(2*pi*t/" + period + ")", "cos(2*pi*t/" + period + ")", 2, std::log(wave.looked_at));
+  }
+
+  /// Column of a term (coefficient 1).
   Eigen::VectorXd Column(const std::string& term) const {
     Result<Formula> formula = Formula::Parse("c1*" + term, {{"c1", 1.0}});
     PHS_CHECK(formula.ok());
@@ -90,7 +174,7 @@ class ForceTerms final : public TermLibrary {
     const std::string x = ratio("x", scale_.x, "m"), v = ratio("abs(v)", scale_.v, "m/s");
     const std::string signed_v = ratio("v", scale_.v, "m/s");
     powers(x, 3, "");
-    powers(v, 3, v);
+    if (data_.has_friction) powers(v, 3, v);
     std::vector<std::string> others = {ratio("t", scale_.t, "s")};
     powers(others[0], 2, "");
     if (data_.has_pressure) {
@@ -107,8 +191,14 @@ class ForceTerms final : public TermLibrary {
     }
     for (const auto& [text, factors] : plain) {
       Add(text, "", factors, 0);
-      Add("s*" + text, "", factors + 1, 0);
+      if (data_.has_friction) Add("s*" + text, "", factors + 1, 0);
     }
+    for (const std::string& other : others) Add(other + "*" + x, "", 2, 0);
+    if (data_.has_friction) AddWithFriction(x, v, signed_v, others);
+  }
+
+  void AddWithFriction(const std::string& x, const std::string& v, const std::string& signed_v,
+                       const std::vector<std::string>& others) {
     Add("s^3", "", 2, 0);
     Add(signed_v, "", 1, 0);
     Add(x + "*" + signed_v, "", 2, 0);
@@ -117,7 +207,6 @@ class ForceTerms final : public TermLibrary {
       Add(others[i] + "*" + signed_v, "", 2, 0);
       Add("s*" + others[i] + "*" + x, "", 3, 0);
       Add("s*" + others[i] + "*" + v, "", 3, 0);
-      Add(others[i] + "*" + x, "", 2, 0);
       for (size_t j = 0; j < i; ++j) Add("s*" + others[i] + "*" + others[j], "", 3, 0);
     }
   }
@@ -175,6 +264,7 @@ class ForceTerms final : public TermLibrary {
 
   const FormulaData& data_;
   const Scale scale_;
+  Eigen::VectorXd weight_;  ///< of a sample, for waves over time
   bool places_known_ = false;
   std::vector<size_t> row_;
   std::vector<double> row_x_, row_s_, row_weight_;
@@ -185,7 +275,7 @@ class ForceTerms final : public TermLibrary {
 
 FoundFormula SearchFormula(const FormulaData& data, const FormulaLimits& limits) {
   const Eigen::MatrixXd space = ModelSpace(data.jacobian, data.residual.size());
-  ForceTerms terms(data, space);
+  PlaceTerms terms(data, space);
   return SelectTerms(data, space, limits, &terms);
 }
 

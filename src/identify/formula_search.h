@@ -3,8 +3,8 @@
 //
 // Terms are products of plain numbers: x/L, v/V, p/P, q/P, t/T0, dT/K and their powers, the
 // direction s of friction (with its memory of reversals), s³ (the shape of a reversal), and waves
-// sin and cos of 2 pi x/lambda, alone and times s, with lambda from a scan. Each coefficient is a
-// force.
+// sin and cos of 2 pi x/lambda, alone and times s, with lambda from a scan, and of 2 pi t/T. Each
+// coefficient has the unit of what the formula gives.
 #pragma once
 
 #include <Eigen/Core>
@@ -25,6 +25,10 @@ struct FormulaData : SelectionData {
   /// A force given at all places -> its weighted column on the rows of `residual`.
   std::function<Eigen::VectorXd(const std::vector<std::vector<double>>&)> column;
   bool has_pressure = false, has_rod_pressure = false, has_temperature = false;
+  bool has_friction = true;  ///< terms with speed and direction
+  /// Waves over time: one run, evenly sampled, whose places are the rows from `first_row` on.
+  bool has_time_waves = false;
+  Eigen::Index first_row = 0;
 };
 
 FoundFormula SearchFormula(const FormulaData& data, const FormulaLimits& limits);

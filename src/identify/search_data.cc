@@ -16,6 +16,14 @@
 namespace phs::identify::search {
 namespace {
 
+constexpr double kEnoughStandstill_s = 4;  // to tell noise by it
+
+/// Only what both say; `flags` empty: not said yet.
+void Restrict(const std::vector<char>& by, std::vector<char>* flags) {
+  if (flags->empty()) *flags = by;
+  for (size_t i = 0; i < flags->size(); ++i) (*flags)[i] = (*flags)[i] && by[i];
+}
+
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr int kMinSamples = 200;
 
@@ -162,16 +170,19 @@ Result<FitData> ReadFitData(const Manifest& manifest) {
   data.options = manifest.options;
   data.candidates = manifest.candidates;
   data.row_time_s = run.row_time;
-  std::vector<char> rest;
+  std::vector<char> rest, standstill;
   for (Channel& input : run.inputs) {
     MendInputScale(params.value(), &input, &data.findings);
     MarkSpikes(&input, &data.findings);
     const double noise = std::max(WhiteNoise(input.y, input.bad), Quantum(input.y) / 3.46);
     data.inputs.push_back({input.name, input.y, noise});
     data.motion.push_back(SmoothPosition(input.y, input.bad, run.step_s, std::max(noise, 1e-12)));
-    const std::vector<char> still = FindRest(data.motion.back(), run.step_s, 4, 2e-6, 0.5);
-    if (rest.empty()) rest = still;
-    for (size_t i = 0; i < rest.size(); ++i) rest[i] = rest[i] && still[i];
+    Restrict(FindRest(data.motion.back(), run.step_s, 4, 2e-6, 0.5), &rest);
+    Restrict(FindStandstill(input.y, input.bad, run.step_s, noise), &standstill);
+  }
+  Restrict(rest, &standstill);
+  if (std::count(standstill.begin(), standstill.end(), 1) * run.step_s > kEnoughStandstill_s) {
+    rest = std::move(standstill);
   }
   if (Status s = CheckExcitation(data); !s.ok()) return s.error();
   if (run.pressure.present()) data.pressure_Pa = run.pressure.y;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "effects/catalogue.h"
+#include "effects/rig_model.h"
 #include "tests/effects/driven_cylinder.h"
 
 namespace phs::effects {
@@ -101,6 +102,36 @@ TEST(Unlisted, ReliefValveHoldsALineNearItsOpening) {
       << "the other line lies below it";
 }
 
+TEST(Unlisted, AReadingChangesItsChannelAlone) {
+  hydraulics::PhsParams params = FindPhsParams("quarter_setup2").value();
+  RigMotion motion{0, 0.005, {{}}, {}, {}, {}};
+  for (int i = 0; i < 400; ++i) motion.position_m[0].push_back(1e-3 * std::sin(0.02 * i));
+  const auto run = [&](const std::string& formula, const std::string& coefficient, double value,
+                       std::vector<std::string> targets) {
+    hydraulics::PhsParams with = params;
+    if (!formula.empty()) {
+      with.effects.push_back({"unlisted", std::move(targets), {{coefficient, value}}, formula});
+    }
+    RigPrediction out;
+    const auto rig = RigModel::Create(RigKind::kQuarter, with);
+    EXPECT_TRUE(rig.ok() && rig.value().Run(motion, &out).ok());
+    return out.channels;
+  };
+  const auto plain = run("", "", 0, {});
+  const double static_rod =
+      params.lines[static_cast<size_t>(params.FindLine(params.cylinders[0].rod_line))]
+          .static_pressure_Pa;
+  const auto laser = run("c1*(x/1e-3[m])^2", "c1_m", 1e-5, {});
+  const auto sensor = run("c1*(q/1e6[Pa])*(t/1[s])", "c1_Pa", 3e4, {params.cylinders[0].bore_line});
+  for (size_t i = 0; i < plain[0].size(); i += 37) {
+    EXPECT_NEAR(laser[0][i], plain[0][i] + 1e-5 * std::pow(plain[0][i] / 1e-3, 2), 1e-15);
+    const double rise = (plain[3][i] - static_rod) / 1e6, t = 0.005 * static_cast<double>(i);
+    EXPECT_NEAR(sensor[2][i], plain[2][i] + 3e4 * rise * t, 1e-6);
+  }
+  for (const size_t other : {1, 2, 3}) EXPECT_EQ(laser[other], plain[other]);
+  for (const size_t other : {0, 1, 3}) EXPECT_EQ(sensor[other], plain[other]);
+}
+
 TEST(Unlisted, RefusesWhatHasNoMeaning) {
   const auto refusal = [](const std::string& formula, std::map<std::string, double> values,
                           std::vector<std::string> targets) {
@@ -118,6 +149,9 @@ TEST(Unlisted, RefusesWhatHasNoMeaning) {
   EXPECT_THAT(refusal("c1", {{"c1_N", 5}}, {"L1"}), HasSubstr("not on lines"));
   EXPECT_THAT(refusal("c1*(p/1[Pa])", {{"c1_m3", 1e-9}}, {"1"}), HasSubstr("not to cylinders"));
   EXPECT_THAT(refusal("c1*s", {{"c1_N", 5}, {"c1_m3", 1e-9}}, {}), HasSubstr("two units"));
+  EXPECT_THAT(refusal("c1*s", {{"c1_m", 1e-6}}, {"1"}), HasSubstr("over s"));
+  EXPECT_THAT(refusal("c1", {{"c1_m", 1e-6}}, {"L1"}), HasSubstr("no piston"));
+  EXPECT_THAT(refusal("c1", {{"c1_Pa", 1e3}}, {"1"}), HasSubstr("that of a line"));
   EXPECT_THAT(refusal("c1*s", {{"c1_N", 5}}, {"L9"}), HasSubstr("none of the model's"));
 }
 

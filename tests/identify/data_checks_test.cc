@@ -9,6 +9,8 @@
 
 #include "effects/catalogue.h"
 #include "identify/channel_noise.h"
+#include "identify/motion_smoother.h"
+#include "identify/time_wave.h"
 
 namespace phs::identify::search {
 namespace {
@@ -43,6 +45,54 @@ TEST(DataChecksTest, SoundChannelStaysAsItIs) {
   MarkSpikes(&channel, &findings);
   EXPECT_TRUE(findings.empty());
   EXPECT_EQ(channel.y, before);
+}
+
+/// 60 s of a load cell with noise of 30 N: the actuator stands still, creeps (the load drifts by
+/// turns) and stands again; and the actuator's own record with noise of 1 um.
+struct Still {
+  std::vector<double> actuator;
+  Channel load{"load_cell_N", "load_cell_N", 1, {}, {}, {}};
+};
+Still CreepBetweenRests(double wave_N) {
+  Still out;
+  std::mt19937 random(5);
+  std::normal_distribution<double> normal;
+  for (int i = 0; i < 12000; ++i) {
+    const double t = i * kStep;
+    const bool creeps = t > 10 && t < 50;
+    out.actuator.push_back((creeps ? 2e-4 * std::sin(0.5 * (t - 10)) : 0) + 1e-6 * normal(random));
+    out.load.y.push_back((creeps ? 800 * std::sin(3 * t) : 0) + wave_N * std::sin(48 * t) +
+                         30 * normal(random));
+  }
+  out.load.bad.assign(out.load.y.size(), 0);
+  return out;
+}
+
+TEST(ChannelNoiseTest, CreepIsNoStandstill) {
+  const Still still = CreepBetweenRests(0);
+  const std::vector<char> rest = FindStandstill(still.actuator, {}, kStep, 1e-6);
+  EXPECT_GT(std::count(rest.begin(), rest.begin() + 2000, 1), 1500);
+  EXPECT_LT(std::count(rest.begin() + 2200, rest.begin() + 9800, 1), 300) << "turning points only";
+  EXPECT_NEAR(EstimateNoise(still.load, rest, kStep).level, 30, 3);
+}
+
+TEST(ChannelNoiseTest, AVibrationIsNoNoise) {
+  const Still still = CreepBetweenRests(300);
+  const std::vector<char> rest = FindStandstill(still.actuator, {}, kStep, 1e-6);
+  EXPECT_NEAR(EstimateNoise(still.load, rest, kStep).level, 30, 4);
+}
+
+TEST(TimeWaveTest, FindsAFrequencyBetweenTheLinesOfTheRecord) {
+  std::mt19937 random(9);
+  std::normal_distribution<double> normal;
+  std::vector<double> y;
+  for (int i = 0; i < 8000; ++i) {
+    y.push_back(i % 7 == 0 ? 0 : std::sin(2 * M_PI * 7.6391 * i * kStep) + normal(random));
+  }
+  // Cramer-Rao: sqrt(6/n) sigma/(pi A T) = 2.4e-4 Hz (D. C. Rife and R. R. Boorstyn, IEEE Trans. IT
+  // 20 (1974) 591).
+  EXPECT_NEAR(FindTimeWave(y, kStep).frequency_Hz, 7.6391, 4 * 2.4e-4);
+  EXPECT_EQ(FindTimeWave({1, 2, 3}, kStep).frequency_Hz, 0);
 }
 
 TEST(DataChecksTest, FindsSpikes) {

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "identify/result_json.h"
+#include "identify/worst_place.h"
 #include "tests/identify/search_record.h"
 
 namespace phs::identify::search {
@@ -42,6 +43,48 @@ TEST(UnlistedSearchTest, ASpringBesideTheCylinderIsNoGainOfTheLoadCell) {
   EXPECT_THAT(found.formula.text, testing::StartsWith("c1*(x/0.002[m])"));
   EXPECT_NEAR(found.after.values.back(), 600, 30);
   EXPECT_TRUE(found.formula.targets.empty());
+}
+
+TEST(UnlistedSearchTest, ABumpStopBeginsAtItsPosition) {
+  const FitData data = Record(WithUnlisted("c1*(max(x-0.0012[m],0[m])/0.001[m])", "c1_N", 900, {}));
+  const Identification found = Find(Declared(), data);
+  ASSERT_EQ(found.effects.size(), 1u);
+  EXPECT_EQ(found.effects[0].candidate.effect, "unlisted");
+  const std::string text = found.formula.text;
+  ASSERT_THAT(text, testing::StartsWith("c1*(max(x-"));
+  EXPECT_NEAR(std::stod(text.substr(text.find("max(x-") + 6)), 1.2e-3, 3e-5);
+  EXPECT_NEAR(found.after.values.back() / 0.002, 900 / 0.001, 0.05 * 900 / 0.001) << "N/m";
+}
+
+TEST(UnlistedSearchTest, AVibrationOfTheFrameIsAWaveInTime) {
+  const FitData data = Record(WithUnlisted("c1*sin(2*pi*t/0.13[s])", "c1_N", 150, {}));
+  const Identification found = Find(Declared(), data);
+  ASSERT_EQ(found.effects.size(), 1u);
+  EXPECT_EQ(found.effects[0].candidate.effect, "unlisted");
+  const std::string text = found.formula.text;
+  ASSERT_THAT(text, testing::HasSubstr("sin(2*pi*t/"));
+  EXPECT_NEAR(std::stod(text.substr(text.find("t/") + 2)), 0.13, 1e-4 * 0.13);
+}
+
+TEST(UnlistedSearchTest, ACyclicErrorOfThePistonsSensorIsItsReading) {
+  const FitData data = Record(WithUnlisted("c1*sin(2*pi*x/0.0009[m])", "c1_m", 1e-5, {}));
+  const Identification found = Find(Declared(), data);
+  ASSERT_EQ(found.effects.size(), 1u);
+  EXPECT_EQ(found.effects[0].candidate.effect, "unlisted");
+  EXPECT_EQ(found.formula.unit, "m");
+  const std::string text = found.formula.text;
+  EXPECT_NEAR(std::stod(text.substr(text.find("x/") + 2)), 9e-4, 9e-6);
+  EXPECT_LT(found.after.channel_ms[0], 1.1);
+}
+
+TEST(UnlistedSearchTest, CrosstalkOfAPressureSensorIsItsReadingOverTheOther) {
+  const FitData data = Record(WithUnlisted("c1*(q/1e6[Pa])", "c1_Pa", 2e4, {"L2"}));
+  const Identification found = Find(Declared(), data);
+  ASSERT_EQ(found.effects.size(), 1u);
+  EXPECT_EQ(found.effects[0].candidate.effect, "unlisted");
+  EXPECT_EQ(found.formula.unit, "Pa");
+  EXPECT_EQ(found.formula.targets, std::vector<std::string>{"L2"});
+  EXPECT_THAT(found.formula.text, testing::StartsWith("c1*(q/"));
 }
 
 TEST(UnlistedSearchTest, AReliefValveIsAFlowBeyondAPressure) {
@@ -128,6 +171,42 @@ TEST(CandidatesTest, ALeakMayBeInOneCylinderOfFour) {
     alone += c.effect == "piston_leakage" && !c.params.targets.empty();
   }
   EXPECT_EQ(alone, 0) << "one cylinder is all of them";
+}
+
+TEST(CandidatesTest, OnTheFullRigTheWorstLoadCellSaysWhereACylinderIsTriedAlone) {
+  const auto four = effects::FindPhsParams("bo_bo").value();
+  FitData data;
+  data.kind = effects::RigKind::kFull;
+  data.step_s = 0.01, data.estimation = {0, 1}, data.validation = {1, 2};
+  effects::RigMotion motion{0, data.step_s, {{}, {}}, {}, {}, {}};
+  for (int i = 0; i < 200; ++i) {
+    data.time_s.push_back(i * data.step_s);
+    for (auto& x : motion.position_m) x.push_back(1e-3 * std::sin(2 * M_PI * i * data.step_s));
+  }
+  for (const auto& x : motion.position_m) {
+    data.inputs.push_back({"actuator_m", x, 5e-7});
+    data.motion.push_back(SmoothPosition(x, {}, data.step_s, 5e-7));
+  }
+  for (int c = 1; c <= 4; ++c) {
+    data.outputs.push_back({"load" + std::to_string(c) + "_N", std::vector<double>(200, 0.0), 40});
+  }
+  const auto problem = FitProblem::Create(data, four);
+  ASSERT_TRUE(problem.ok()) << problem.error().Line();
+  const auto alone = [&](std::vector<double> channel_ms) {
+    FitResult fit;
+    fit.channel_ms = std::move(channel_ms);
+    auto list = ListCandidates(four, effects::RigKind::kFull);
+    KeepWorstPlace(problem.value(), fit, four, &list);
+    std::set<std::string> places;
+    for (const Candidate& c : list) {
+      if (c.effect == "viscous_friction") {
+        places.insert(c.params.targets.empty() ? "all" : c.params.targets[0]);
+      }
+    }
+    return places;
+  };
+  EXPECT_EQ(alone({1, 2, 5, 1}), (std::set<std::string>{"all", "3"}));
+  EXPECT_EQ(alone({1, 1, 1.05, 1}), std::set<std::string>{"all"});
 }
 
 TEST(Unexplained, SaysWhatTheValidationWindowAloneExcites) {
