@@ -3,6 +3,7 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "identify/series.h"
 #include "identify/time_wave.h"
@@ -13,19 +14,18 @@ namespace {
 constexpr int kBlock = 40;        // samples over which noise is taken as even
 constexpr double kTrendTime = 1;  // [s] stretches at rest are levelled over this time
 
-/// Sum of squares without its strongest wave, where that is most of it: a vibration is no noise but
-/// something to be explained. Otherwise the sum itself.
-double WithoutLine(const std::vector<double>& y, double sum) {
+/// Takes the strongest wave out where that is most of what is there: a vibration is no noise but
+/// something to be explained.
+void TakeOutVibration(std::vector<double>* y) {
   constexpr double kMost = 0.75;
-  const double cycles = FindTimeWave(y, 1).frequency_Hz;
-  Eigen::MatrixXd wave(y.size(), 2);
-  for (size_t i = 0; i < y.size(); ++i) {
-    const double phase = 2 * M_PI * cycles * static_cast<double>(i);
-    wave.row(static_cast<Eigen::Index>(i)) << std::sin(phase), std::cos(phase);
-  }
-  const Eigen::Map<const Eigen::VectorXd> all(y.data(), static_cast<Eigen::Index>(y.size()));
-  const double left = (all - wave * wave.colPivHouseholderQr().solve(all)).squaredNorm();
-  return left < (1 - kMost) * sum ? left : sum;
+  const auto n = static_cast<Eigen::Index>(y->size());
+  const double cycles = FindTimeWave(*y, 1).frequency_Hz;
+  const Eigen::ArrayXd phase = 2 * M_PI * cycles * Eigen::ArrayXd::LinSpaced(n, 0, n - 1);
+  Eigen::MatrixXd wave(n, 2);
+  wave << phase.sin().matrix(), phase.cos().matrix();
+  Eigen::Map<Eigen::VectorXd> all(y->data(), n);
+  const Eigen::VectorXd left = all - wave * wave.colPivHouseholderQr().solve(all);
+  if (left.squaredNorm() < (1 - kMost) * all.squaredNorm()) all = left;
 }
 
 }  // namespace
@@ -103,13 +103,12 @@ ChannelNoise EstimateNoise(const Channel& channel, const std::vector<char>& rest
       s2 += u * u;
     }
     std::vector<double> left(stretch);
-    double sum = 0;
     for (size_t j = 0; j < stretch; ++j) {
       const double u = static_cast<double>(j) - middle;
       left[j] = channel.y[begin + j] - mean - s1 / s2 * u;
-      sum += left[j] * left[j];
     }
-    sum = std::min(sum, WithoutLine(left, sum));
+    TakeOutVibration(&left);
+    const double sum = std::inner_product(left.begin(), left.end(), left.begin(), 0.0);
     squares.push_back(sum / static_cast<double>(stretch - 2));
     times.push_back(CorrelationTime(left));
     begin += stretch;
