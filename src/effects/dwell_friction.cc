@@ -27,7 +27,7 @@ const EffectInfo& DwellFrictionInfo() {
                                   "cylinders",
                                   "level + F_d phi, phi grows at rest and is wiped out by sliding",
                                   {
-                                      {"extra_N", "N", 300, 0, 1e6, 0, 3000, "F_d"},
+                                      {"extra_N", "N", 300, 0, 1e6, 0, 10000, "F_d"},
                                       {"time_s", "s", 5, 1e-3, 1e9, 0.1, 1000, "tau"},
                                       {"length_m", "m", 1e-4, 1e-9, 1, 1e-5, 1e-3, "d"},
                                   },

@@ -20,6 +20,8 @@ namespace phs::identify::search {
 namespace {
 
 constexpr const char* kBeaten = "another explains more";
+constexpr const char* kOverruled =
+    "an effect explains far more, with numbers that are not plausible";
 constexpr const char* kTheirForm = "no more than the form of a listed effect";
 
 class Search {
@@ -319,12 +321,24 @@ class Search {
                                           {.threshold = options_.min_delta_bic});
     if (!trial.fit.ok || IsTheirFriction(trial.found, out_.effects)) return;
     if (IsTheirVolume(trial.found, out_.effects)) return RecordFormula(trial, kTheirForm);
-    const std::string no =
+    std::string no =
         FormulaVerdict(trial.evidence, trial.channel_gain, out_.effects.empty(), options_);
+    if (no.empty() && IsOverruled(trial.evidence)) no = kOverruled;
     RecordFormula(trial, no.empty() ? "accepted" : no);
     if (!no.empty()) return;
     TakeFormula(trial, trial.evidence);
     DropSuperfluous();
+  }
+
+  /// True if nothing was accepted and an effect whose numbers are not plausible explains far more
+  /// than a formula.
+  bool IsOverruled(const Evidence& formula) const {
+    constexpr double kFar = 0.1;  // of the residual's rms
+    return out_.effects.empty() &&
+           std::any_of(out_.candidates.begin(), out_.candidates.end(), [&](const auto& record) {
+             return record.verdict == kNotPlausible &&
+                    record.evidence.estimation_gain > formula.estimation_gain + kFar;
+           });
   }
 
   /// No listed effect is bent to stand for what is on no list: where a formula of one term says
