@@ -25,7 +25,8 @@ double HingedBeam::Imbalance(double t, double h, const double* x, double move, d
   const double w = move / h;
   v[2] = params_.lever_m * w;
   v[3] = -v[2];
-  system_.CalcStateRate(t, h, x, v, state_.data(), rate_.data());
+  system_.CalcStateRate(t, h, x, v, state_.data(), rate_.data(),
+                        system_.has_mounts() ? nullptr : before_);
   for (size_t i = 0; i < state_.size(); ++i) next_[i] = state_[i] + h * rate_[i];
   double end[4], force[4];
   for (int i = 0; i < 4; ++i) end[i] = x[i] + h * v[i];
@@ -76,6 +77,7 @@ void HingedBeam::Step(double t, double h, double x1, double x2, double v1, doubl
   Imbalance(t, h, x, move, v);
   state_ = next_;
   speed_ = move / h;
+  std::copy(v, v + 4, before_);
   angle_ += move;
 }
 

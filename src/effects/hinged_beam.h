@@ -28,6 +28,7 @@ class HingedBeam {
 
   const hydraulics::PhsSystem& system_;
   BeamParams params_;
+  double before_[4] = {};  ///< mean speeds of the cylinders over the last step [m/s]
   double angle_ = 0, speed_ = 0;
   std::vector<double> state_, rate_, next_;
 };

@@ -46,6 +46,7 @@ struct RigStep {
   bool first = false;  ///< starts at the sample itself
   double turn_s = 0;   ///< time after its start at which the motion turns; `length` if it does not
   double turn_x = 0;   ///< position there [m]
+  double v_end = 0;    ///< speed at its end [m/s]
 };
 
 /// Calls visit(step) along the motion, `substeps` to a sample and a last one of no length.
@@ -57,7 +58,7 @@ void WalkSteps(const RigMotion& motion, const std::vector<double>& speed, int su
   for (int i = 0; i < n; ++i) {
     RigStep at{motion.t0_s + i * motion.step_s, h, motion.position_m[0][i], 0, i, true};
     if (i + 1 == n) {
-      at.length = 0, at.v = speed[i];
+      at.length = 0, at.v = at.v_end = speed[i];
       visit(at);
       return;
     }
@@ -68,6 +69,7 @@ void WalkSteps(const RigMotion& motion, const std::vector<double>& speed, int su
       const double next = k + 1 < substeps ? step.At(to) : step.End();
       const double turn = step.Turn(from, to);
       at.v = (next - at.x) / h, at.first = k == 0;
+      at.v_end = step.Slope(to) / motion.step_s;
       at.turn_s = turn < to ? (turn - from) * motion.step_s : h;
       at.turn_x = turn < to ? step.At(turn) : next;
       visit(at);
@@ -76,10 +78,13 @@ void WalkSteps(const RigMotion& motion, const std::vector<double>& speed, int su
   }
 }
 
-/// Those asked for, or as many as a ringing oil column needs.
+/// Those asked for, or as many as a ringing oil column needs. What rings far faster than the most
+/// steps can follow is damped away by one step as by these.
 int Substeps(const PhsSystem& system, const RigOptions& options, double step_s) {
   constexpr double kPhase = 0.6;  // [rad] per step: numerical damping below 0.1 %
+  constexpr double kFollowed = 3;
   const double needed = std::ceil(system.max_line_frequency() * step_s / kPhase);
+  if (needed > kFollowed * options.most_substeps) return options.substeps;
   return std::max(options.substeps,
                   static_cast<int>(std::min<double>(needed, options.most_substeps)));
 }
@@ -104,7 +109,8 @@ RigPressures CalcPressures(const PhsSystem& system, const RigMotion& motion,
   out.bore.reserve(steps), out.rod.reserve(steps);
   WalkSteps(motion, speed, substeps, [&](const RigStep& at) {
     double bore, rod;
-    system.CalcHydraulics(at.time, at.length, &at.x, &at.v, state.data(), rate.data(), &bore, &rod);
+    system.CalcHydraulics(at.time, at.length, &at.x, {&at.v, &at.v_end}, state.data(), rate.data(),
+                          &bore, &rod);
     out.bore.push_back(bore), out.rod.push_back(rod);
     for (int j = system.num_friction_states(); j < states; ++j) state[j] += at.length * rate[j];
   });
@@ -157,38 +163,59 @@ void RunStepped(const PhsSystem& system, int substeps, const RigMotion& motion,
   });
 }
 
+/// What a yielding mounting shows at one instant.
+struct MountedPlace {
+  double piston = 0, yield = 0;          ///< y and x - y [m]
+  double force = 0, pressure_force = 0;  ///< [N]
+  double p_bore = 0, p_rod = 0;          ///< [Pa]
+};
+
+MountedPlace CalcMounted(const PhsSystem& system, double t, double x, double v,
+                         const std::vector<double>& state) {
+  MountedPlace at;
+  PhsOutputs out;
+  out.energy = false;
+  out.force = &at.force, out.pressure_force = &at.pressure_force, out.piston = &at.piston;
+  out.p_bore = &at.p_bore, out.p_rod = &at.p_rod;
+  system.Calc(t, &x, &v, state.data(), &out);
+  at.yield = x - at.piston;
+  return at;
+}
+
 // A yielding mount: the piston's speed is that of a step, so steps are laid about the samples, from
-// middle to middle. Friction then belongs to the speed at the sample (to second order), and state,
-// pressures and piston are taken there as the mean of the step's two ends. Were the steps laid from
-// sample to sample, friction would lag by half a step, some hundred newtons about a reversal.
+// middle to middle. Friction then belongs to the speed at the sample (to second order), and
+// pressures and yield are taken there as the mean of the step's two ends. (Pressures of the mean
+// state are another thing: in a small chamber a flow that hardly bends moves them far.) Were the
+// steps laid from sample to sample, friction would lag by half a step, some hundred newtons about a
+// reversal.
 void RunMounted(const PhsSystem& system, const RigMotion& motion, const std::vector<double>& speed,
                 RigPrediction* out) {
   const int n = motion.num_samples(), states = system.num_states();
   const double h = motion.step_s;
   const std::vector<double>& x = motion.position_m[0];
-  std::vector<double> state(states, 0.0), middle(states), rate(states, 0.0);
-  double force = 0, pressure_force = 0, from = x[0], t = motion.t0_s;
-  PhsOutputs end;
-  end.energy = false;
-  end.force = &force, end.pressure_force = &pressure_force;
+  std::vector<double> state(states, 0.0), rate(states, 0.0);
+  MountedPlace last = CalcMounted(system, motion.t0_s, x[0], 0, state);
+  double from = x[0], t = motion.t0_s, piston_speed = 0;
   for (int i = 0; i < n; ++i) {
     // Cubic through both samples with their speeds, half way; straight on after the last.
     const double to = i + 1 < n ? 0.5 * (x[i] + x[i + 1]) + h / 8 * (speed[i] - speed[i + 1])
                                 : x[i] + 0.5 * h * speed[i];
     const double step = i == 0 ? 0.5 * h : h, v = (to - from) / step;
-    system.CalcStateRate(t, step, &from, &v, state.data(), rate.data());
-    for (int j = 0; j < states; ++j) {
-      middle[j] = state[j] + (i == 0 ? 0.0 : 0.5 * step * rate[j]);
-      state[j] += step * rate[j];
-    }
+    system.CalcStateRate(t, step, &from, &v, state.data(), rate.data(),
+                         i > 1 ? &piston_speed : nullptr);
+    for (int j = 0; j < states; ++j) state[j] += step * rate[j];
     t += step, from = to;
-    system.Calc(t, &to, &v, state.data(), &end);
-    const double beside_pressure = force - pressure_force;  // friction and end stop at the sample
-    double pressure_at;
-    PhsOutputs sample = AtSample(i, out);
-    sample.pressure_force = &pressure_at;
-    system.Calc(motion.t0_s + i * h, &x[i], &speed[i], middle.data(), &sample);
-    out->channels[1][i] = pressure_at + beside_pressure;
+    const MountedPlace end = CalcMounted(system, t, to, v, state);
+    piston_speed = (end.piston - last.piston) / step;
+    const double part = i == 0 ? 0 : 0.5;  // the first sample is where its step begins
+    const auto mean = [&](double a, double b) { return a + part * (b - a); };
+    out->channels[0][i] = x[i] - mean(last.yield, end.yield);
+    // Friction and end stop as at the sample.
+    out->channels[1][i] =
+        mean(last.pressure_force, end.pressure_force) + (end.force - end.pressure_force);
+    out->channels[2][i] = mean(last.p_bore, end.p_bore);
+    out->channels[3][i] = mean(last.p_rod, end.p_rod);
+    last = end;
   }
 }
 

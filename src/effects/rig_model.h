@@ -37,9 +37,10 @@ struct BeamParams {
 };
 
 struct RigOptions {
-  int substeps = 1;       ///< integration steps per sample (1 … 1000); more where a line rings
-  int most_substeps = 8;  ///< of a ringing line, unless more are asked for
-  BeamParams beam;        ///< full rig only
+  int substeps = 1;  ///< integration steps per sample (1 … 1000); more where a line rings
+  /// Of a ringing line, unless more are asked for; none for one that needs three times as many.
+  int most_substeps = 8;
+  BeamParams beam;  ///< full rig only
 };
 
 /// What drives the rig: one row per driven actuator, samples at t0 + i step.

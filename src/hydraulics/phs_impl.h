@@ -98,10 +98,9 @@ double CalcMountEnergy(const MountTerms& mount, double u, const MountCreep& q);
 /// Power lost in the Maxwell branches of all mountings [W].
 double CalcMountLoss(const CompiledPhs& sys, const double* state);
 
-/// Rates of gas temperatures and flows over h, the pistons moving at constant speed
-/// (flow_rates.cc).
+/// Rates of gas temperatures and flows over h (flow_rates.cc).
 void CalcHydraulicRates(const CompiledPhs& sys, double time, double h, const Instant& start,
-                        const double* piston_speed, const double* state, double* rate);
+                        const StepSpeeds& piston, const double* state, double* rate);
 /// Kinetic energy of oil with inertance, and work done on the atmosphere by oil that left [J].
 double CalcPathEnergy(const CompiledPhs& sys, const double* state);
 /// Available power lost in gases and paths [W].

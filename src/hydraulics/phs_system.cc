@@ -172,6 +172,13 @@ void CalcCylinderFrictionRate(const CompiledPhs& sys, const Instant& at, int cyl
   }
 }
 
+// Speed at the end of a step whose mean is `now`, after one of the same length with mean `before`;
+// what stands or is about to turn does not turn.
+double GoneOn(double before, double now) {
+  const double end = now + 0.5 * (now - before);
+  return end * now > 0 ? end : 0;
+}
+
 }  // namespace
 
 void PhsSystem::Calc(double time, const double* x, const double* v, const double* state,
@@ -202,7 +209,8 @@ void PhsSystem::Calc(double time, const double* x, const double* v, const double
 }
 
 void PhsSystem::CalcStateRate(double time, double h, const double* x, const double* v,
-                              const double* state, double* rate) const noexcept {
+                              const double* state, double* rate,
+                              const double* before) const noexcept {
   const CompiledPhs& sys = *impl_;
   double speed[kMaxCylinders];
   std::copy(v, v + sys.cylinders.size(), speed);
@@ -219,10 +227,15 @@ void PhsSystem::CalcStateRate(double time, double h, const double* x, const doub
   for (size_t i = 0; i < sys.cylinders.size(); ++i) {
     CalcCylinderFrictionRate(sys, at, static_cast<int>(i), h, speed[i], state, rate);
   }
-  if (hydraulic) CalcHydraulicRates(sys, time, h, at, speed, state, rate);
+  if (!hydraulic) return;
+  double end[kMaxCylinders];
+  for (size_t i = 0; i < sys.cylinders.size(); ++i) {
+    end[i] = before != nullptr ? GoneOn(before[i], speed[i]) : speed[i];
+  }
+  CalcHydraulicRates(sys, time, h, at, {speed, end}, state, rate);
 }
 
-void PhsSystem::CalcHydraulics(double time, double h, const double* x, const double* v,
+void PhsSystem::CalcHydraulics(double time, double h, const double* x, const StepSpeeds& v,
                                const double* state, double* rate, double* p_bore,
                                double* p_rod) const noexcept {
   const CompiledPhs& sys = *impl_;
@@ -284,7 +297,11 @@ double PhsSystem::max_line_frequency() const {
       const Node& node = impl_->nodes[end];
       stiffness += node.bulk_modulus / node.oil_volume;
     }
-    most = std::max(most, std::sqrt(stiffness / path.law->Inertance()));
+    const double inertance = path.law->Inertance();
+    double resistance;
+    path.law->Drop(0, 0, &resistance);
+    const double decay = 0.5 * resistance / inertance;
+    most = std::max(most, std::sqrt(std::max(0.0, stiffness / inertance - decay * decay)));
   }
   return most;
 }

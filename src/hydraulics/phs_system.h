@@ -32,6 +32,13 @@ struct PhsOutputs {
   bool energy = true;        ///< in: false skips the two above (faster)
 };
 
+/// How cylinders move over a step: speeds are linear in time, `mean` over it, `end` at its end
+/// [m/s].
+struct StepSpeeds {
+  const double* mean;
+  const double* end;
+};
+
 /// Immutable description plus pure functions. State (friction bristles, gas temperatures, line
 /// flows, clearances …) lives with the caller: in a rig's array or in mjData's activations.
 class PhsSystem {
@@ -69,13 +76,17 @@ class PhsSystem {
   /// would feed energy into a stuck bristle (growth h sigma0/(2 m)). Evaluate forces at the state
   /// that belongs to x_n: Calc(time, x, v, state + h * rate). With h = 0 rates inside RK4 no such
   /// shift is needed.
+  /// `before`: mean piston speeds over the step before, of the same length, if known [m/s]; what
+  /// flows then answers to a speed that goes on to change as it did (second order in h), else to a
+  /// constant one.
   void CalcStateRate(double time, double h, const double* x, const double* v, const double* state,
-                     double* rate) const noexcept;
+                     double* rate, const double* before = nullptr) const noexcept;
   /// Without yielding mountings the pressures follow from the motion alone, whatever the friction:
   /// chamber pressures at an instant [Pa, absolute; per cylinder] and mean rates of the hydraulic
   /// states over the coming step h; other rates are left as they are.
-  void CalcHydraulics(double time, double h, const double* x, const double* v, const double* state,
-                      double* rate, double* p_bore, double* p_rod) const noexcept;
+  void CalcHydraulics(double time, double h, const double* x, const StepSpeeds& v,
+                      const double* state, double* rate, double* p_bore,
+                      double* p_rod) const noexcept;
   /// Calc where the chamber pressures are known; of `out` all but the line pressures and energies
   /// (out->energy is set to false).
   void CalcForces(double time, const double* x, const double* v, const double* state,
@@ -90,8 +101,9 @@ class PhsSystem {
   /// cylinders stand still, inside the stroke and on an end stop, for step-size checks.
   double max_stiffness() const;
   double max_damping() const;
-  /// Fastest oscillation of oil with inertance against the oil on both sides of it [rad/s]; 0 =
-  /// no inertance. Steps longer than about 0.6 of its inverse damp it away.
+  /// Fastest oscillation of oil with inertance I against the oil on both sides of it, K [Pa/m3],
+  /// damped by its resistance R at rest: sqrt(K/I - (R/2I)^2) [rad/s]; 0 = none that rings. Steps
+  /// longer than about 0.6 of its inverse damp it away.
   double max_line_frequency() const;
 
   /// Errors of the instruments of a cylinder, for rigs.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "identify/fit_intervals.h"
 #include "identify/line_formula.h"
@@ -140,21 +141,26 @@ FormulaTrial TryFormula(const FitProblem& problem, const FitProblem& coarse, con
     if (name != "piston_m") worst = std::max(worst, fit.channel_ms[static_cast<size_t>(c)]);
   }
   FormulaTrial force, line, reading;
-  if (load > kNoise) {
+  const auto try_force = [&] {
+    if (load <= kNoise) return;
     force = FitFormula(problem, model, fit, fit.values,
                        SearchForceFormula(problem, model, fit, limits), kMostForce_N);
-    if (force.fit.ok) {
-      const auto c = static_cast<size_t>(problem.FindOutput("load_cell_N"));
-      force.channel_gain = 1 - std::sqrt(force.fit.channel_ms[c] / fit.channel_ms[c]);
-    }
-  }
-  if (pressures > kNoise && problem.data().kind != effects::RigKind::kFull) {
+    if (!force.fit.ok) return;
+    const auto c = static_cast<size_t>(problem.FindOutput("load_cell_N"));
+    force.channel_gain = 1 - std::sqrt(force.fit.channel_ms[c] / fit.channel_ms[c]);
+  };
+  const auto try_line = [&] {
+    if (pressures <= kNoise || problem.data().kind == effects::RigKind::kFull) return;
     line = TryLineFormula(problem, coarse, model, fit, limits);
-  }
-  const FoundFormula shown = SearchReadingFormula(problem, model, fit, kNoise, limits);
-  reading = FitFormula(problem, model, fit, fit.values, shown,
-                       shown.unit == "m" ? kMostReading_m : kMostReading_Pa);
-  reading.channel_gain = reading.evidence.best_channel_gain;
+  };
+  const auto try_reading = [&] {
+    const FoundFormula shown = SearchReadingFormula(problem, model, fit, kNoise, limits);
+    reading = FitFormula(problem, model, fit, fit.values, shown,
+                         shown.unit == "m" ? kMostReading_m : kMostReading_Pa);
+    reading.channel_gain = reading.evidence.best_channel_gain;
+  };
+  const std::function<void()> searches[] = {try_line, try_force, try_reading};
+  problem.ForEach(3, [&](int k) { searches[k](); });
   FormulaTrial& best = Better(problem, line, force) ? line : force;
   return Better(problem, reading, best) ? reading : best;
 }

@@ -110,7 +110,7 @@ class Search {
 
   std::vector<FullTrial> Try(const FreeModel& model, const FitResult& fit,
                              const std::vector<Candidate>& list, int full_fits, double* reference,
-                             double most_coarse = 1e300) {
+                             double most_coarse = 1e300, double most_full = 1e300) {
     const size_t own = out_.declared.params.effects.size();
     const size_t present = model.params.effects.size() - own;
     const TrialOptions trying{.coarse_fits = options_.coarse_fits / (present > 0 ? 2 : 1),
@@ -118,7 +118,8 @@ class Search {
                               .elsewhere = options_.thorough && present < 2,
                               .thorough = options_.thorough && present == 0,
                               .declared = out_.declared.free.size(),
-                              .most_coarse = most_coarse};
+                              .most_coarse = most_coarse,
+                              .most_full = most_full};
     return TryEffects(
         problem_, coarse_, model, fit, list, trying, [this](double part) { return Tick(part); },
         reference);
@@ -248,6 +249,9 @@ class Search {
 
   /// Tries to replace each accepted effect but the last by another.
   void Exchange() {
+    constexpr double kHopeless = 0.15;  // ln of the mean square
+    const double most_full =
+        MeanLogSquare(out_.after.residual, problem_.num_channels()) + kHopeless;
     const double most = MostOfRivals(coarse_, out_.corrected, out_.after.values);
     for (size_t i = 0; i + 1 < out_.effects.size() && !cancelled_; ++i) {
       share_ = 0.68 + 0.1 * static_cast<double>(i);
@@ -259,7 +263,7 @@ class Search {
       const std::string old = out_.effects[i].candidate.effect;
       std::erase_if(list, [&](const Candidate& c) { return c.effect == old; });
       double reference = 0;
-      std::vector<FullTrial> trials = Try(model, rest, list, 2, &reference, most);
+      std::vector<FullTrial> trials = Try(model, rest, list, 2, &reference, most, most_full);
       for (FullTrial& trial : trials) {
         if (!trial.fit.ok) continue;
         const Evidence e = Compare(problem_, out_.after, trial.fit);

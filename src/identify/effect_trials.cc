@@ -172,6 +172,10 @@ std::vector<FullTrial> TryEffects(const FitProblem& problem, const FitProblem& c
     trial.fit = FitNear(problem, whole, FullStart(problem, whole, fit, trial), {},
                         {.first_own = 0, .max_steps = 1});
     if (!trial.fit.ok) return;
+    if (MeanLogSquare(trial.fit.residual, problem.num_channels()) > options.most_full) {
+      trial.fit.ok = false;
+      return;
+    }
     const int count = static_cast<int>(trial.fit.values.size());
     trial.fit = FitBalanced(problem, whole, trial.fit.values, trial.fit.jacobian,
                             {.first_own = count, .max_steps = 6, .final_jacobian = true});

@@ -25,6 +25,8 @@ struct TrialOptions {
   size_t declared = 0;    ///< so many of the model's numbers are the declared model's own
   /// Only those whose mean log square on the coarse record is below this are fitted in full.
   double most_coarse = 1e300;
+  /// The same on the whole record after the first step there.
+  double most_full = 1e300;
   /// Where candidates are tried, if not where the above would; of several the last by hydraulic
   /// ones only.
   std::vector<std::vector<double>> points = {};

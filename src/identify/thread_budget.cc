@@ -27,7 +27,9 @@ void ThreadBudget::ForEach(int n, const std::function<void(int)>& work) {
     });
   }
   loop();
+  ++free_;  // while it waits, the calling thread's place is the others'
   for (std::thread& t : helpers) t.join();
+  --free_;
 }
 
 }  // namespace phs::identify::search

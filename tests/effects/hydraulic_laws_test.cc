@@ -269,7 +269,25 @@ TEST(LineInertance, MayBeInOneChamberAlone) {
     EXPECT_EQ(s.num_states(), 2) << "volume and flow of one chamber";
     const double volume = params.lines[0].oil_volume_m3;
     const double stiffness = 1.4e9 / volume * (1 / share + 1 / (1 - share));
-    EXPECT_NEAR(s.max_line_frequency() / std::sqrt(stiffness / I), 1, 1e-6) << ratio;
+    const double decay = 0.5 * 4e8 * (ratio < 1 ? 1 : ratio) / I;
+    EXPECT_NEAR(s.max_line_frequency() / std::sqrt(stiffness / I - decay * decay), 1, 1e-6)
+        << ratio;
+  }
+}
+
+TEST(LineInertance, DoesNotRingBeyondCriticalDamping) {
+  const double I = 2e7, share = 0.2;
+  const PhsParams plain = Frictionless();
+  const double stiffness = 1.4e9 / plain.lines[0].oil_volume_m3 * (1 / share + 1 / (1 - share));
+  const double critical = 2 * std::sqrt(stiffness * I);
+  for (const double damping : {0.6, 1.01}) {
+    const PhsSystem s = Compile(With(plain, "line_inertance",
+                                     {{"inertance_kg_per_m4", I},
+                                      {"laminar_Pas_per_m3", damping * critical},
+                                      {"oil_share", share},
+                                      {"rod_ratio", 0.02}}));
+    const double rings = damping < 1 ? 0.8 * std::sqrt(stiffness / I) : 0;
+    EXPECT_NEAR(s.max_line_frequency(), rings, 1e-4 * std::sqrt(stiffness / I)) << damping;
   }
 }
 

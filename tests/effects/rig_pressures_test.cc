@@ -86,7 +86,9 @@ TEST(RigPressures, AndForcesAreThoseOfTheSystemStepByStep) {
     ASSERT_NEAR(run.channels[3][i], rod, 1e-4) << i;
     if (i + 1 == x.size()) break;
     const double h = motion.step_s, v = (x[i + 1] - x[i]) / h;
-    system.CalcStateRate(t, h, &x[i], &v, state.data(), rate.data());
+    double before[2];
+    system.CalcHydraulics(t, h, &x[i], {&v, &speed[i + 1]}, state.data(), rate.data(), before,
+                          before + 1);
     for (size_t j = friction; j < state.size(); ++j) state[j] += h * rate[j];
     // Friction goes to where the motion turns, and back.
     const double s = TurnOf(x[i], x[i + 1], speed[i], speed[i + 1], h);

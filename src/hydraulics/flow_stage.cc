@@ -1,0 +1,241 @@
+#include "hydraulics/flow_stage.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace phs::hydraulics {
+namespace {
+
+// A square matrix of as many rows as there are paths.
+struct PathMatrix {
+  explicit PathMatrix(size_t rows) : n(rows) {}
+  double& operator()(size_t i, size_t k) { return value[i][k]; }
+
+  // Solves M x = b in place of b, by elimination with partial pivoting; M is lost.
+  void Solve(double* b) {
+    for (size_t k = 0; k < n; ++k) {
+      size_t pivot = k;
+      for (size_t i = k + 1; i < n; ++i) {
+        if (std::abs(value[i][k]) > std::abs(value[pivot][k])) pivot = i;
+      }
+      if (pivot != k) {
+        std::swap_ranges(value[k], value[k] + n, value[pivot]);
+        std::swap(b[k], b[pivot]);
+      }
+      for (size_t i = k + 1; i < n; ++i) {
+        const double share = value[i][k] / value[k][k];
+        if (share == 0) continue;
+        for (size_t j = k + 1; j < n; ++j) value[i][j] -= share * value[k][j];
+        b[i] -= share * b[k];
+      }
+    }
+    for (size_t i = n; i-- > 0;) {
+      for (size_t j = i + 1; j < n; ++j) b[i] -= value[i][j] * b[j];
+      b[i] /= value[i][i];
+    }
+  }
+
+  size_t n;
+  double value[kMaxPaths][kMaxPaths];
+};
+
+// Flow of a path at dp and its slope. With a flow `q` of the last iterate: linear about it where
+// the law is solved by its drop, q + (dp - Drop(q))/Drop'(q).
+double CalcFlow(const FlowLaw& law, double time, double dp, const double* q, double* slope) {
+  if (q == nullptr || !law.SolvedByDrop()) return law.Flow(time, dp, slope);
+  constexpr double kLeast = 1e3;  // [Pa s/m3] at rest without laminar resistance
+  double rise;
+  const double drop = law.Drop(time, *q, &rise);
+  *slope = 1 / std::max(rise, kLeast);
+  return *q + (dp - drop) * *slope;
+}
+
+void CalcDropSlopes(const CompiledPhs& sys, const Instant& at, PathSlopes* slopes) {
+  for (size_t k = 0; k < sys.paths.size(); ++k) {
+    const Path& path = sys.paths[k];
+    for (size_t l = 0; l < sys.paths.size(); ++l) {
+      const Path& other = sys.paths[l];
+      auto rise = [&](int node) {  // of its pressure with the volume that the other lets pass
+        if (node == kOpen || (node != other.to && node != other.from)) return 0.0;
+        return (node == other.to ? 1 : -1) / (at.node[node].slope + slopes->heat[node]);
+      };
+      slopes->drop[k][l] = rise(path.from) - rise(path.to);
+    }
+  }
+}
+
+// One step of the pressures about `at` as it is; the largest move beyond the tangents, relative.
+double StepNodes(const CompiledPhs& sys, const double* u, Instant* at) {
+  double largest = 0;
+  for (size_t n = 0; n < sys.nodes.size(); ++n) {
+    double moved;
+    at->node[n] = StepNode(sys.nodes[n], at->pushed[n], at->ambient, u, at->node[n], &moved);
+    largest = std::max(largest, moved);
+  }
+  return largest;
+}
+
+// Volume W that path k passes in a stage of length a: own dW = gain d(p_from - p_to), with the flow
+// q of the law or, with inertance, q = base_q + a dq/dt.
+struct PathGain {
+  double own = 1, gain = 0;
+};
+
+PathGain CalcGain(const Path& path, double a, double slope) {
+  if (path.flow < 0) return {1, a * slope};
+  const double light = a / path.law->Inertance();
+  return {1 + light * slope, a * light};
+}
+
+PathMatrix CalcPathMatrix(const CompiledPhs& sys, double a, const PathSlopes& slopes) {
+  const size_t n = sys.paths.size();
+  PathMatrix M(n);
+  for (size_t k = 0; k < n; ++k) {
+    const PathGain g = CalcGain(sys.paths[k], a, slopes.law[k]);
+    for (size_t l = 0; l < n; ++l) M(k, l) = (k == l ? g.own : 0) - g.gain * slopes.drop[k][l];
+  }
+  return M;
+}
+
+// One Newton step of the paths of a stage, as equations for the volumes passed; the largest change
+// [m3]. Flows with inertance in `u` follow from these.
+double StepPaths(const CompiledPhs& sys, double a, const PathSlopes& slopes, const double* base,
+                 const double* F, double* u) {
+  const size_t n = sys.paths.size();
+  double change[kMaxPaths];
+  for (size_t k = 0; k < n; ++k) {
+    const Path& path = sys.paths[k];
+    const double passed =
+        path.flow < 0 ? a * F[path.volume] : a * (base[path.flow] + a * F[path.flow]);
+    change[k] = base[path.volume] + passed - u[path.volume];
+  }
+  CalcPathMatrix(sys, a, slopes).Solve(change);
+  double largest = 0;
+  for (size_t k = 0; k < n; ++k) {
+    const Path& path = sys.paths[k];
+    u[path.volume] += change[k];
+    if (path.flow >= 0) u[path.flow] = (u[path.volume] - base[path.volume]) / a;
+    largest = std::max(largest, std::abs(change[k]));
+  }
+  return largest;
+}
+
+}  // namespace
+
+void CalcPathRates(const CompiledPhs& sys, double time, const Instant& at, const double* state,
+                   const double* flows, double* rate, PathSlopes* slopes) {
+  for (size_t k = 0; k < sys.paths.size(); ++k) {
+    const Path& path = sys.paths[k];
+    const double dp = sys.Pressure(at, path.from) - sys.Pressure(at, path.to);
+    double* slope = &slopes->law[k];
+    if (path.flow >= 0) {
+      const double flow = state[path.flow];
+      rate[path.flow] = (dp - path.law->Drop(time, flow, slope)) / path.law->Inertance();
+      rate[path.volume] = flow;
+    } else {
+      rate[path.volume] =
+          CalcFlow(*path.law, time, dp, flows != nullptr ? &flows[path.volume] : nullptr, slope);
+    }
+  }
+}
+
+void CalcAllNodeRates(const CompiledPhs& sys, const Instant& at, const double* speed,
+                      const double* state, double* rate, SlowMatrix* slow, double* heat) {
+  double inflow[kMaxNodes] = {};
+  for (size_t i = 0; i < sys.cylinders.size(); ++i) {
+    const CompiledCylinder& c = sys.cylinders[i];
+    if (c.bore != kOpen) inflow[c.bore] -= c.bore_area * speed[i];
+    if (c.rod != kOpen) inflow[c.rod] += c.rod_area * speed[i];
+  }
+  for (const Path& path : sys.paths) {
+    if (path.from != kOpen) inflow[path.from] -= rate[path.volume];
+    if (path.to != kOpen) inflow[path.to] += rate[path.volume];
+  }
+  for (size_t n = 0; n < sys.nodes.size(); ++n) {
+    heat[n] = CalcNodeRates(sys.nodes[n], at.node[n], at.ambient, inflow[n], state, rate, slow) -
+              at.node[n].slope;
+  }
+}
+
+void PlaceAt(const CompiledPhs& sys, double time, const double* way, const Instant& start,
+             const double* u, Instant* at) {
+  at->ambient = sys.Ambient(time);
+  for (size_t i = 0; i < sys.cylinders.size(); ++i) at->piston[i] = start.piston[i] + way[i];
+  sys.CalcPushed(u, at);
+}
+
+bool SolveStage(const CompiledPhs& sys, double time, double a, const Instant& start,
+                const StageMotion& motion, const double* base, double* u, double* F, Instant* at,
+                PathSlopes* found) {
+  const int count = sys.num_states(), first = sys.first_slow;
+  const int first_flow = sys.paths[0].volume;
+  double flow[kMaxStates], step[kMaxStates];
+  SlowMatrix slow(count);
+  PathSlopes own;
+  PathSlopes& slopes = found != nullptr ? *found : own;
+  std::fill(slopes.heat, slopes.heat + sys.nodes.size(), 0.0);
+  for (const Path& path : sys.paths) {
+    if (path.flow >= 0) u[path.volume] = base[path.volume] + a * u[path.flow];
+  }
+  constexpr int kMostIterations = 30, kStepped = 8;
+  constexpr double kPoor = 1e4;  // 100 Pa on a chamber, 1 mK
+  double largest = 0, before = 0;
+  for (int iteration = 0; iteration < kMostIterations; ++iteration) {
+    PlaceAt(sys, time, motion.way, start, u, at);
+    // Pressures and flows by one Newton's method: 1e-8 of a pressure leaves nothing.
+    // Should they not meet within a few steps, each pressure is solved inside its bracket.
+    largest = 0;
+    if (iteration < kStepped) {
+      largest = 1e8 * StepNodes(sys, u, at);
+    } else {
+      sys.SolveNodes(u, at, at);
+    }
+    for (int i = first_flow; i < count; ++i) flow[i] = (u[i] - base[i]) / a;
+    CalcPathRates(sys, time, *at, u, flow, F, &slopes);
+    CalcDropSlopes(sys, *at, &slopes);
+    // 1e-14 m3 is 0.01 Pa on a chamber.
+    largest = std::max(largest, 1e14 * StepPaths(sys, a, slopes, base, F, u));
+    // Heat answers to the flow as it will be: through a pipe that hardly resists, what the law
+    // gives at pressures not yet settled is far off.
+    for (const Path& path : sys.paths) F[path.volume] = (u[path.volume] - base[path.volume]) / a;
+    CalcAllNodeRates(sys, *at, motion.speed, u, F, &slow, slopes.heat);
+    for (int i = first; i < first_flow; ++i) step[i] = base[i] + a * F[i] - u[i];
+    slow.SolveShifted(a, first, first_flow, step);
+    for (int i = first; i < first_flow; ++i) {
+      u[i] += step[i];
+      largest = std::max(largest, std::abs(step[i]) * 1e7);
+    }
+    // What is left is at most the share of this change that this is of the one before.
+    if (largest <= 1 || (largest < before && largest * largest <= before)) break;
+    before = largest;
+  }
+  // The derivative that the solved stage stands for.
+  for (int i = first; i < count; ++i) F[i] = (u[i] - base[i]) / a;
+  return largest < kPoor;
+}
+
+double CalcStageStiffness(const CompiledPhs& sys, double a, const Instant& at,
+                          const PathSlopes& slopes, int cylinder) {
+  const CompiledCylinder& c = sys.cylinders[cylinder];
+  double rise[kMaxNodes] = {};  // of each node's pressure with the way, no flow answering
+  const auto give = [&](int node) { return 1 / (at.node[node].slope + slopes.heat[node]); };
+  if (c.bore != kOpen) rise[c.bore] -= c.bore_area * give(c.bore);
+  if (c.rod != kOpen) rise[c.rod] += c.rod_area * give(c.rod);
+  double passed[kMaxPaths];
+  for (size_t k = 0; k < sys.paths.size(); ++k) {
+    const Path& path = sys.paths[k];
+    const double from = path.from == kOpen ? 0 : rise[path.from];
+    const double to = path.to == kOpen ? 0 : rise[path.to];
+    passed[k] = CalcGain(path, a, slopes.law[k]).gain * (from - to);
+  }
+  CalcPathMatrix(sys, a, slopes).Solve(passed);
+  for (size_t k = 0; k < sys.paths.size(); ++k) {
+    const Path& path = sys.paths[k];
+    if (path.from != kOpen) rise[path.from] -= passed[k] * give(path.from);
+    if (path.to != kOpen) rise[path.to] += passed[k] * give(path.to);
+  }
+  const double bore = c.bore == kOpen ? 0 : rise[c.bore], rod = c.rod == kOpen ? 0 : rise[c.rod];
+  return rod * c.rod_area - bore * c.bore_area;
+}
+
+}  // namespace phs::hydraulics

@@ -1,0 +1,50 @@
+// One implicit stage of the flows of a system: u = base + a F(t, u) for all hydraulic states.
+//
+// Paths, pressures and what nodes remember by one Newton's method; a step is made of two stages
+// (flow_rates.cc), a piston on a yielding mounting is balanced against one (mount.cc).
+#pragma once
+
+#include "hydraulics/node_rates.h"
+#include "hydraulics/phs_impl.h"
+
+namespace phs::hydraulics {
+
+/// How the paths answer to what they let pass.
+struct PathSlopes {
+  /// Slope of each law, over the pressure drop or, of a path with inertance, of the drop over the
+  /// flow.
+  double law[kMaxPaths];
+  double drop[kMaxPaths][kMaxPaths];  ///< d(p_from - p_to of k)/d(volume passed by l)
+  double heat[kMaxNodes];             ///< what the heat of compression adds to dD/dp of the nodes
+};
+
+/// How the pistons move in a stage of a step: by how much since its start, and with what speed.
+struct StageMotion {
+  double way[kMaxCylinders] = {}, speed[kMaxCylinders] = {};
+};
+
+/// Pistons that have moved by `way`, and what is pushed into the nodes at time t by states `u`.
+void PlaceAt(const CompiledPhs& sys, double time, const double* way, const Instant& start,
+             const double* u, Instant* at);
+
+/// Rates of volumes passed and of flows with inertance; slopes of the laws. `flows`: those of the
+/// last iterate by state, or null.
+void CalcPathRates(const CompiledPhs& sys, double time, const Instant& at, const double* state,
+                   const double* flows, double* rate, PathSlopes* slopes);
+
+/// Rates of the nodes' states, given those of the volumes passed; `heat` of PathSlopes.
+void CalcAllNodeRates(const CompiledPhs& sys, const Instant& at, const double* speed,
+                      const double* state, double* rate, SlowMatrix* slow, double* heat);
+
+/// Solves a stage; `u` holds a guess and gets the solution, `F` the derivative there, `at`
+/// pressures close by and those of the solution, `slopes` (may be null) those there. False if it
+/// was not found.
+bool SolveStage(const CompiledPhs& sys, double time, double a, const Instant& start,
+                const StageMotion& motion, const double* base, double* u, double* F, Instant* at,
+                PathSlopes* slopes = nullptr);
+
+/// d(pressure force)/d(way) of one piston [N/m] about a solved stage, the flows answering.
+double CalcStageStiffness(const CompiledPhs& sys, double a, const Instant& at,
+                          const PathSlopes& slopes, int cylinder);
+
+}  // namespace phs::hydraulics

@@ -1,0 +1,86 @@
+// One step to a sample is enough: against 64 steps to each. What would be wrong to first order in
+// the step (oil that hardly yields and flows with the speed of half a step ago, a piston thrown
+// back by a small chamber whose oil is held back) is ten to hundred times the bounds here.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "effects/rig_model.h"
+#include "tests/effects/driven_cylinder.h"
+
+namespace phs::effects {
+namespace {
+
+using Values = std::map<std::string, double>;
+
+RigMotion SmoothStart(int actuators) {
+  RigMotion motion{0, 0.005, {}, {}, {}, {}};
+  for (int a = 0; a < actuators; ++a) {
+    std::vector<double>& x = motion.position_m.emplace_back();
+    for (int i = 0; i < 1500; ++i) {
+      const double t = i * motion.step_s, s = std::min(1.0, t), grown = s * s * (3 - 2 * s);
+      x.push_back(grown * (a == 0 ? 1 : -0.8) * (4e-3 * std::sin(3 * t) + 1e-3 * std::sin(11 * t)));
+    }
+  }
+  return motion;
+}
+
+RigPrediction Drive(RigKind kind, const PhsParams& params, int substeps) {
+  RigOptions options;
+  options.substeps = substeps;
+  const auto rig = RigModel::Create(kind, params, options);
+  EXPECT_TRUE(rig.ok());
+  RigPrediction out;
+  EXPECT_TRUE(rig.value().Run(SmoothStart(kind == RigKind::kFull ? 2 : 1), &out).ok());
+  return out;
+}
+
+/// Largest rms by which a channel from `first` to `end` differs between 1 and 64 steps.
+double StepError(RigKind kind, const PhsParams& params, size_t first, size_t end) {
+  const RigPrediction coarse = Drive(kind, params, 1), fine = Drive(kind, params, 64);
+  double worst = 0;
+  for (size_t c = first; c < end; ++c) {
+    const std::vector<double>&a = coarse.channels[c], &b = fine.channels[c];
+    double square = 0;
+    for (size_t i = 0; i < a.size(); ++i) square += (a[i] - b[i]) * (a[i] - b[i]);
+    worst = std::max(worst, std::sqrt(square / static_cast<double>(a.size())));
+  }
+  return worst;
+}
+
+PhsParams Quarter() { return FindPhsParams("quarter_setup2").value(); }
+
+const Values kResistance = {{"laminar_Pas_per_m3", 3e9}};
+
+TEST(RigSteps, ResistanceFollowsTheSpeedAtTheSample) {
+  for (const auto& [effect, values] : std::vector<std::pair<std::string, Values>>{
+           {"line_resistance", kResistance},
+           {"line_resistance", {{"laminar_Pas_per_m3", 3e7}, {"turbulent_Pas2_per_m6", 3e13}}},
+           {"check_restriction", {{"out_Pas_per_m3", 5e9}, {"in_Pas_per_m3", 5e8}}}}) {
+    const PhsParams params = With(Quarter(), effect, values);
+    EXPECT_LT(StepError(RigKind::kQuarter, params, 2, 4), 4e3) << effect << ", Pa of 1e7";
+    EXPECT_LT(StepError(RigKind::kQuarter, params, 1, 2), 30) << effect << ", N of 2.5e5";
+  }
+}
+
+TEST(RigSteps, AYieldingMountDoesNotFeelOilHeldBack) {
+  for (const std::string mount : {"mount_compliance", "backlash"}) {
+    const PhsParams params = With(With(Quarter(), mount), "line_resistance", kResistance);
+    EXPECT_LT(StepError(RigKind::kQuarter, params, 0, 1), 5e-6) << mount << ", m";
+    EXPECT_LT(StepError(RigKind::kQuarter, params, 1, 2), 300) << mount << ", N of 1e5";
+    EXPECT_LT(StepError(RigKind::kQuarter, params, 2, 4), 1.2e4) << mount << ", Pa of 1e7";
+  }
+}
+
+TEST(RigSteps, TheBeamOfTheFullRigMovesSmoothly) {
+  const PhsParams params = With(FindPhsParams("bo_bo").value(), "line_resistance", kResistance);
+  EXPECT_LT(StepError(RigKind::kFull, params, 8, 12), 600) << "Pa of 1.8e6";
+  EXPECT_LT(StepError(RigKind::kFull, params, 4, 8), 120) << "N of 2.5e4";
+}
+
+}  // namespace
+}  // namespace phs::effects
