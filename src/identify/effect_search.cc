@@ -266,8 +266,9 @@ class Search {
       std::vector<FullTrial> trials = Try(model, rest, list, 2, &reference, most, most_full);
       for (FullTrial& trial : trials) {
         if (!trial.fit.ok) continue;
-        const Evidence e = Compare(problem_, out_.after, trial.fit);
+        Evidence e = Compare(problem_, out_.after, trial.fit);
         const FreeModel whole = WithCandidate(model, trial.form);
+        e.settled = IsSettled(whole, trial.fit, trial.form);
         if (e.delta_bic < options_.min_delta_bic || OnBound(whole, trial.fit, trial.form)) {
           continue;
         }

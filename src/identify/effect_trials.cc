@@ -54,12 +54,13 @@ bool AddDeclaredPoint(const FreeModel& model, size_t declared,
   return true;
 }
 
-/// The first trials with a coarse fit, at most `each` of one effect.
+/// The first trials with a coarse fit, at most `each` of one effect, twice as many as are fitted in
+/// full: what options bring shows only when they are there.
 std::vector<int> BestOfEach(const std::vector<FullTrial>& trials, int channels,
                             const TrialOptions& options) {
   std::vector<int> chosen;
   for (int i = 0; i < static_cast<int>(trials.size()); ++i) {
-    if (!trials[i].coarse.ok || static_cast<int>(chosen.size()) >= options.full_fits) continue;
+    if (!trials[i].coarse.ok || static_cast<int>(chosen.size()) >= 2 * options.full_fits) continue;
     if (MeanLogSquare(trials[i].coarse.residual, channels) > options.most_coarse) continue;
     const std::string& effect = trials[i].candidate->effect;
     const auto same = std::count_if(chosen.begin(), chosen.end(),
@@ -97,6 +98,19 @@ std::vector<int> Distinct(const std::vector<FullTrial>& trials, const std::vecto
     }
   }
   return out;
+}
+
+/// Those of the shaped trials that are worth a full fit, the best on the coarse record first.
+std::vector<int> MostPromising(const std::vector<FullTrial>& trials, std::vector<int> shaped,
+                               int channels, int full_fits) {
+  constexpr double kHopeless = 0.7;  // ln of the mean square behind the best
+  const auto left = [&](int k) { return MeanLogSquare(trials[k].coarse.residual, channels); };
+  std::stable_sort(shaped.begin(), shaped.end(), [&](int a, int b) { return left(a) < left(b); });
+  if (shaped.empty()) return shaped;
+  const double most = left(shaped.front()) + kHopeless;
+  std::erase_if(shaped, [&](int k) { return left(k) > most; });
+  if (static_cast<int>(shaped.size()) > full_fits) shaped.resize(static_cast<size_t>(full_fits));
+  return shaped;
 }
 
 /// Where the full fit of a candidate begins: the numbers of its coarse fit. A thinned record may
@@ -163,7 +177,8 @@ std::vector<FullTrial> TryEffects(const FitProblem& problem, const FitProblem& c
     FullTrial& trial = trials[chosen[k]];
     trial.coarse = ShapeForm(coarse, model, trial.coarse, &trial.form);
   });
-  const std::vector<int> apart = Distinct(trials, chosen);
+  const std::vector<int> apart =
+      MostPromising(trials, Distinct(trials, chosen), problem.num_channels(), options.full_fits);
   done = 0;
   problem.ForEach(static_cast<int>(apart.size()), [&](int k) {
     if (!tick(0.225 + part(apart.size()))) return;

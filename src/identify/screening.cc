@@ -154,6 +154,32 @@ double CoarseScore(const FitProblem& problem, const FitResult& fit) {
          static_cast<double>(fit.values.size()) * std::log(n) / (0.25 * n);
 }
 
+/// Fits a trial on the coarse record from where it promises most. Where that falls far short of the
+/// promise (a number beside which there is no way back, as an onset), from the candidate's own
+/// starts too.
+FitResult FitTrial(const FitProblem& coarse, const FreeModel& model, const Linear& at,
+                   const Trial& trial) {
+  constexpr double kShort = 0.15;  // ln of the mean square
+  const FreeModel whole = WithCandidate(model, *trial.candidate);
+  const auto fit = [&](const std::vector<double>& start) {
+    return FitNear(coarse, whole, start, at.jacobian,
+                   {.first_own = static_cast<int>(model.free.size()), .max_steps = 8});
+  };
+  FitResult best = fit(trial.start);
+  if (!best.ok) return best;
+  const int channels = coarse.num_channels();
+  if (MeanLogSquare(best.residual, channels) < trial.predicted + kShort) return best;
+  for (const std::vector<double>& own : trial.candidate->starts) {
+    std::vector<double> start = at.values;
+    start.insert(start.end(), own.begin(), own.end());
+    FitResult other = fit(start);
+    if (other.ok && other.residual.squaredNorm() < best.residual.squaredNorm()) {
+      best = std::move(other);
+    }
+  }
+  return best;
+}
+
 }  // namespace
 
 std::vector<Trial> ScreenCandidates(const FitProblem& coarse, const FreeModel& model,
@@ -186,9 +212,7 @@ std::vector<Trial> ScreenCandidates(const FitProblem& coarse, const FreeModel& m
   coarse.ForEach(fits, [&](int i) {
     if (!tick(0.6 + 0.4 * done++ / fits)) return;
     Trial& t = trials[i];
-    const FreeModel whole = WithCandidate(model, *t.candidate);
-    t.coarse = FitNear(coarse, whole, t.start, linear[t.point].jacobian,
-                       {.first_own = static_cast<int>(model.free.size()), .max_steps = 8});
+    t.coarse = FitTrial(coarse, model, linear[t.point], t);
     if (t.coarse.ok) t.coarse_score = CoarseScore(coarse, t.coarse);
   });
   std::stable_sort(trials.begin(), trials.end(),
