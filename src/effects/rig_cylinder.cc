@@ -165,7 +165,7 @@ void RunStepped(const PhsSystem& system, int substeps, const RigMotion& motion,
 
 /// What a yielding mounting shows at one instant.
 struct MountedPlace {
-  double piston = 0, yield = 0;          ///< y and x - y [m]
+  double piston = 0;                     ///< [m]
   double force = 0, pressure_force = 0;  ///< [N]
   double p_bore = 0, p_rod = 0;          ///< [Pa]
 };
@@ -178,23 +178,31 @@ MountedPlace CalcMounted(const PhsSystem& system, double t, double x, double v,
   out.force = &at.force, out.pressure_force = &at.pressure_force, out.piston = &at.piston;
   out.p_bore = &at.p_bore, out.p_rod = &at.p_rod;
   system.Calc(t, &x, &v, state.data(), &out);
-  at.yield = x - at.piston;
   return at;
 }
 
+/// Value in the middle between ends k and k + 1 of steps: cubic through the four ends about it; of
+/// the first step, half as long, and of the last the mean.
+double InTheMiddle(const std::vector<MountedPlace>& ends, size_t k, double MountedPlace::*value) {
+  const double mean = 0.5 * (ends[k].*value + ends[k + 1].*value);
+  if (k < 2 || k + 2 >= ends.size()) return mean;
+  return 1.125 * mean - 0.0625 * (ends[k - 1].*value + ends[k + 2].*value);
+}
+
 // A yielding mount: the piston's speed is that of a step, so steps are laid about the samples, from
-// middle to middle. Friction then belongs to the speed at the sample (to second order), and
-// pressures and yield are taken there as the mean of the step's two ends. (Pressures of the mean
-// state are another thing: in a small chamber a flow that hardly bends moves them far.) Were the
-// steps laid from sample to sample, friction would lag by half a step, some hundred newtons about a
-// reversal.
+// middle to middle. Friction then belongs to the speed at the sample (to second order), and the
+// state is taken there as the mean of the step's two ends. Were the steps laid from sample to
+// sample, friction would lag by half a step, some hundred newtons about a reversal.
+// Pressures at the sample are those of that state; where oil flows, those at the ends of the steps,
+// interpolated: in a small chamber the mean of a flow that hardly bends moves them far.
 void RunMounted(const PhsSystem& system, const RigMotion& motion, const std::vector<double>& speed,
                 RigPrediction* out) {
   const int n = motion.num_samples(), states = system.num_states();
   const double h = motion.step_s;
   const std::vector<double>& x = motion.position_m[0];
-  std::vector<double> state(states, 0.0), rate(states, 0.0);
-  MountedPlace last = CalcMounted(system, motion.t0_s, x[0], 0, state);
+  std::vector<double> state(states, 0.0), middle(states), rate(states, 0.0);
+  std::vector<MountedPlace> ends = {CalcMounted(system, motion.t0_s, x[0], 0, state)};
+  ends.reserve(static_cast<size_t>(n) + 1);
   double from = x[0], t = motion.t0_s, piston_speed = 0;
   for (int i = 0; i < n; ++i) {
     // Cubic through both samples with their speeds, half way; straight on after the last.
@@ -203,19 +211,28 @@ void RunMounted(const PhsSystem& system, const RigMotion& motion, const std::vec
     const double step = i == 0 ? 0.5 * h : h, v = (to - from) / step;
     system.CalcStateRate(t, step, &from, &v, state.data(), rate.data(),
                          i > 1 ? &piston_speed : nullptr);
-    for (int j = 0; j < states; ++j) state[j] += step * rate[j];
+    for (int j = 0; j < states; ++j) {
+      middle[j] = state[j] + (i == 0 ? 0.0 : 0.5 * step * rate[j]);
+      state[j] += step * rate[j];
+    }
     t += step, from = to;
-    const MountedPlace end = CalcMounted(system, t, to, v, state);
-    piston_speed = (end.piston - last.piston) / step;
-    const double part = i == 0 ? 0 : 0.5;  // the first sample is where its step begins
-    const auto mean = [&](double a, double b) { return a + part * (b - a); };
-    out->channels[0][i] = x[i] - mean(last.yield, end.yield);
+    ends.push_back(CalcMounted(system, t, to, v, state));
+    const MountedPlace &end = ends.back(), &start = ends[ends.size() - 2];
+    piston_speed = (end.piston - start.piston) / step;
+    const MountedPlace at = CalcMounted(system, motion.t0_s + i * h, x[i], speed[i], middle);
+    out->channels[0][i] = at.piston;
     // Friction and end stop as at the sample.
+    out->channels[1][i] = at.pressure_force + (end.force - end.pressure_force);
+    out->channels[2][i] = at.p_bore, out->channels[3][i] = at.p_rod;
+  }
+  if (!system.has_flows()) return;
+  for (int i = 1; i < n; ++i) {
+    const auto k = static_cast<size_t>(i);
+    const MountedPlace& end = ends[k + 1];
     out->channels[1][i] =
-        mean(last.pressure_force, end.pressure_force) + (end.force - end.pressure_force);
-    out->channels[2][i] = mean(last.p_bore, end.p_bore);
-    out->channels[3][i] = mean(last.p_rod, end.p_rod);
-    last = end;
+        InTheMiddle(ends, k, &MountedPlace::pressure_force) + (end.force - end.pressure_force);
+    out->channels[2][i] = InTheMiddle(ends, k, &MountedPlace::p_bore);
+    out->channels[3][i] = InTheMiddle(ends, k, &MountedPlace::p_rod);
   }
 }
 

@@ -56,6 +56,8 @@ class PhsSystem {
   int num_lines() const;
   /// True if a cylinder's mounting yields: its piston is not the driven end.
   bool has_mounts() const;
+  /// True if oil passes from one place to another: a resistance, a leak, a valve.
+  bool has_flows() const;
   int num_states() const;  ///< deviations from the static state: all zero at rest
   const std::vector<std::string>& cylinder_names() const;
   const std::vector<std::string>& line_names() const;

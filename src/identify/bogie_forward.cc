@@ -23,18 +23,6 @@ using vehicle::Simulation;
 
 constexpr int kCylinders = 4;  // a quarter model is spread over them
 
-Status CheckFree(const PhsParams& phs, const std::vector<std::string>& free) {
-  for (const std::string& name : free) {
-    if (auto value = hydraulics::GetParameter(phs, name); !value.ok()) {
-      Error e = value.error();
-      return Error{"free: " + name, e.what, e.allowed, e.mend};
-    } else if (!(value.value() > 0)) {
-      return Error{"free: " + name, "is not positive in the declared model", "numbers > 0", ""};
-    }
-  }
-  return {};
-}
-
 bool IsEffectOf(const PhsParams& params, const std::string& name) {
   return std::any_of(params.effects.begin(), params.effects.end(),
                      [&](const EffectParams& e) { return e.name == name; });
@@ -190,12 +178,7 @@ Status BogieForward::Uncertainty(const PhsParams& params, Span span, Channels* d
 }
 
 FreeModel BogieForward::Declared(const PhsParams& declared) const {
-  FreeModel model{declared, {}};
-  for (const std::string& name : model_.free) {
-    const double value = hydraulics::GetParameter(declared, name).value();
-    model.free.push_back({name, value, 0.4 * value, 2.5 * value, true, 1});
-  }
-  return model;
+  return DeclaredModel(declared, model_.free);
 }
 
 std::vector<Candidate> BogieForward::Candidates(const PhsParams& params) const {

@@ -45,31 +45,40 @@ FitResult FitOption(const FitProblem& coarse, const FreeModel& model, const FitR
 
 }  // namespace
 
-FitResult ShapeForm(const FitProblem& coarse, const FreeModel& model, const FitResult& fit,
-                    Candidate* form) {
-  // Settled first, so that no option is credited with what a few more steps bring.
-  FitResult now = FitNear(coarse, WithCandidate(model, *form), fit.values, {}, {.max_steps = 4});
-  if (!now.ok) now = fit;
+FitResult AddOptions(const FitProblem& problem, const FreeModel& model, FitResult now,
+                     Candidate* form) {
   for (int round = 0; round < kMostOptions && !form->options.empty(); ++round) {
     const FreeModel whole = WithCandidate(model, *form);
-    if (!coarse.Linearise(whole, now.values, 0, &now.residual, &now.jacobian)) return now;
-    SetIntervals(coarse, &now);
+    if (!problem.Linearise(whole, now.values, 0, &now.residual, &now.jacobian)) return now;
+    SetIntervals(problem, &now);
+    std::vector<FitResult> fits(form->options.size());
+    problem.ForEach(static_cast<int>(fits.size()), [&](int k) {
+      fits[k] = FitOption(problem, model, now, WithOption(*form, k), form->options[k]);
+    });
     FitResult best;
     size_t chosen = 0;
-    for (size_t k = 0; k < form->options.size(); ++k) {
-      FitResult with = FitOption(coarse, model, now, WithOption(*form, k), form->options[k]);
+    for (size_t k = 0; k < fits.size(); ++k) {
+      FitResult& with = fits[k];
       if (!with.ok || IsUnsettled(WithOption(*form, k), with, now.values.size())) continue;
       if (!best.ok || with.residual.squaredNorm() < best.residual.squaredNorm()) {
         best = std::move(with), chosen = k;
       }
     }
     if (!best.ok) return now;
-    const Evidence e = Compare(coarse, now, best);
+    const Evidence e = Compare(problem, now, best);
     if (e.delta_bic < kDeltaBic || e.estimation_gain < kGain) return now;
     *form = WithOption(*form, chosen);
     now = std::move(best);
   }
   return now;
+}
+
+FitResult ShapeForm(const FitProblem& coarse, const FreeModel& model, const FitResult& fit,
+                    Candidate* form) {
+  // Settled first, so that no option is credited with what a few more steps bring.
+  FitResult now = FitNear(coarse, WithCandidate(model, *form), fit.values, {}, {.max_steps = 4});
+  if (!now.ok) now = fit;
+  return AddOptions(coarse, model, std::move(now), form);
 }
 
 }  // namespace phs::identify::search

@@ -11,8 +11,13 @@
 
 namespace phs::identify::search {
 
-/// Frees options of `form`, fitted on the coarse record on top of `model` as `fit`, one by one.
-/// Returns the fit of the form that results.
+/// Frees options of `form`, fitted as `now` with all columns of the Jacobian, one by one. Returns
+/// the fit of the form that results.
+FitResult AddOptions(const FitProblem& problem, const FreeModel& model, FitResult now,
+                     Candidate* form);
+
+/// The same of a form fitted on the coarse record on top of `model` as `fit`, which is
+/// settled first.
 FitResult ShapeForm(const FitProblem& coarse, const FreeModel& model, const FitResult& fit,
                     Candidate* form);
 

@@ -5,12 +5,11 @@
 #include <cmath>
 #include <mutex>
 
-#include "identify/driven_formula.h"
 #include "identify/effect_recipes.h"
 #include "identify/effect_reshape.h"
 #include "identify/effect_trials.h"
 #include "identify/effect_verdict.h"
-#include "identify/formula_rivals.h"
+#include "identify/formula_rounds.h"
 #include "identify/near_fit.h"
 #include "identify/reweigh.h"
 #include "identify/seen_starts.h"
@@ -18,11 +17,6 @@
 
 namespace phs::identify::search {
 namespace {
-
-constexpr const char* kBeaten = "another explains more";
-constexpr const char* kOverruled =
-    "an effect explains far more, with numbers that are not plausible";
-constexpr const char* kTheirForm = "no more than the form of a listed effect";
 
 class Search {
  public:
@@ -85,9 +79,9 @@ class Search {
       if (!cancelled_) Reweigh(&problem_, &coarse_, &out_);
       DropSuperfluous();
     }
-    ChallengeByFormula();
+    if (!cancelled_) ChallengeByFormula(problem_, coarse_, options_, &out_);
     if (!cancelled_) Reweigh(&problem_, &coarse_, &out_);
-    AddFormula();
+    if (!cancelled_ && AddFormula(problem_, coarse_, options_, &out_)) DropSuperfluous();
     UpdateRecords();
     RankEffects();
     out_.cancelled = cancelled_;
@@ -173,6 +167,7 @@ class Search {
       }
     }
     if (best < 0 || Overruled(trials, places, best)) return false;
+    ShapeContained(places, best, &trials);
     best = Simplest(trials, places, best);
     CandidateRecord& chosen = out_.candidates[places[best]];
     chosen.verdict = "accepted";
@@ -180,7 +175,8 @@ class Search {
     chosen.variant = VariantName(trials[best].form);
     for (size_t i = 0; i < trials.size(); ++i) {
       if (!trials[i].fit.ok || trials[i].candidate->effect == chosen.effect) continue;
-      NoteConfusable(trials[best].fit, trials[i].fit, trials[i].candidate->effect, &accepted);
+      NoteConfusable(problem_, trials[best].fit, trials[i].fit, trials[i].candidate->effect,
+                     options_, &accepted);
     }
     out_.corrected = WithCandidate(out_.corrected, trials[best].form);
     out_.after = trials[best].fit;
@@ -191,6 +187,23 @@ class Search {
   /// An effect that the other contains is preferred further.
   static double Margin(const std::string& simple, const std::string& other) {
     return IsNested(simple, other) ? 3 : 1;
+  }
+
+  /// A simpler effect that the best contains gets the form that the whole record asks for, before
+  /// the two are weighed.
+  void ShapeContained(const std::vector<size_t>& places, int best, std::vector<FullTrial>* trials) {
+    const std::string& general = (*trials)[static_cast<size_t>(best)].candidate->effect;
+    for (size_t i = 0; i < trials->size(); ++i) {
+      FullTrial& trial = (*trials)[i];
+      CandidateRecord& record = out_.candidates[places[i]];
+      if (!trial.fit.ok || record.verdict != kBeaten) continue;
+      if (!IsNested(trial.candidate->effect, general)) continue;
+      ShapeOnWhole(problem_, out_.corrected, &trial);
+      record.variant = VariantName(trial.form);
+      record.evidence = Compare(problem_, out_.after, trial.fit);
+      record.evidence.settled =
+          IsSettled(WithCandidate(out_.corrected, trial.form), trial.fit, trial.form);
+    }
   }
 
   /// Of those that explain practically as much as the best, the one with the fewest numbers: what
@@ -235,16 +248,6 @@ class Search {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (!cancelled_ && progress_ && !progress_(std::min(0.99, share_ + part_))) cancelled_ = true;
     return !cancelled_;
-  }
-
-  /// Others whose residual is within the margin and whose evidence is not far
-  /// behind.
-  void NoteConfusable(const FitResult& best, const FitResult& other, const std::string& effect,
-                      AcceptedEffect* accepted) const {
-    const Evidence e = Compare(problem_, other, best);
-    if (e.delta_bic > options_.min_delta_bic && e.estimation_gain > options_.margin) return;
-    auto& names = accepted->confusable_with;
-    if (std::find(names.begin(), names.end(), effect) == names.end()) names.push_back(effect);
   }
 
   /// Tries to replace each accepted effect but the last by another.
@@ -317,70 +320,6 @@ class Search {
       out_.corrected = model, out_.after = rest;
       i = 0;
     }
-  }
-
-  /// A law by formula for what the accepted model still leaves.
-  void AddFormula() {
-    if (cancelled_ || !options_.formula || !out_.formula.empty()) return;
-    const FormulaTrial trial = TryFormula(problem_, coarse_, out_.corrected, out_.after,
-                                          {.threshold = options_.min_delta_bic});
-    if (!trial.fit.ok || IsTheirFriction(trial.found, out_.effects)) return;
-    if (IsTheirVolume(trial.found, out_.effects)) return RecordFormula(trial, kTheirForm);
-    std::string no =
-        FormulaVerdict(trial.evidence, trial.channel_gain, out_.effects.empty(), options_);
-    if (no.empty() && IsOverruled(trial.evidence)) no = kOverruled;
-    RecordFormula(trial, no.empty() ? "accepted" : no);
-    if (!no.empty()) return;
-    TakeFormula(trial, trial.evidence);
-    DropSuperfluous();
-  }
-
-  /// True if nothing was accepted and an effect whose numbers are not plausible explains far more
-  /// than a formula.
-  bool IsOverruled(const Evidence& formula) const {
-    constexpr double kFar = 0.1;  // of the residual's rms
-    return out_.effects.empty() &&
-           std::any_of(out_.candidates.begin(), out_.candidates.end(), [&](const auto& record) {
-             return record.verdict == kNotPlausible &&
-                    record.evidence.estimation_gain > formula.estimation_gain + kFar;
-           });
-  }
-
-  /// No listed effect is bent to stand for what is on no list: where a formula of one term says
-  /// more than all the effects accepted, they go.
-  void ChallengeByFormula() {
-    if (cancelled_ || !options_.formula || out_.effects.empty()) return;
-    const FormulaTrial trial = TryFormula(problem_, coarse_, out_.declared, out_.before,
-                                          {.max_terms = 1, .threshold = options_.min_delta_bic});
-    if (!trial.fit.ok || IsTheirFriction(trial.found, out_.effects)) return;
-    const Evidence over = Compare(problem_, out_.after, trial.fit);
-    SearchOptions rules = options_;
-    // With fewer numbers it need not take a large share of what the others leave.
-    if (trial.fit.values.size() < out_.after.values.size()) rules.min_first_removed = 0;
-    const bool form =
-        IsTheirVolume(trial.found, out_.effects) && !IsFarBetter(trial.fit, out_.after, over);
-    if (form || !Verdict(over, false, true, rules).empty()) {
-      if (out_.effects.size() == 1) {
-        NoteConfusable(out_.after, trial.fit, "unlisted", &out_.effects.front());
-      }
-      return RecordFormula(trial, form ? kTheirForm : kBeaten);
-    }
-    for (const AcceptedEffect& effect : out_.effects) {
-      Withdraw(effect.candidate.effect, "a formula on no list explains more", &out_.candidates);
-    }
-    RecordFormula(trial, "accepted");
-    out_.effects.clear();
-    TakeFormula(trial, trial.evidence);
-  }
-
-  void RecordFormula(const FormulaTrial& trial, const std::string& verdict) {
-    out_.candidates.push_back({"unlisted", trial.found.text, 0, trial.found.gain, trial.found.gain,
-                               true, trial.evidence, verdict});
-  }
-
-  void TakeFormula(const FormulaTrial& trial, const Evidence& evidence) {
-    out_.effects.push_back({trial.candidate, evidence, {}});
-    out_.corrected = trial.model, out_.after = trial.fit, out_.formula = trial.found;
   }
 
   /// What is said of the accepted among the candidates is what was accepted in the end.

@@ -198,6 +198,18 @@ std::vector<FullTrial> TryEffects(const FitProblem& problem, const FitProblem& c
   return trials;
 }
 
+void ShapeOnWhole(const FitProblem& problem, const FreeModel& model, FullTrial* trial) {
+  Candidate form = trial->form;
+  const FitResult shaped = AddOptions(problem, model, trial->fit, &form);
+  if (form.free.size() == trial->form.free.size()) return;
+  const FreeModel whole = WithCandidate(model, form);
+  FitResult fit = FitBalanced(problem, whole, shaped.values, shaped.jacobian,
+                              {.first_own = static_cast<int>(shaped.values.size()),
+                               .max_steps = 6,
+                               .final_jacobian = true});
+  if (fit.ok) trial->form = std::move(form), trial->fit = std::move(fit);
+}
+
 double MostOfRivals(const FitProblem& coarse, const FreeModel& model,
                     const std::vector<double>& values) {
   constexpr double kShaping = 0.6;

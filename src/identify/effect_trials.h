@@ -40,6 +40,9 @@ std::vector<FullTrial> TryEffects(const FitProblem& problem, const FitProblem& c
                                   const std::vector<Candidate>& list, const TrialOptions& options,
                                   const std::function<bool(double)>& tick, double* reference);
 
+/// Options of a trial's form that the whole record asks for and the coarse one did not.
+void ShapeOnWhole(const FitProblem& problem, const FreeModel& model, FullTrial* trial);
+
 /// What rivals of an accepted model may leave on the coarse record to be worth a full fit [mean log
 /// square]: what it leaves there itself, and what shaping a form may still bring.
 double MostOfRivals(const FitProblem& coarse, const FreeModel& model,

@@ -1,5 +1,7 @@
 #include "identify/effect_verdict.h"
 
+#include <algorithm>
+
 namespace phs::identify::search {
 
 bool OnBound(const FreeModel& model, const FitResult& fit, const Candidate& candidate) {
@@ -72,6 +74,15 @@ std::string FormulaVerdict(const Evidence& e, double gain, bool first,
     return "explains too little of what is left";
   }
   return "";
+}
+
+void NoteConfusable(const FitProblem& problem, const FitResult& best, const FitResult& other,
+                    const std::string& effect, const SearchOptions& options,
+                    AcceptedEffect* accepted) {
+  const Evidence e = Compare(problem, other, best);
+  if (e.delta_bic > options.min_delta_bic && e.estimation_gain > options.margin) return;
+  auto& names = accepted->confusable_with;
+  if (std::find(names.begin(), names.end(), effect) == names.end()) names.push_back(effect);
 }
 
 }  // namespace phs::identify::search

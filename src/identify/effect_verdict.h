@@ -8,6 +8,7 @@
 namespace phs::identify::search {
 
 inline constexpr const char* kNotPlausible = "value not plausible";
+inline constexpr const char* kBeaten = "another explains more";
 
 /// True if the amount of the candidate ended on a bound: not plausible, or not there. Where it has
 /// two amounts, one of them may be nil. `model` ends with the candidate's numbers.
@@ -25,5 +26,11 @@ std::string Verdict(const Evidence& evidence, bool on_bound, bool first,
 /// The same of a formula. `load_gain`: share of its channel's residual rms that it takes.
 std::string FormulaVerdict(const Evidence& evidence, double gain, bool first,
                            const SearchOptions& options);
+
+/// Notes `effect`, fitted as `other`, beside an accepted one whose fit is `best` if the record does
+/// not tell them apart: its residual is within the margin, or its evidence is not far behind.
+void NoteConfusable(const FitProblem& problem, const FitResult& best, const FitResult& other,
+                    const std::string& effect, const SearchOptions& options,
+                    AcceptedEffect* accepted);
 
 }  // namespace phs::identify::search

@@ -199,7 +199,9 @@ Result<std::vector<hydraulics::ForcePlace>> RigForward::Places(const PhsParams& 
   return out;
 }
 
-FreeModel RigForward::Declared(const PhsParams& declared) const { return DeclaredModel(declared); }
+FreeModel RigForward::Declared(const PhsParams& declared) const {
+  return DeclaredModel(declared, data_.free);
+}
 
 namespace {
 

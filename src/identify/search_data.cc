@@ -12,6 +12,7 @@
 #include "identify/data_checks.h"
 #include "identify/effect_variants.h"
 #include "identify/rig_data.h"
+#include "identify/search_fit.h"
 
 namespace phs::identify::search {
 namespace {
@@ -157,6 +158,7 @@ Result<FitData> ReadFitData(const Manifest& manifest) {
   if (!kind.ok()) return kind.error();
   Result<hydraulics::PhsParams> params = effects::FindPhsParams(manifest.model);
   if (!params.ok()) return params.error();
+  if (Status s = CheckFree(params.value(), manifest.free); !s.ok()) return s.error();
   Result<effects::RigModel> model =
       effects::RigModel::Create(kind.value(), params.value(), manifest.options);
   if (!model.ok()) return model.error();
@@ -169,6 +171,7 @@ Result<FitData> ReadFitData(const Manifest& manifest) {
   data.kind = kind.value();
   data.options = manifest.options;
   data.candidates = manifest.candidates;
+  data.free = manifest.free;
   data.row_time_s = run.row_time;
   std::vector<char> rest, standstill;
   for (Channel& input : run.inputs) {

@@ -23,6 +23,7 @@ struct FitData {
   effects::RigKind kind = effects::RigKind::kQuarter;
   effects::RigOptions options;          ///< steps per sample, beam of the full rig
   std::vector<std::string> candidates;  ///< effects to look for; empty = all
+  std::vector<std::string> free;        ///< numbers of the declared model; empty = the usual
   std::string source;
   std::vector<double> time_s;      ///< uniform
   std::vector<double> row_time_s;  ///< of the file's rows; empty: as time_s

@@ -22,19 +22,43 @@ double FreeParameter::FromCoordinate(double coordinate) const {
   return std::clamp(value, low, high);
 }
 
-FreeModel DeclaredModel(const PhsParams& declared) {
-  FreeModel model{declared, {}};
-  auto add = [&](const std::string& name, double value) {
-    model.free.push_back({name, value, 0.4 * value, 2.5 * value, true, 1});
-  };
+namespace {
+
+std::vector<std::string> UsuallyFree(const PhsParams& declared) {
+  std::vector<std::string> names;
   for (const auto& line : declared.lines) {
-    add(line.name + ".oil_volume_m3", line.oil_volume_m3);
-    if (line.gas_volume_m3 > 0) add(line.name + ".gas_volume_m3", line.gas_volume_m3);
+    names.push_back(line.name + ".oil_volume_m3");
+    if (line.gas_volume_m3 > 0) names.push_back(line.name + ".gas_volume_m3");
+    if (line.free_air_m3 > 0) names.push_back(line.name + ".free_air_m3");
   }
   if (declared.friction.model != hydraulics::FrictionModel::kNone) {
-    add("friction.scale", declared.friction.scale);
+    names.emplace_back("friction.scale");
+  }
+  return names;
+}
+
+}  // namespace
+
+FreeModel DeclaredModel(const PhsParams& declared, std::vector<std::string> names) {
+  if (names.empty()) names = UsuallyFree(declared);
+  FreeModel model{declared, {}};
+  for (const std::string& name : names) {
+    const double value = hydraulics::GetParameter(declared, name).value();
+    model.free.push_back({name, value, 0.4 * value, 2.5 * value, true, 1});
   }
   return model;
+}
+
+Status CheckFree(const PhsParams& declared, const std::vector<std::string>& names) {
+  for (const std::string& name : names) {
+    if (auto value = hydraulics::GetParameter(declared, name); !value.ok()) {
+      Error e = value.error();
+      return Error{"free: " + name, e.what, e.allowed, e.mend};
+    } else if (!(value.value() > 0)) {
+      return Error{"free: " + name, "is not positive in the declared model", "numbers > 0", ""};
+    }
+  }
+  return {};
 }
 
 Result<FitProblem> FitProblem::Create(const FitData& data, const PhsParams& declared, int stride) {

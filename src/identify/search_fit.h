@@ -39,9 +39,12 @@ struct FreeModel {
   std::vector<FreeParameter> free;
 };
 
-/// Of a rig: V_oil and V_g0 of every line and the friction scale, within factors 0.4 … 2.5 of the
-/// declared.
-FreeModel DeclaredModel(const hydraulics::PhsParams& declared);
+/// The declared model with the numbers `names` free, each within factors 0.4 … 2.5 of the declared.
+/// None named: V_oil, V_g0 and free air of every line and the friction scale, as far as it has
+/// them.
+FreeModel DeclaredModel(const hydraulics::PhsParams& declared, std::vector<std::string> names = {});
+/// An error where one of `names` is not of the model, or not positive there.
+Status CheckFree(const hydraulics::PhsParams& declared, const std::vector<std::string>& names);
 
 struct FitResult {
   std::vector<double> values;      ///< of the free parameters
