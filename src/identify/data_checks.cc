@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "identify/channel_noise.h"
 #include "identify/series.h"
@@ -162,6 +163,52 @@ void MendOutputs(const std::vector<std::vector<double>>& predicted, FitData* dat
     if (factor == 1) continue;
     for (double& y : out.values) y *= factor;
     out.noise *= std::abs(factor);
+  }
+}
+
+namespace {
+
+/// Marks in `out` the samples about where a pressure reads below vacuum.
+void MarkBelowVacuum(const MeasuredChannel& channel, const FitData& data, std::vector<char>* out,
+                     std::vector<DataFinding>* findings) {
+  constexpr double kBelow_Pa = -1.2e5, kAbout_s = 0.01;
+  const auto about = static_cast<size_t>(std::ceil(kAbout_s / data.step_s));
+  const std::vector<double>& y = channel.values;
+  for (size_t begin = 0; begin < y.size(); ++begin) {
+    if (!(y[begin] < 0)) continue;
+    size_t end = begin;
+    double least = 0;
+    for (; end < y.size() && y[end] < 0; ++end) least = std::min(least, y[end]);
+    if (least < kBelow_Pa - 5 * channel.noise) {
+      const size_t after = std::max(about, end - begin);
+      const size_t first = begin - std::min(begin, about), last = std::min(end + after, y.size());
+      std::fill(out->begin() + static_cast<long>(first), out->begin() + static_cast<long>(last), 1);
+      findings->push_back(
+          {channel.name,
+           fmt::format("reads {:.3g} Pa, below absolute vacuum: every output left out "
+                       "from {:.5g} to {:.5g} s",
+                       least, data.time_s[first], data.time_s[last - 1])});
+    }
+    begin = end;
+  }
+}
+
+}  // namespace
+
+void LeaveOutBelowVacuum(FitData* data) {
+  constexpr double kMostOfRecord = 0.05;
+  std::vector<char> out(data->time_s.size(), 0);
+  std::vector<DataFinding> findings;
+  for (const MeasuredChannel& channel : data->outputs) {
+    if (channel.name.ends_with("_Pa")) MarkBelowVacuum(channel, *data, &out, &findings);
+  }
+  const auto count = static_cast<double>(std::count(out.begin(), out.end(), 1));
+  if (count > kMostOfRecord * static_cast<double>(out.size())) return;
+  data->findings.insert(data->findings.end(), findings.begin(), findings.end());
+  for (MeasuredChannel& channel : data->outputs) {
+    for (size_t i = 0; i < out.size(); ++i) {
+      if (out[i] != 0) channel.values[i] = std::numeric_limits<double>::quiet_NaN();
+    }
   }
 }
 

@@ -31,4 +31,10 @@ bool InputIsSwapped(const FitData& data, const std::vector<std::vector<double>>&
 /// two channels under each other's name, a swapped sign, a unit off by a power of ten.
 void MendOutputs(const std::vector<std::vector<double>>& predicted, FitData* data);
 
+/// Leaves out every output where a pressure reads below absolute vacuum by more than an atmosphere
+/// (no sensor shows that of oil, and no model gives it), from 10 ms before it crosses zero until as
+/// long after it as it lasted: a model's vacuum is longer in filling. Not where that is more than a
+/// twentieth of the record: then the reading has an offset.
+void LeaveOutBelowVacuum(FitData* data);
+
 }  // namespace phs::identify::search

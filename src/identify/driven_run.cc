@@ -53,6 +53,7 @@ Result<Case> LoadCase(const Manifest& manifest) {
     if (!predicted.ok()) return predicted.error();
   }
   MendOutputs(predicted.value(), &c.data);
+  LeaveOutBelowVacuum(&c.data);
   return c;
 }
 

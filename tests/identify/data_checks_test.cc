@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -45,6 +46,42 @@ TEST(DataChecksTest, SoundChannelStaysAsItIs) {
   MarkSpikes(&channel, &findings);
   EXPECT_TRUE(findings.empty());
   EXPECT_EQ(channel.y, before);
+}
+
+/// 10 s of a pressure that reads -0.8 MPa for 50 ms in the middle, and a load cell beside it; with
+/// `offset` [Pa] on the whole pressure.
+FitData BelowVacuum(double offset) {
+  FitData data;
+  data.step_s = kStep;
+  data.outputs = {{"load_cell_N", {}, 10}, {"p_bore_Pa", {}, 5e3}};
+  for (int i = 0; i < 2000; ++i) {
+    data.time_s.push_back(i * kStep);
+    data.outputs[0].values.push_back(100);
+    data.outputs[1].values.push_back(offset + (i >= 1000 && i < 1010 ? -8e5 : 1e5));
+  }
+  return data;
+}
+
+TEST(DataChecksTest, NothingIsAskedOfAModelWhereAPressureReadsBelowVacuum) {
+  FitData data = BelowVacuum(0);
+  LeaveOutBelowVacuum(&data);
+  ASSERT_EQ(data.findings.size(), 1u);
+  EXPECT_EQ(data.findings[0].channel, "p_bore_Pa");
+  EXPECT_THAT(data.findings[0].text, testing::HasSubstr("from 4.99 to 5.095 s"));
+  for (const MeasuredChannel& channel : data.outputs) {
+    const auto lost = std::count_if(channel.values.begin(), channel.values.end(),
+                                    [](double y) { return std::isnan(y); });
+    EXPECT_EQ(lost, 2 + 10 + 10) << channel.name;
+    EXPECT_FALSE(std::isnan(channel.values[997]));
+    EXPECT_TRUE(std::isnan(channel.values[998]) && std::isnan(channel.values[1019]));
+  }
+}
+
+TEST(DataChecksTest, AnOffsetPressureIsNotBelowVacuum) {
+  FitData data = BelowVacuum(-3e5);
+  LeaveOutBelowVacuum(&data);
+  EXPECT_TRUE(data.findings.empty());
+  for (const double y : data.outputs[0].values) ASSERT_EQ(y, 100);
 }
 
 /// 60 s of a load cell with noise of 30 N: the actuator stands still, creeps (the load drifts by
