@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "report/identify_parts.h"
 
@@ -97,6 +98,21 @@ void AddTestOnce(const std::string& test, std::vector<std::string>* tests) {
   }
 }
 
+/// What a formula stands for, by the unit of its first number: c1_N, c1_Pa …
+std::string OnNoList(const json& effect) {
+  static const std::map<std::string, const char*> kinds = {
+      {"N", "a force on no list"},
+      {"m3", "a volume on no list"},
+      {"m3_per_s", "a flow on no list"},
+      {"m", "an error on no list of the piston's reading"},
+      {"Pa", "an error on no list of the pressure's reading"}};
+  const json numbers = effect.value("parameters", json::object());
+  if (numbers.empty()) return "an effect on no list";
+  const std::string first = numbers.begin().key();
+  const auto kind = kinds.find(first.substr(first.find('_') + 1));
+  return kind == kinds.end() ? "an effect on no list" : kind->second;
+}
+
 }  // namespace
 
 std::string Spaced(std::string words) {
@@ -106,7 +122,7 @@ std::string Spaced(std::string words) {
 
 std::string DescribeEffect(const json& effect) {
   const bool unlisted = effect.value("name", "") == "unlisted";
-  std::string text = unlisted ? "an effect on no list" : Spaced(effect.value("name", "?"));
+  std::string text = unlisted ? OnNoList(effect) : Spaced(effect.value("name", "?"));
   const std::string places = Joined(effect.value("on", json::array()));
   if (!places.empty()) text += " on " + places;
   if (effect.contains("formula") && effect["formula"].is_string()) {

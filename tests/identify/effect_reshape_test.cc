@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "identify/effect_trials.h"
 #include "identify/near_fit.h"
 #include "tests/identify/search_record.h"
 
@@ -69,6 +70,60 @@ TEST(ReshapeTest, AResistanceAlikeInBothDirectionsIsNoCheckValveOnceTheWarmingIs
   FreeModel rest;
   const size_t count = ValuesWithout(found, 0, &rest).size();
   EXPECT_EQ(count, rest.free.size());
+}
+
+TEST(ShapeOnWholeTest, ANumberThatOnlyTheWholeRecordAsksForIsFreed) {
+  hydraulics::PhsParams truth = OffDeclared();
+  truth.effects.push_back(
+      {"line_resistance", {}, {{"laminar_Pas_per_m3", 8e9}, {"rod_ratio", 0.7}}});
+  const FitData data = Record(truth);
+  auto problem = FitProblem::Create(data, Declared());
+  ASSERT_TRUE(problem.ok());
+  const FreeModel model = DeclaredModel(Declared());
+  FullTrial trial;
+  for (const Candidate& c : problem.value().forward().Candidates(Declared())) {
+    if (c.effect == "line_resistance" && VariantName(c) == "laminar_Pas_per_m3") trial.form = c;
+  }
+  ASSERT_EQ(trial.form.free.size(), 1u);
+  std::vector<double> start;
+  for (const auto& p : model.free) start.push_back(p.start);
+  start.push_back(5e9);
+  trial.fit = FitNear(problem.value(), WithCandidate(model, trial.form), start, {},
+                      {.max_steps = 8, .final_jacobian = true});
+  ASSERT_TRUE(trial.fit.ok);
+  ShapeOnWhole(problem.value(), model, &trial);
+  const FreeModel whole = WithCandidate(model, trial.form);
+  ASSERT_EQ(trial.fit.values.size(), whole.free.size());
+  double ratio = 0;
+  for (size_t i = 0; i < whole.free.size(); ++i) {
+    if (whole.free[i].name == "effects.line_resistance.rod_ratio") ratio = trial.fit.values[i];
+  }
+  EXPECT_NEAR(ratio, 0.7, 0.03);
+}
+
+TEST(DeclaredModelTest, TheNumbersNamedAreFreeAndNoOthers) {
+  FitData data = Record(OffDeclared());
+  data.free = {"friction.scale", "L2.gas_volume_m3"};
+  auto problem = FitProblem::Create(data, Declared());
+  ASSERT_TRUE(problem.ok());
+  const FreeModel model = problem.value().forward().Declared(Declared());
+  ASSERT_EQ(model.free.size(), 2u);
+  EXPECT_EQ(model.free[0].name, "friction.scale");
+  EXPECT_DOUBLE_EQ(model.free[1].start, 16.16e-6);
+  EXPECT_DOUBLE_EQ(model.free[1].high, 2.5 * 16.16e-6);
+  EXPECT_TRUE(CheckFree(Declared(), data.free).ok());
+  const Status unknown = CheckFree(Declared(), {"L2.gas_volume"});
+  ASSERT_FALSE(unknown.ok());
+  EXPECT_EQ(unknown.error().where, "free: L2.gas_volume");
+  EXPECT_FALSE(CheckFree(Declared(), {"L2.free_air_m3"}).ok()) << "nil in the declared model";
+}
+
+TEST(DeclaredModelTest, FreeAirOfAChamberIsFreeByItself) {
+  const auto cylinder = effects::FindPhsParams("single_cylinder").value();
+  std::vector<std::string> names;
+  for (const FreeParameter& p : DeclaredModel(cylinder).free) names.push_back(p.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"chamber.oil_volume_m3", "chamber.free_air_m3",
+                                             "friction.scale"}));
 }
 
 TEST(NearFitTest, BalancedWhatOneChannelLacksDoesNotBendTheOthers) {

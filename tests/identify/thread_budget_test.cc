@@ -33,6 +33,32 @@ TEST(ThreadBudget, DoesAllOnceAndKeepsTheLimit) {
   EXPECT_GT(most, 1);
 }
 
+TEST(ThreadBudget, WhoWaitsForAHelperLendsItItsPlace) {
+  ThreadBudget threads(2);
+  const auto caller = std::this_thread::get_id();
+  const auto a_while = [] { std::this_thread::sleep_for(std::chrono::milliseconds(1)); };
+  std::atomic<bool> helper_is_busy{false}, both{false};
+  std::atomic<int> inside{0};
+  threads.ForEach(2, [&](int) {
+    if (std::this_thread::get_id() == caller) {  // has no more work than this
+      for (int i = 0; i < 5000 && !helper_is_busy; ++i) a_while();
+      return;
+    }
+    helper_is_busy = true;
+    for (int attempt = 0; attempt < 200 && !both; ++attempt) {
+      threads.ForEach(2, [&](int) {
+        ++inside;
+        for (int i = 0; i < 20 && !both; ++i) {
+          if (inside == 2) both = true;
+          a_while();
+        }
+        --inside;
+      });
+    }
+  });
+  EXPECT_TRUE(both);
+}
+
 TEST(ThreadBudget, OneThreadIsTheCallersOwn) {
   ThreadBudget threads(1);
   const auto caller = std::this_thread::get_id();

@@ -62,9 +62,24 @@ TEST_F(IdentifyReport, AnEffectOnNoListStandsWithItsFormulaAndPlace) {
     "evidence":{"delta_bic":123.0}}],"candidates":[]})json");
   const std::string html = Html({.result = File("result.json")});
   EXPECT_TRUE(Holds(html,
-                    "The declared model lacks an effect on no list on L2, "
+                    "The declared model lacks a flow on no list on L2, "
                     "c1*(max(p-7.5e+06[Pa],0[Pa])/1e+07[Pa])."));
   EXPECT_TRUE(Holds(html, ">delta bic<")) << "evidence has a table of its own";
+}
+
+TEST_F(IdentifyReport, AFormulaSaysWhatItStandsFor) {
+  for (const auto& [number, words] : std::vector<std::pair<std::string, std::string>>{
+           {"c1_N", "a force on no list"},
+           {"c1_m3", "a volume on no list"},
+           {"c1_m", "an error on no list of the piston's reading"},
+           {"c1_Pa", "an error on no list of the pressure's reading"}}) {
+    WriteResult(R"({"rig":"quarter","channels":{"load_cell_N":{"before":{"nrmse":0.02},
+      "after":{"nrmse":0.01}}},"candidates":[],"effects":[{"name":"unlisted","formula":"c1*x",
+      "parameters":{")" +
+                number + R"(":{"value":1}}}]})");
+    const std::string html = Html({.result = File("result.json")});
+    EXPECT_TRUE(Holds(html, "The declared model lacks " + words)) << number;
+  }
 }
 
 TEST_F(IdentifyReport, ARigRunHasOneModel) {
