@@ -1,6 +1,6 @@
 // One step to a sample is enough: against 64 steps to each. What would be wrong to first order in
-// the step (oil that hardly yields and flows with the speed of half a step ago, a piston thrown
-// back by a small chamber whose oil is held back) is ten to hundred times the bounds here.
+// the step (oil that hardly yields and flows with the speed of half a step ago: 4 times the bounds
+// here; a piston thrown back by a small chamber whose oil is held back: 40 times) shows.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,31 +17,35 @@ namespace {
 
 using Values = std::map<std::string, double>;
 
-RigMotion SmoothStart(int actuators) {
+/// Sines of 4 mm and 1 mm; `quick`: 1 mm at 5 Hz.
+RigMotion SmoothStart(int actuators, bool quick) {
   RigMotion motion{0, 0.005, {}, {}, {}, {}};
   for (int a = 0; a < actuators; ++a) {
     std::vector<double>& x = motion.position_m.emplace_back();
     for (int i = 0; i < 1500; ++i) {
       const double t = i * motion.step_s, s = std::min(1.0, t), grown = s * s * (3 - 2 * s);
-      x.push_back(grown * (a == 0 ? 1 : -0.8) * (4e-3 * std::sin(3 * t) + 1e-3 * std::sin(11 * t)));
+      const double slow = 4e-3 * std::sin(3 * t) + 1e-3 * std::sin(11 * t);
+      x.push_back(grown * (a == 0 ? 1 : -0.8) * (quick ? 1e-3 * std::sin(31 * t) : slow));
     }
   }
   return motion;
 }
 
-RigPrediction Drive(RigKind kind, const PhsParams& params, int substeps) {
+RigPrediction Drive(RigKind kind, const PhsParams& params, int substeps, bool quick) {
   RigOptions options;
   options.substeps = substeps;
   const auto rig = RigModel::Create(kind, params, options);
   EXPECT_TRUE(rig.ok());
   RigPrediction out;
-  EXPECT_TRUE(rig.value().Run(SmoothStart(kind == RigKind::kFull ? 2 : 1), &out).ok());
+  EXPECT_TRUE(rig.value().Run(SmoothStart(kind == RigKind::kFull ? 2 : 1, quick), &out).ok());
   return out;
 }
 
 /// Largest rms by which a channel from `first` to `end` differs between 1 and 64 steps.
-double StepError(RigKind kind, const PhsParams& params, size_t first, size_t end) {
-  const RigPrediction coarse = Drive(kind, params, 1), fine = Drive(kind, params, 64);
+double StepError(RigKind kind, const PhsParams& params, size_t first, size_t end,
+                 bool quick = false) {
+  const RigPrediction coarse = Drive(kind, params, 1, quick);
+  const RigPrediction fine = Drive(kind, params, 64, quick);
   double worst = 0;
   for (size_t c = first; c < end; ++c) {
     const std::vector<double>&a = coarse.channels[c], &b = fine.channels[c];
@@ -62,8 +66,8 @@ TEST(RigSteps, ResistanceFollowsTheSpeedAtTheSample) {
            {"line_resistance", {{"laminar_Pas_per_m3", 3e7}, {"turbulent_Pas2_per_m6", 3e13}}},
            {"check_restriction", {{"out_Pas_per_m3", 5e9}, {"in_Pas_per_m3", 5e8}}}}) {
     const PhsParams params = With(Quarter(), effect, values);
-    EXPECT_LT(StepError(RigKind::kQuarter, params, 2, 4), 4e3) << effect << ", Pa of 1e7";
-    EXPECT_LT(StepError(RigKind::kQuarter, params, 1, 2), 30) << effect << ", N of 2.5e5";
+    EXPECT_LT(StepError(RigKind::kQuarter, params, 2, 4, true), 5e3) << effect << ", Pa of 7e5";
+    EXPECT_LT(StepError(RigKind::kQuarter, params, 1, 2, true), 80) << effect << ", N of 1e4";
   }
 }
 
