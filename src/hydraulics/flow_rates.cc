@@ -97,8 +97,8 @@ void FlowStep(const CompiledPhs& sys, double time, double h, const Instant& star
   if (TwoStages(sys, time, h, start, speeds, state, rate) || halvings == 0) return;
   const int count = sys.num_states(), first = sys.first_slow;
   const double half = 0.5 * h;
-  double middle[kMaxStates], second[kMaxStates];
-  double early[kMaxCylinders], late[kMaxCylinders], way[kMaxCylinders];
+  double middle[kMaxStates] = {}, second[kMaxStates];
+  double early[kMaxCylinders] = {}, late[kMaxCylinders] = {}, way[kMaxCylinders] = {};
   for (size_t i = 0; i < sys.cylinders.size(); ++i) {
     const double by = 0.5 * (speeds.end[i] - speeds.mean[i]);
     early[i] = speeds.mean[i] - by, late[i] = speeds.mean[i] + by, way[i] = half * early[i];

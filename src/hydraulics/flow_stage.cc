@@ -221,7 +221,7 @@ double CalcStageStiffness(const CompiledPhs& sys, double a, const Instant& at,
   const auto give = [&](int node) { return 1 / (at.node[node].slope + slopes.heat[node]); };
   if (c.bore != kOpen) rise[c.bore] -= c.bore_area * give(c.bore);
   if (c.rod != kOpen) rise[c.rod] += c.rod_area * give(c.rod);
-  double passed[kMaxPaths];
+  double passed[kMaxPaths] = {};
   for (size_t k = 0; k < sys.paths.size(); ++k) {
     const Path& path = sys.paths[k];
     const double from = path.from == kOpen ? 0 : rise[path.from];

@@ -229,7 +229,7 @@ void PhsSystem::CalcStateRate(double time, double h, const double* x, const doub
     CalcCylinderFrictionRate(sys, at, static_cast<int>(i), h, speed[i], state, rate);
   }
   if (!hydraulic) return;
-  double end[kMaxCylinders];
+  double end[kMaxCylinders] = {};
   for (size_t i = 0; i < sys.cylinders.size(); ++i) {
     end[i] = before != nullptr ? GoneOn(before[i], speed[i]) : speed[i];
   }
