@@ -41,7 +41,7 @@ const EffectInfo& TemperatureDriftInfo() {
           {"settling_s", "s", 0, 0, 1e6, 0, 1e4, "T_s of a warming that settles; 0 = never"},
           {"start_s", "s", 0, -1e12, 1e12, 0, 1e6, "the ramp begins at this time"},
           {"limit_K", "K", 40, 0, 100, 1, 60, "limit of the ramp"},
-          {"amplitude_K", "K", 0, 0, 60, 0, 30, "A"},
+          {"amplitude_K", "K", 0, -60, 60, -30, 30, "A; < 0: it first cools"},
           {"period_s", "s", 86400, 1e-3, 1e12, 60, 1e5, "period"},
           {"expansion_1_per_K", "1/K", 6.65e-4, 0, 0.01, 0, 1e-3, "oil less housing"},
           {"softening_1_per_K", "1/K", 0, 0, 0.02, 0, 0.012, "relative fall of the bulk modulus"},
