@@ -37,7 +37,7 @@ const EffectInfo& LineResistanceInfo() {
       "cylinders",
       "p_chamber - p_line = R q + K q|q|",
       {
-          {"laminar_Pas_per_m3", "Pa s/m3", 1e9, 1e3, 1e16, 1e7, 1e12, "R at 20 °C"},
+          {"laminar_Pas_per_m3", "Pa s/m3", 1e9, 1e3, 1e16, 1e5, 1e12, "R at 20 °C"},
           {"turbulent_Pas2_per_m6", "Pa s2/m6", 0, 0, 1e20, 0, 1e16, "K"},
           {"rod_ratio", "-", 1, 1e-3, 1e3, 0.02, 50,
            "resistance of the rod side over that of the bore side"},

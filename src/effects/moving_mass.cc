@@ -24,7 +24,7 @@ const EffectInfo& MovingMassInfo() {
                                   "element",
                                   "",
                                   "force m a beyond the declared mass, at the load cell",
-                                  {{"mass_kg", "kg", 1, 0, 1e6, 0, 2e3, "m"}},
+                                  {{"mass_kg", "kg", 1, 0, 1e6, 0, 4e3, "m"}},
                                   Install};
   return info;
 }

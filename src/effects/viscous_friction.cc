@@ -28,8 +28,8 @@ const EffectInfo& ViscousFrictionInfo() {
       "cylinders",
       "+ c v (|v|/1 cm/s)^(n-1)",
       {
-          {"extension_Ns_per_m", "N s/m", 5000, 0, 1e8, 0, 2e5, "c for v > 0"},
-          {"retraction_Ns_per_m", "N s/m", 5000, 0, 1e8, 0, 2e5, "c for v < 0"},
+          {"extension_Ns_per_m", "N s/m", 5000, 0, 1e8, 0, 1e6, "c for v > 0"},
+          {"retraction_Ns_per_m", "N s/m", 5000, 0, 1e8, 0, 1e6, "c for v < 0"},
           {"exponent", "-", 1, 0.2, 4, 0.4, 2.5, "n"},
       },
       Install};

@@ -308,7 +308,10 @@ class Search {
       SearchOptions rules = options_;
       if (!alone) rules.min_excess_removed = 0;
       const std::string no = Verdict(e, false, alone, rules);
-      if (no.empty()) {
+      // Nor does it go where the others would then have to take numbers that are not plausible.
+      std::vector<AcceptedEffect> others = out_.effects;
+      others.erase(others.begin() + static_cast<long>(i));
+      if (no.empty() || AnyOnBound(model, rest, out_.declared.free.size(), others)) {
         out_.effects[i].evidence = e;
         ++i;
         continue;

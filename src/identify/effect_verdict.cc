@@ -4,9 +4,12 @@
 
 namespace phs::identify::search {
 
-bool OnBound(const FreeModel& model, const FitResult& fit, const Candidate& candidate) {
+namespace {
+
+/// `base`: where the candidate's numbers begin.
+bool IsOnBound(const FreeModel& model, const FitResult& fit, const Candidate& candidate,
+               size_t base) {
   constexpr double kTiny = 1e-3;
-  const size_t base = model.free.size() - candidate.free.size();
   int nil = 0;
   for (int k = 0; k < candidate.mains; ++k) {
     const FreeParameter& p = model.free[base + static_cast<size_t>(k)];
@@ -16,6 +19,22 @@ bool OnBound(const FreeModel& model, const FitResult& fit, const Candidate& cand
     nil += x - low < kTiny * (high - low);
   }
   return nil == candidate.mains;
+}
+
+}  // namespace
+
+bool OnBound(const FreeModel& model, const FitResult& fit, const Candidate& candidate) {
+  return IsOnBound(model, fit, candidate, model.free.size() - candidate.free.size());
+}
+
+bool AnyOnBound(const FreeModel& model, const FitResult& fit, size_t declared,
+                const std::vector<AcceptedEffect>& effects) {
+  size_t base = declared;
+  for (const AcceptedEffect& effect : effects) {
+    if (IsOnBound(model, fit, effect.candidate, base)) return true;
+    base += effect.candidate.free.size();
+  }
+  return false;
 }
 
 bool IsSettled(const FreeModel& model, const FitResult& fit, const Candidate& candidate) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "identify/effect_search.h"
 
@@ -13,6 +14,10 @@ inline constexpr const char* kBeaten = "another explains more";
 /// True if the amount of the candidate ended on a bound: not plausible, or not there. Where it has
 /// two amounts, one of them may be nil. `model` ends with the candidate's numbers.
 bool OnBound(const FreeModel& model, const FitResult& fit, const Candidate& candidate);
+
+/// The same of any of `effects`, whose numbers follow the first `declared` of `model` in turn.
+bool AnyOnBound(const FreeModel& model, const FitResult& fit, size_t declared,
+                const std::vector<AcceptedEffect>& effects);
 
 /// True if the record tells the amounts of the candidate: 95 % within a quarter of their range to
 /// either side. One that trades against another effect's (two resistances, one behind the other)
