@@ -82,7 +82,8 @@ TEST(ShapeOnWholeTest, ANumberThatOnlyTheWholeRecordAsksForIsFreed) {
   const FreeModel model = DeclaredModel(Declared());
   FullTrial trial;
   for (const Candidate& c : problem.value().forward().Candidates(Declared())) {
-    if (c.effect == "line_resistance" && VariantName(c) == "laminar_Pas_per_m3") trial.form = c;
+    const bool plain = VariantName(c) == "laminar_Pas_per_m3" && !c.options.empty();
+    if (trial.form.free.empty() && c.effect == "line_resistance" && plain) trial.form = c;
   }
   ASSERT_EQ(trial.form.free.size(), 1u);
   std::vector<double> start;
