@@ -104,8 +104,8 @@ std::string OnNoList(const json& effect) {
       {"N", "a force on no list"},
       {"m3", "a volume on no list"},
       {"m3_per_s", "a flow on no list"},
-      {"m", "an error on no list of the piston's reading"},
-      {"Pa", "an error on no list of the pressure's reading"}};
+      {"m", "an error of the piston reading on no list"},
+      {"Pa", "an error of the pressure reading on no list"}};
   const json numbers = effect.value("parameters", json::object());
   if (numbers.empty()) return "an effect on no list";
   const std::string first = numbers.begin().key();

@@ -71,8 +71,8 @@ TEST_F(IdentifyReport, AFormulaSaysWhatItStandsFor) {
   for (const auto& [number, words] : std::vector<std::pair<std::string, std::string>>{
            {"c1_N", "a force on no list"},
            {"c1_m3", "a volume on no list"},
-           {"c1_m", "an error on no list of the piston's reading"},
-           {"c1_Pa", "an error on no list of the pressure's reading"}}) {
+           {"c1_m", "an error of the piston reading on no list"},
+           {"c1_Pa", "an error of the pressure reading on no list"}}) {
     WriteResult(R"({"rig":"quarter","channels":{"load_cell_N":{"before":{"nrmse":0.02},
       "after":{"nrmse":0.01}}},"candidates":[],"effects":[{"name":"unlisted","formula":"c1*x",
       "parameters":{")" +
