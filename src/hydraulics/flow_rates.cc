@@ -78,7 +78,14 @@ bool TwoStages(const CompiledPhs& sys, double time, double h, const Instant& sta
   const int count = sys.num_states(), first = sys.first_slow;
   const double a = kGamma * h;
   double u[kMaxStates], base[kMaxStates] = {}, F1[kMaxStates], F2[kMaxStates];
+  // First guess: what flows and warms now goes on; flows with inertance may change within less.
+  SlowMatrix ignored(count);
+  CalcDerivative(sys, time, start, speeds.mean, state, F1, &ignored);
   std::copy(state, state + count, u);
+  for (int i = first; i < sys.paths[0].volume; ++i) u[i] += a * F1[i];
+  for (const Path& path : sys.paths) {
+    if (path.flow < 0) u[path.volume] += a * F1[path.volume];
+  }
   Instant at = start;
   bool solved = SolveStage(sys, time + a, a, start, FirstStage(sys, h, speeds), state, u, F1, &at);
   for (int i = first; i < count; ++i) {

@@ -116,11 +116,14 @@ FormulaTrial TryLineFormula(const FitProblem& problem, const FitProblem& coarse,
     const FormulaTrial about = best;
     const std::vector<double> values(about.fit.values.begin(),
                                      about.fit.values.begin() + static_cast<long>(base));
-    for (const bool thresholds_only : {false, true}) {
+    FormulaTrial trials[2];
+    problem.ForEach(2, [&](int thresholds_only) {
       const FoundFormula anew = SearchAnew(coarse, about.model, about.fit.values, base, about.found,
-                                           thresholds_only, limits);
-      if (anew.text == about.found.text) continue;
-      FormulaTrial trial = FitFormula(problem, model, fit, values, anew, kMostOil, 1);
+                                           thresholds_only != 0, limits);
+      if (anew.text == about.found.text) return;
+      trials[thresholds_only] = FitFormula(problem, model, fit, values, anew, kMostOil, 1);
+    });
+    for (FormulaTrial& trial : trials) {
       if (Better(problem, trial, best)) best = std::move(trial);
     }
     if (best.found.text == about.found.text) break;
