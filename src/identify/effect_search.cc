@@ -325,9 +325,14 @@ class Search {
     }
   }
 
-  /// What is said of the accepted among the candidates is what was accepted in the end.
+  /// What is said of the accepted among the candidates is what was accepted in the end; what stands
+  /// beside an effect is not confused with it.
   void UpdateRecords() {
-    for (const AcceptedEffect& effect : out_.effects) {
+    for (AcceptedEffect& effect : out_.effects) {
+      std::erase_if(effect.confusable_with, [&](const std::string& name) {
+        return std::any_of(out_.effects.begin(), out_.effects.end(),
+                           [&](const auto& other) { return other.candidate.effect == name; });
+      });
       if (effect.candidate.effect == "unlisted") continue;
       for (CandidateRecord& record : out_.candidates) {
         if (record.effect != effect.candidate.effect || record.verdict != "accepted") continue;
