@@ -47,8 +47,7 @@ const EffectInfo& LineInertanceInfo() {
           {"laminar_Pas_per_m3", "Pa s/m3", 4e8, 1e3, 1e16, 1e5, 1e11, "R at 20 °C"},
           {"rod_ratio", "-", 1, 1e-3, 1e3, 0.2, 5,
            "resistance and inertance of the rod side over those of the bore side; below 1/20 and "
-           "above 20 one "
-           "side has none"},
+           "above 20 one side has none"},
           {"oil_share", "-", 0.2, 0.02, 0.45, 0.1, 0.4, "share of the line's oil at the chamber"},
       },
       Install};

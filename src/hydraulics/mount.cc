@@ -235,6 +235,7 @@ void CalcMountRates(const CompiledPhs& sys, double time, double h, const double*
   }
   if (flowing) {
     at = *near;
+    at.time = time + step;
     std::copy(state, state + sys.num_states(), end);
   } else {
     sys.CalcPushed(state, &at);

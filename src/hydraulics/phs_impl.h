@@ -89,7 +89,7 @@ struct PhsSystem::Impl : CompiledPhs {};
 double CalcPressureForce(const CompiledPhs& sys, const Instant& at, int cylinder);
 
 /// Mean piston speeds over h and rates of the mount states (mount.cc). `near`: solved nodes close
-/// by, or null.
+/// by, or null; where oil flows, the solved start of the step.
 void CalcMountRates(const CompiledPhs& sys, double time, double h, const double* x, const double* v,
                     const double* state, const Instant* near, double* piston_speed, double* rate);
 /// Force of a mounting at deflection u = x - y and Maxwell deflections q [N]; `slope` = dF/du.
