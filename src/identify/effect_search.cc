@@ -201,8 +201,9 @@ class Search {
       ShapeOnWhole(problem_, out_.corrected, &trial);
       record.variant = VariantName(trial.form);
       record.evidence = Compare(problem_, out_.after, trial.fit);
-      record.evidence.settled =
-          IsSettled(WithCandidate(out_.corrected, trial.form), trial.fit, trial.form);
+      const FreeModel whole = WithCandidate(out_.corrected, trial.form);
+      record.evidence.settled = IsSettled(whole, trial.fit, trial.form);
+      if (OnBound(whole, trial.fit, trial.form)) record.verdict = kNotPlausible;
     }
   }
 
