@@ -81,17 +81,18 @@ struct PathGain {
   double own = 1, gain = 0;
 };
 
-PathGain CalcGain(const Path& path, double a, double slope) {
+PathGain CalcGain(const Path& path, double inertance, double a, double slope) {
   if (path.flow < 0) return {1, a * slope};
-  const double light = a / path.law->Inertance();
+  const double light = a / inertance;
   return {1 + light * slope, a * light};
 }
 
-PathMatrix CalcPathMatrix(const CompiledPhs& sys, double a, const PathSlopes& slopes) {
+PathMatrix CalcPathMatrix(const CompiledPhs& sys, const PathInertances& inertances, double a,
+                          const PathSlopes& slopes) {
   const size_t n = sys.paths.size();
   PathMatrix M(n);
   for (size_t k = 0; k < n; ++k) {
-    const PathGain g = CalcGain(sys.paths[k], a, slopes.law[k]);
+    const PathGain g = CalcGain(sys.paths[k], inertances.value[k], a, slopes.law[k]);
     for (size_t l = 0; l < n; ++l) M(k, l) = (k == l ? g.own : 0) - g.gain * slopes.drop[k][l];
   }
   return M;
@@ -99,8 +100,8 @@ PathMatrix CalcPathMatrix(const CompiledPhs& sys, double a, const PathSlopes& sl
 
 // One Newton step of the paths of a stage, as equations for the volumes passed; the largest change
 // [m3]. Flows with inertance in `u` follow from these.
-double StepPaths(const CompiledPhs& sys, double a, const PathSlopes& slopes, const double* base,
-                 const double* F, double* u) {
+double StepPaths(const CompiledPhs& sys, const PathInertances& inertances, double a,
+                 const PathSlopes& slopes, const double* base, const double* F, double* u) {
   const size_t n = sys.paths.size();
   double change[kMaxPaths];
   for (size_t k = 0; k < n; ++k) {
@@ -109,7 +110,7 @@ double StepPaths(const CompiledPhs& sys, double a, const PathSlopes& slopes, con
         path.flow < 0 ? a * F[path.volume] : a * (base[path.flow] + a * F[path.flow]);
     change[k] = base[path.volume] + passed - u[path.volume];
   }
-  CalcPathMatrix(sys, a, slopes).Solve(change);
+  CalcPathMatrix(sys, inertances, a, slopes).Solve(change);
   double largest = 0;
   for (size_t k = 0; k < n; ++k) {
     const Path& path = sys.paths[k];
@@ -122,15 +123,22 @@ double StepPaths(const CompiledPhs& sys, double a, const PathSlopes& slopes, con
 
 }  // namespace
 
-void CalcPathRates(const CompiledPhs& sys, double time, const Instant& at, const double* state,
-                   const double* flows, double* rate, PathSlopes* slopes) {
+PathInertances OwnInertances(const CompiledPhs& sys) {
+  PathInertances own;
+  for (size_t k = 0; k < sys.paths.size(); ++k) own.value[k] = sys.paths[k].law->Inertance();
+  return own;
+}
+
+void CalcPathRates(const CompiledPhs& sys, const PathInertances& inertances, double time,
+                   const Instant& at, const double* state, const double* flows, double* rate,
+                   PathSlopes* slopes) {
   for (size_t k = 0; k < sys.paths.size(); ++k) {
     const Path& path = sys.paths[k];
     const double dp = sys.Pressure(at, path.from) - sys.Pressure(at, path.to);
     double* slope = &slopes->law[k];
     if (path.flow >= 0) {
       const double flow = state[path.flow];
-      rate[path.flow] = (dp - path.law->Drop(time, flow, slope)) / path.law->Inertance();
+      rate[path.flow] = (dp - path.law->Drop(time, flow, slope)) / inertances.value[k];
       rate[path.volume] = flow;
     } else {
       rate[path.volume] =
@@ -164,9 +172,9 @@ void PlaceAt(const CompiledPhs& sys, double time, const double* way, const Insta
   sys.CalcPushed(u, at);
 }
 
-bool SolveStage(const CompiledPhs& sys, double time, double a, const Instant& start,
-                const StageMotion& motion, const double* base, double* u, double* F, Instant* at,
-                PathSlopes* found) {
+bool SolveStage(const CompiledPhs& sys, const PathInertances& inertances, double time, double a,
+                const Instant& start, const StageMotion& motion, const double* base, double* u,
+                double* F, Instant* at, PathSlopes* found) {
   const int count = sys.num_states(), first = sys.first_slow;
   const int first_flow = sys.paths[0].volume;
   double flow[kMaxStates], step[kMaxStates];
@@ -191,10 +199,10 @@ bool SolveStage(const CompiledPhs& sys, double time, double a, const Instant& st
       sys.SolveNodes(u, at, at);
     }
     for (int i = first_flow; i < count; ++i) flow[i] = (u[i] - base[i]) / a;
-    CalcPathRates(sys, time, *at, u, flow, F, &slopes);
+    CalcPathRates(sys, inertances, time, *at, u, flow, F, &slopes);
     CalcDropSlopes(sys, *at, &slopes);
     // 1e-14 m3 is 0.01 Pa on a chamber.
-    largest = std::max(largest, 1e14 * StepPaths(sys, a, slopes, base, F, u));
+    largest = std::max(largest, 1e14 * StepPaths(sys, inertances, a, slopes, base, F, u));
     // Heat answers to the flow as it will be: through a pipe that hardly resists, what the law
     // gives at pressures not yet settled is far off.
     for (const Path& path : sys.paths) F[path.volume] = (u[path.volume] - base[path.volume]) / a;
@@ -214,8 +222,8 @@ bool SolveStage(const CompiledPhs& sys, double time, double a, const Instant& st
   return largest < kPoor;
 }
 
-double CalcStageStiffness(const CompiledPhs& sys, double a, const Instant& at,
-                          const PathSlopes& slopes, int cylinder) {
+double CalcStageStiffness(const CompiledPhs& sys, const PathInertances& inertances, double a,
+                          const Instant& at, const PathSlopes& slopes, int cylinder) {
   const CompiledCylinder& c = sys.cylinders[cylinder];
   double rise[kMaxNodes] = {};  // of each node's pressure with the way, no flow answering
   const auto give = [&](int node) { return 1 / (at.node[node].slope + slopes.heat[node]); };
@@ -226,9 +234,9 @@ double CalcStageStiffness(const CompiledPhs& sys, double a, const Instant& at,
     const Path& path = sys.paths[k];
     const double from = path.from == kOpen ? 0 : rise[path.from];
     const double to = path.to == kOpen ? 0 : rise[path.to];
-    passed[k] = CalcGain(path, a, slopes.law[k]).gain * (from - to);
+    passed[k] = CalcGain(path, inertances.value[k], a, slopes.law[k]).gain * (from - to);
   }
-  CalcPathMatrix(sys, a, slopes).Solve(passed);
+  CalcPathMatrix(sys, inertances, a, slopes).Solve(passed);
   for (size_t k = 0; k < sys.paths.size(); ++k) {
     const Path& path = sys.paths[k];
     if (path.from != kOpen) rise[path.from] -= passed[k] * give(path.from);

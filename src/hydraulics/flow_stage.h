@@ -9,6 +9,14 @@
 
 namespace phs::hydraulics {
 
+/// Inertance of each path [kg/m4], of those that have one.
+struct PathInertances {
+  double value[kMaxPaths];
+};
+
+/// The paths' own.
+PathInertances OwnInertances(const CompiledPhs& sys);
+
 /// How the paths answer to what they let pass.
 struct PathSlopes {
   /// Slope of each law, over the pressure drop or, of a path with inertance, of the drop over the
@@ -29,8 +37,9 @@ void PlaceAt(const CompiledPhs& sys, double time, const double* way, const Insta
 
 /// Rates of volumes passed and of flows with inertance; slopes of the laws. `flows`: those of the
 /// last iterate by state, or null.
-void CalcPathRates(const CompiledPhs& sys, double time, const Instant& at, const double* state,
-                   const double* flows, double* rate, PathSlopes* slopes);
+void CalcPathRates(const CompiledPhs& sys, const PathInertances& inertances, double time,
+                   const Instant& at, const double* state, const double* flows, double* rate,
+                   PathSlopes* slopes);
 
 /// Rates of the nodes' states, given those of the volumes passed; `heat` of PathSlopes.
 void CalcAllNodeRates(const CompiledPhs& sys, const Instant& at, const double* speed,
@@ -39,12 +48,12 @@ void CalcAllNodeRates(const CompiledPhs& sys, const Instant& at, const double* s
 /// Solves a stage; `u` holds a guess and gets the solution, `F` the derivative there, `at`
 /// pressures close by and those of the solution, `slopes` (may be null) those there. False if it
 /// was not found.
-bool SolveStage(const CompiledPhs& sys, double time, double a, const Instant& start,
+bool SolveStage(const CompiledPhs& sys, const PathInertances& inertances, double time, double a, const Instant& start,
                 const StageMotion& motion, const double* base, double* u, double* F, Instant* at,
                 PathSlopes* slopes = nullptr);
 
 /// d(pressure force)/d(way) of one piston [N/m] about a solved stage, the flows answering.
-double CalcStageStiffness(const CompiledPhs& sys, double a, const Instant& at,
-                          const PathSlopes& slopes, int cylinder);
+double CalcStageStiffness(const CompiledPhs& sys, const PathInertances& inertances, double a,
+                          const Instant& at, const PathSlopes& slopes, int cylinder);
 
 }  // namespace phs::hydraulics

@@ -77,6 +77,7 @@ class FlowingChambers final : public ChamberPressures {
         h_(h),
         start_(start),
         state_(state),
+        inertances_(OwnInertances(sys)),
         end_(end),
         at_(*at) {
     for (size_t i = 0; i < sys.cylinders.size(); ++i) Move(static_cast<int>(i), move[i]);
@@ -86,8 +87,8 @@ class FlowingChambers final : public ChamberPressures {
     Move(cylinder_, move);
     double rate[kMaxStates];
     PathSlopes slopes;
-    SolveStage(sys_, time_ + h_, h_, start_, motion_, state_, end_, rate, &at_, &slopes);
-    *slope = CalcStageStiffness(sys_, h_, at_, slopes, cylinder_);
+    SolveStage(sys_, inertances_, time_ + h_, h_, start_, motion_, state_, end_, rate, &at_, &slopes);
+    *slope = CalcStageStiffness(sys_, inertances_, h_, at_, slopes, cylinder_);
     return CalcPressureForce(sys_, at_, cylinder_);
   }
   const Instant& at() const override { return at_; }
@@ -100,6 +101,7 @@ class FlowingChambers final : public ChamberPressures {
   const double time_, h_;
   const Instant& start_;
   const double* state_;
+  const PathInertances inertances_;
   double* end_;
   Instant& at_;
   StageMotion motion_;
