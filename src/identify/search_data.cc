@@ -13,6 +13,7 @@
 #include "identify/effect_variants.h"
 #include "identify/rig_data.h"
 #include "identify/search_fit.h"
+#include "identify/standstill.h"
 
 namespace phs::identify::search {
 namespace {

@@ -9,7 +9,7 @@
 #include "effects/rig_signal.h"
 #include "identify/channel_noise.h"
 #include "identify/data_checks.h"
-#include "identify/motion_smoother.h"
+#include "identify/standstill.h"
 
 namespace phs::rigs {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "effects/catalogue.h"
 #include "identify/channel_noise.h"
-#include "identify/motion_smoother.h"
+#include "identify/standstill.h"
 #include "identify/time_wave.h"
 
 namespace phs::identify::search {
