@@ -4,7 +4,9 @@
 #include <atomic>
 #include <cmath>
 #include <mutex>
+#include <span>
 
+#include "identify/effect_choice.h"
 #include "identify/effect_recipes.h"
 #include "identify/effect_reshape.h"
 #include "identify/effect_trials.h"
@@ -120,7 +122,7 @@ class Search {
   }
 
   void Record(const std::vector<FullTrial>& trials, const FitResult& without, double reference,
-              int round, std::vector<size_t>* places) {
+              int round) {
     for (const FullTrial& trial : trials) {
       CandidateRecord record;
       record.effect = trial.candidate->effect;
@@ -135,7 +137,6 @@ class Search {
                                 reference));
       }
       if (trial.fit.ok) record.evidence = Compare(problem_, without, trial.fit);
-      places->push_back(out_.candidates.size());
       out_.candidates.push_back(std::move(record));
     }
   }
@@ -149,12 +150,12 @@ class Search {
         Try(out_.corrected, out_.after, list, options_.full_fits, &reference);
     if (cancelled_) return false;
     seen_.Note(trials, out_.after.values.size(), reference);
-    std::vector<size_t> places;
-    Record(trials, out_.after, reference, round, &places);
+    const size_t first = out_.candidates.size();
+    Record(trials, out_.after, reference, round);
     int best = -1;
     for (size_t i = 0; i < trials.size(); ++i) {
       if (!trials[i].fit.ok) continue;
-      CandidateRecord& record = out_.candidates[places[i]];
+      CandidateRecord& record = out_.candidates[first + i];
       const FreeModel model = WithCandidate(out_.corrected, trials[i].form);
       record.evidence.settled = IsSettled(model, trials[i].fit, trials[i].form);
       record.verdict = Verdict(record.evidence, OnBound(model, trials[i].fit, trials[i].form),
@@ -162,14 +163,15 @@ class Search {
       if (!record.verdict.empty()) continue;
       record.verdict = kBeaten;
       if (best < 0 ||
-          record.evidence.delta_bic > out_.candidates[places[best]].evidence.delta_bic) {
+          record.evidence.delta_bic > out_.candidates[first + best].evidence.delta_bic) {
         best = static_cast<int>(i);
       }
     }
-    if (best < 0 || Overruled(trials, places, best)) return false;
-    ShapeContained(places, best, &trials);
-    best = Simplest(trials, places, best);
-    CandidateRecord& chosen = out_.candidates[places[best]];
+    const std::span<CandidateRecord> records(out_.candidates.data() + first, trials.size());
+    if (best < 0 || IsOverruled(problem_, trials, best, records)) return false;
+    ShapeContained(problem_, out_.corrected, out_.after, best, &trials, records);
+    best = FindSimplest(problem_, trials, records, best);
+    CandidateRecord& chosen = records[best];
     chosen.verdict = "accepted";
     AcceptedEffect accepted{trials[best].form, chosen.evidence, {}};
     chosen.variant = VariantName(trials[best].form);
@@ -182,66 +184,6 @@ class Search {
     out_.after = trials[best].fit;
     out_.effects.push_back(std::move(accepted));
     return true;
-  }
-
-  /// An effect that the other contains is preferred further.
-  static double Margin(const std::string& simple, const std::string& other) {
-    return IsNested(simple, other) ? 3 : 1;
-  }
-
-  /// A simpler effect that the best contains gets the form that the whole record asks for, before
-  /// the two are weighed.
-  void ShapeContained(const std::vector<size_t>& places, int best, std::vector<FullTrial>* trials) {
-    const std::string& general = (*trials)[static_cast<size_t>(best)].candidate->effect;
-    for (size_t i = 0; i < trials->size(); ++i) {
-      FullTrial& trial = (*trials)[i];
-      CandidateRecord& record = out_.candidates[places[i]];
-      if (!trial.fit.ok || record.verdict != kBeaten) continue;
-      if (!IsNested(trial.candidate->effect, general)) continue;
-      ShapeOnWhole(problem_, out_.corrected, &trial);
-      record.variant = VariantName(trial.form);
-      record.evidence = Compare(problem_, out_.after, trial.fit);
-      const FreeModel whole = WithCandidate(out_.corrected, trial.form);
-      record.evidence.settled = IsSettled(whole, trial.fit, trial.form);
-      if (OnBound(whole, trial.fit, trial.form)) record.verdict = kNotPlausible;
-    }
-  }
-
-  /// Of those that explain practically as much as the best, the one with the fewest numbers: what
-  /// differs by direction must show that it does.
-  int Simplest(const std::vector<FullTrial>& trials, const std::vector<size_t>& places,
-               int best) const {
-    int simplest = best;
-    for (size_t i = 0; i < trials.size(); ++i) {
-      if (!trials[i].fit.ok || out_.candidates[places[i]].verdict != kBeaten) continue;
-      if (trials[i].form.free.size() >= trials[static_cast<size_t>(simplest)].form.free.size()) {
-        continue;
-      }
-      const FullTrial& other = trials[static_cast<size_t>(best)];
-      if (SaysAsMuchWithLess(problem_, trials[i].fit, other.fit,
-                             Margin(trials[i].candidate->effect, other.candidate->effect))) {
-        simplest = static_cast<int>(i);
-      }
-    }
-    return simplest;
-  }
-
-  /// True if one whose numbers are not plausible explains far more than the best plausible one: the
-  /// truth is then of a form that the catalogue lacks, and no lesser effect is bent to stand for
-  /// it.
-  bool Overruled(const std::vector<FullTrial>& trials, const std::vector<size_t>& places,
-                 int best) {
-    constexpr double kFar = 0.4;  // ln of the mean square
-    const int channels = problem_.num_channels();
-    const double mine = MeanLogSquare(trials[best].fit.residual, channels);
-    for (size_t i = 0; i < trials.size(); ++i) {
-      if (!trials[i].fit.ok || out_.candidates[places[i]].verdict != kNotPlausible) continue;
-      if (MeanLogSquare(trials[i].fit.residual, channels) > mine - kFar) continue;
-      out_.candidates[places[best]].verdict =
-          trials[i].candidate->effect + " explains far more, with numbers that are not plausible";
-      return true;
-    }
-    return false;
   }
 
   /// Asked before every run of the model, so that a stop is heard at once.
@@ -277,7 +219,7 @@ class Search {
           continue;
         }
         if (SaysAsMuchWithLess(problem_, out_.after, trial.fit,
-                               Margin(old, trial.candidate->effect))) {
+                               MarginOver(old, trial.candidate->effect))) {
           continue;
         }
         // What contains it must show what it has beyond it, as an effect beside it would.
