@@ -39,9 +39,9 @@ const EffectInfo& GasThermalInfo() {
       "lines",
       "energy equation of the gas with a thermal time constant",
       {
-          {"thermal_time_s", "s", 3, 1e-4, 1e9, 0.1, 60, "tau"},
-          {"heat_capacity_ratio", "-", 1, 1, 1e4, 1, 500,
-           "(gas + filler or wall that stores heat with it) / gas"},
+          {"thermal_time_s", "s", 3, 1e-4, 1e9, 0.03, 60, "tau"},
+          {"heat_capacity_ratio", "-", 1, 0.5, 1e4, 0.55, 500,
+           "(gas + filler or wall that stores heat with it) / nitrogen; 0.6: a monatomic gas"},
           {"wall_heat_ratio", "-", 0, 0, 1e4, 0, 10,
            "r: heat capacity of the gas over that of a wall that warms up"},
           {"wall_time_s", "s", 60, 1e-3, 1e9, 2, 1000, "tau_w: wall with its surroundings"},

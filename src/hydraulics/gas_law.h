@@ -39,7 +39,7 @@ struct GasVolume {
   double reference_temperature = 0;  ///< T0 [K]
   double exponent = 1.4;             ///< n of the polytropic law, 1 … 1.7
   double thermal_time = 5;           ///< tau [s], > 0
-  double heat_capacity_ratio = 1;    ///< (gas + filler that stores heat with it) / gas, >= 1
+  double heat_capacity_ratio = 1;    ///< (gas + filler that stores heat with it) / nitrogen, >= 0.5
   double wall_heat_ratio = 0;        ///< r: heat capacity of the gas over its wall's; 0 = no wall
   double wall_time = 0;              ///< tau_w [s], > 0 with a wall
   double density_exponent = 0;       ///< m

@@ -22,7 +22,7 @@ FreeParameter FreeNumber(const EffectInfo& info, const std::string& name, double
     free.name = "effects." + info.name + "." + name;
     free.low = std::max(p.low, p.min), free.high = std::min(p.high, p.max);
     if (free.low == 0 && start > 0) free.low = start / 300;
-    free.logarithmic = free.low > 0 && free.high / free.low > 20;
+    free.logarithmic = free.low > 0 && (free.high / free.low > 20 || name == "oil_share");
     free.scale = (free.high - free.low) / (free.low > 0 ? 1 : 10);
     return free;
   }
@@ -58,12 +58,29 @@ void AddOptions(const EffectInfo& info, const Recipe& recipe, Candidate* candida
   }
 }
 
+/// The starts of a precharge stand for a declared one of 15 MPa.
+void ScalePrecharge(const PhsParams& params, Candidate* candidate) {
+  constexpr double kWritten_Pa = 15e6;
+  double declared = 0;
+  for (const auto& line : params.lines) {
+    if (line.accumulator.volume_m3 > 0) {
+      declared = std::max(declared, line.accumulator_precharge_Pa);
+    }
+  }
+  if (declared == 0) return;
+  const FreeParameter& p = candidate->free[0];
+  for (std::vector<double>& start : candidate->starts) {
+    start[0] = std::clamp(start[0] * declared / kWritten_Pa, p.low, p.high);
+  }
+}
+
 void AddVariants(const Recipe& recipe, const PhsParams& params, effects::RigKind kind,
                  std::vector<Candidate>* out) {
   const EffectInfo* info = effects::Catalogue().Find(recipe.effect);
   if (info == nullptr) return;
   Candidate candidate = MakeCandidate(*info, recipe.free, recipe.starts, recipe.fixed);
   AddOptions(*info, recipe, &candidate);
+  if (candidate.effect == "accumulator_precharge") ScalePrecharge(params, &candidate);
   if (recipe.spread != Spread::kAlone) out->push_back(candidate);
   std::vector<std::string> places;
   if (info->targets == "lines") {

@@ -1,15 +1,28 @@
 #include "identify/effect_verdict.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace phs::identify::search {
 
 namespace {
 
+/// A precharge is not known better than this [of its value]: one that differs less is the declared.
+bool IsDeclaredPrecharge(const FreeModel& model, const FitResult& fit, const Candidate& candidate,
+                         size_t base) {
+  constexpr double kKnown = 2e-3;
+  if (candidate.effect != "accumulator_precharge") return false;
+  return std::any_of(model.params.lines.begin(), model.params.lines.end(), [&](const auto& line) {
+    return line.accumulator.volume_m3 > 0 &&
+           std::abs(fit.values[base] / line.accumulator_precharge_Pa - 1) < kKnown;
+  });
+}
+
 /// `base`: where the candidate's numbers begin.
 bool IsOnBound(const FreeModel& model, const FitResult& fit, const Candidate& candidate,
                size_t base) {
   constexpr double kTiny = 1e-3;
+  if (IsDeclaredPrecharge(model, fit, candidate, base)) return true;
   int nil = 0;
   for (int k = 0; k < candidate.mains; ++k) {
     const FreeParameter& p = model.free[base + static_cast<size_t>(k)];
@@ -71,7 +84,7 @@ std::string Verdict(const Evidence& e, bool on_bound, bool first, const SearchOp
   const bool sure = !first && e.settled && e.delta_bic >= kStrong;
   const bool strong = sure && e.cross_validation_gain > 0.7 * e.estimation_gain;
   const double much = strong ? kMuchWhereStrong : kMuch;
-  if (const std::string no = Significance(e, options); !no.empty()) return no;
+  if (std::string no = Significance(e, options); !no.empty()) return no;
   if (sure && !on_bound && e.pressure_removed >= kMuchOfPressure) return "";
   if (e.estimation_gain < options.min_gain && e.best_channel_gain < options.min_channel_gain) {
     return "gain too small";
@@ -87,7 +100,7 @@ std::string Verdict(const Evidence& e, bool on_bound, bool first, const SearchOp
 
 std::string FormulaVerdict(const Evidence& e, double gain, bool first,
                            const SearchOptions& options) {
-  if (const std::string no = Significance(e, options); !no.empty()) return no;
+  if (std::string no = Significance(e, options); !no.empty()) return no;
   const double least = first ? options.min_channel_gain : options.min_formula_gain;
   if (gain < least || e.excess_removed < options.min_first_removed) {
     return "explains too little of what is left";

@@ -12,7 +12,8 @@ inline constexpr const char* kNotPlausible = "value not plausible";
 inline constexpr const char* kBeaten = "another explains more";
 
 /// True if the amount of the candidate ended on a bound: not plausible, or not there. Where it has
-/// two amounts, one of them may be nil. `model` ends with the candidate's numbers.
+/// two amounts, one of them may be nil. A precharge within 0.2 % of the declared one, which no
+/// gauge tells from it, is not there either. `model` ends with the candidate's numbers.
 bool OnBound(const FreeModel& model, const FitResult& fit, const Candidate& candidate);
 
 /// The same of any of `effects`, whose numbers follow the first `declared` of `model` in turn.

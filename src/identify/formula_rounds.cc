@@ -45,8 +45,13 @@ void ChallengeByFormula(const FitProblem& problem, const FitProblem& coarse,
   if (!trial.fit.ok || IsTheirFriction(trial.found, found->effects)) return;
   const Evidence over = Compare(problem, found->after, trial.fit);
   SearchOptions rules = options;
-  // With fewer numbers it need not take a large share of what the others leave.
+  // With fewer numbers it need not take a large share of what the others leave; where several
+  // effects are bent to one form, it need only say as much as they.
+  constexpr size_t kChosen = 2;  // the formula's form and place
   if (trial.fit.values.size() < found->after.values.size()) rules.min_first_removed = 0;
+  if (found->effects.size() > 1 && trial.fit.values.size() + kChosen < found->after.values.size()) {
+    rules.min_gain = 0;
+  }
   const bool form =
       IsTheirVolume(trial.found, found->effects) && !IsFarBetter(trial.fit, found->after, over);
   if (form || !Verdict(over, false, true, rules).empty()) {

@@ -153,6 +153,9 @@ TEST(EffectForms, FillerKeepsTheGasNearTheTemperatureOfItsSurroundings) {
   EXPECT_NEAR(
       PowerLawRatio({{"thermal_time_s", 1e6}, {"heat_capacity_ratio", 4}}, 1 + kAdiabaticRise / 4),
       1, 2e-3);
+  // A gas of single atoms: 5/3.
+  EXPECT_NEAR(PowerLawRatio({{"thermal_time_s", 1e6}, {"heat_capacity_ratio", 0.6}}, 5.0 / 3), 1,
+              2e-3);
 }
 
 TEST(EffectForms, AWallThatLosesNothingActsAsAFillerAndOneThatLosesAllAsSurroundings) {

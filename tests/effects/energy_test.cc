@@ -103,6 +103,7 @@ TEST(EnergyOfForms, WorkIsStoredPlusLost) {
         {"polytropic_exponent", 1.3}}},
       {"gas_thermal", {{"heat_capacity_ratio", 5}, {"rod_ratio", 0.5}, {"accumulator_ratio", 3}}},
       {"gas_thermal", {{"heat_capacity_ratio", 5}, {"real_gas", 1}}},
+      {"gas_thermal", {{"heat_capacity_ratio", 0.6}}},
       {"gas_thermal", {{"thermal_time_s", 0.3}, {"wall_heat_ratio", 2}, {"wall_time_s", 0.5}}},
       {"gas_thermal", {{"wall_heat_ratio", 2}, {"wall_time_s", 0.5}, {"real_gas", 1}}},
       {"gas_thermal", {{"thermal_time_s", 0.3}, {"density_exponent", 0.7}}},

@@ -1,0 +1,54 @@
+// The precharge of blow-off accumulators: sought about the declared one, and not found in it.
+#include <gtest/gtest.h>
+
+#include "effects/catalogue.h"
+#include "identify/effect_verdict.h"
+#include "identify/search_fit.h"
+
+namespace phs::identify::search {
+namespace {
+
+hydraulics::PhsParams WithPrecharge(double precharge_Pa) {
+  hydraulics::PhsParams params = effects::FindPhsParams("quarter_setup2").value();
+  for (auto& line : params.lines) line.accumulator_precharge_Pa = precharge_Pa;
+  return params;
+}
+
+Candidate PrechargeOf(const hydraulics::PhsParams& params) {
+  for (const Candidate& c : ListCandidates(params, effects::RigKind::kQuarter)) {
+    if (c.effect == "accumulator_precharge" && c.params.targets.empty()) return c;
+  }
+  ADD_FAILURE() << "no such candidate";
+  return {};
+}
+
+TEST(PrechargeTest, StartsLieAboutTheDeclaredOne) {
+  for (const double declared : {10e6, 15e6, 19e6}) {
+    const Candidate c = PrechargeOf(WithPrecharge(declared));
+    double below = 0, above = 1e9;  // the nearest
+    for (const auto& start : c.starts) {
+      EXPECT_GE(start[0], c.free[0].low);
+      EXPECT_LE(start[0], c.free[0].high);
+      if (start[0] < declared) below = std::max(below, start[0]);
+      if (start[0] > declared) above = std::min(above, start[0]);
+    }
+    EXPECT_NEAR(below / declared, 0.99, 1e-9) << "half a per cent is found from here";
+    EXPECT_NEAR(above / declared, 1.01, 1e-9);
+  }
+}
+
+TEST(PrechargeTest, WhatNoGaugeTellsFromTheDeclaredOneIsNotMissing) {
+  const hydraulics::PhsParams params = WithPrecharge(15e6);
+  const Candidate c = PrechargeOf(params);
+  FreeModel model;
+  model.params = params;
+  model = WithCandidate(model, c);
+  FitResult fit;
+  for (const auto& [value, there] : {std::pair{14.93e6, true}, {15.06e6, true}, {14.99e6, false}}) {
+    fit.values = {value};
+    EXPECT_EQ(OnBound(model, fit, c), !there) << value;
+  }
+}
+
+}  // namespace
+}  // namespace phs::identify::search
