@@ -20,6 +20,7 @@ TEST(Readable, ChannelsAndParameters) {
   Expect("track_radius_m", "track radius", "m", 1);
   Expect("speed_m_s", "speed", "m/s", 1);
   Expect("stribeck_speed_m_s", "stribeck speed", "m/s", 1);
+  Expect("acceleration_m_s2", "acceleration", "m/s²", 1);
   Expect("lead_outer_T_gamma_N", "lead outer T gamma", "N", 1);
   Expect("free_air_m3", "free air", "cm³", 1e6);
   Expect("friction", "friction", "–", 1);
