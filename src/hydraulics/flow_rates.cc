@@ -14,8 +14,8 @@
 // g = 1 - 1/sqrt(2) in both.
 // A column of oil of inertance I between chambers that stiffen it by K = dp/dV would ring slower by
 // c w², w = h sqrt(K/I) [rad] per step, through these stages: their R(z) = (1 + (1 - 2 g) z)/(1 - g
-// z)² is e^z + c z³ + …, c = 3 g² - 2 g³ - 1/6 = 0.0404. A step takes I/(1 + 2 c w²), which rings at
-// the frequency of I to 0.03 % at w = 0.6 and to 0.5 % at 1.2, instead of 1.4 % and 5.2 %.
+// z)² is e^z + c z³ + …, c = 3 g² - 2 g³ - 1/6 = 0.0404. A step takes I/(1 + 2 c w²), which rings
+// at the frequency of I to 0.03 % at w = 0.6 and to 0.5 % at 1.2, instead of 1.4 % and 5.2 %.
 // Pistons move with a speed that is linear over a step, given by its mean and its end. What they
 // push is integrated by the same stages: v1 = (mean - g end)/(1 - g), which is the speed at t + g
 // h, and `end`; the end of the way is exact. Oil that hardly yields then flows at the end of a step
@@ -41,7 +41,7 @@ void CalcDerivative(const CompiledPhs& sys, double time, const Instant& at, cons
 // The inertances with which the columns of oil ring at their own frequencies in steps of h.
 PathInertances RingingInertances(const CompiledPhs& sys, double h, const Instant& start) {
   constexpr double kSlower = 2 * (kGamma * kGamma * (3 - 2 * kGamma) - 1.0 / 6);
-  constexpr double kFollowed = 2.5;   // [rad] per step: what rings faster is damped away
+  constexpr double kFollowed = 2.5;  // [rad] per step: what rings faster is damped away
   PathInertances out = OwnInertances(sys);
   for (size_t k = 0; k < sys.paths.size(); ++k) {
     if (sys.paths[k].flow < 0) continue;
@@ -110,13 +110,15 @@ bool TwoStages(const CompiledPhs& sys, double time, double h, const Instant& sta
   }
   Instant at = start;
   const PathInertances inertances = RingingInertances(sys, h, start);
-  bool solved = SolveStage(sys, inertances, time + a, a, start, FirstStage(sys, h, speeds), state, u, F1, &at);
+  bool solved = SolveStage(sys, inertances, time + a, a, start, FirstStage(sys, h, speeds), state,
+                           u, F1, &at);
   for (int i = first; i < count; ++i) {
     base[i] = state[i] + (1 - kGamma) * h * F1[i];
     u[i] = base[i] + a * F1[i];
   }
-  solved =
-      SolveStage(sys, inertances, time + h, a, start, LastStage(sys, h, speeds), base, u, F2, &at) && solved;
+  solved = SolveStage(sys, inertances, time + h, a, start, LastStage(sys, h, speeds), base, u, F2,
+                      &at) &&
+           solved;
   for (int i = first; i < count; ++i) rate[i] = (u[i] - state[i]) / h;
   return solved;
 }
