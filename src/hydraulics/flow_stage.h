@@ -48,9 +48,9 @@ void CalcAllNodeRates(const CompiledPhs& sys, const Instant& at, const double* s
 /// Solves a stage; `u` holds a guess and gets the solution, `F` the derivative there, `at`
 /// pressures close by and those of the solution, `slopes` (may be null) those there. False if it
 /// was not found.
-bool SolveStage(const CompiledPhs& sys, const PathInertances& inertances, double time, double a, const Instant& start,
-                const StageMotion& motion, const double* base, double* u, double* F, Instant* at,
-                PathSlopes* slopes = nullptr);
+bool SolveStage(const CompiledPhs& sys, const PathInertances& inertances, double time, double a,
+                const Instant& start, const StageMotion& motion, const double* base, double* u,
+                double* F, Instant* at, PathSlopes* slopes = nullptr);
 
 /// d(pressure force)/d(way) of one piston [N/m] about a solved stage, the flows answering.
 double CalcStageStiffness(const CompiledPhs& sys, const PathInertances& inertances, double a,

@@ -87,7 +87,8 @@ class FlowingChambers final : public ChamberPressures {
     Move(cylinder_, move);
     double rate[kMaxStates];
     PathSlopes slopes;
-    SolveStage(sys_, inertances_, time_ + h_, h_, start_, motion_, state_, end_, rate, &at_, &slopes);
+    SolveStage(sys_, inertances_, time_ + h_, h_, start_, motion_, state_, end_, rate, &at_,
+               &slopes);
     *slope = CalcStageStiffness(sys_, inertances_, h_, at_, slopes, cylinder_);
     return CalcPressureForce(sys_, at_, cylinder_);
   }

@@ -1,6 +1,6 @@
 #include "identify/effect_choice.h"
 
-#include "identify/effect_recipes.h"
+#include "identify/effect_options.h"
 #include "identify/effect_reshape.h"
 #include "identify/effect_verdict.h"
 

@@ -1,8 +1,6 @@
-// The effects of the catalogue as a search tries them: a table of variants, and of the numbers that
-// may be freed on top of each.
+// The effects of the catalogue as a search tries them: a table of variants.
 #pragma once
 
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -24,17 +22,5 @@ struct Recipe {
 const std::vector<Recipe>& Hydraulic();
 const std::vector<Recipe>& FrictionAndMounting();
 const std::vector<Recipe>& InstrumentAndEnvironment();
-
-/// What a form may take on beyond its core, by effect.
-struct OptionRow {
-  const char* effect;
-  std::vector<const char*> free;
-  std::vector<std::vector<double>> starts;
-};
-
-const std::vector<OptionRow>& Options();
-
-/// True if `simple` is `general` with some of its numbers equal or nil.
-bool IsNested(const std::string& simple, const std::string& general);
 
 }  // namespace phs::identify::search

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-#include "identify/effect_recipes.h"
+#include "identify/effect_options.h"
 #include "identify/effect_trials.h"
 #include "identify/effect_verdict.h"
 #include "identify/fit_intervals.h"

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "effects/catalogue.h"
+#include "identify/effect_options.h"
 #include "identify/effect_recipes.h"
 
 namespace phs::identify::search {

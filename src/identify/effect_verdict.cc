@@ -12,8 +12,11 @@ bool IsDeclaredPrecharge(const FreeModel& model, const FitResult& fit, const Can
                          size_t base) {
   constexpr double kKnown = 2e-3;
   if (candidate.effect != "accumulator_precharge") return false;
+  const auto& targets = candidate.params.targets;
   return std::any_of(model.params.lines.begin(), model.params.lines.end(), [&](const auto& line) {
-    return line.accumulator.volume_m3 > 0 &&
+    const bool meant =
+        targets.empty() || std::find(targets.begin(), targets.end(), line.name) != targets.end();
+    return meant && line.accumulator.volume_m3 > 0 &&
            std::abs(fit.values[base] / line.accumulator_precharge_Pa - 1) < kKnown;
   });
 }

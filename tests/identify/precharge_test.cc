@@ -48,6 +48,13 @@ TEST(PrechargeTest, WhatNoGaugeTellsFromTheDeclaredOneIsNotMissing) {
     fit.values = {value};
     EXPECT_EQ(OnBound(model, fit, c), !there) << value;
   }
+  // Of one line, whatever the other's precharge.
+  Candidate alone = c;
+  alone.params.targets = {model.params.lines[0].name};
+  model.params.lines[1].accumulator_precharge_Pa = 12e6;
+  model.params.lines[0].accumulator.volume_m3 = model.params.lines[1].accumulator.volume_m3 = 7e-4;
+  fit.values = {12.01e6};
+  EXPECT_FALSE(OnBound(model, fit, alone));
 }
 
 }  // namespace
