@@ -61,6 +61,14 @@ bool Binding::Concerns(const mjModel* m) {
 }
 
 Result<std::unique_ptr<Binding>> Binding::Create(mjModel* m, const AttachOptions& options) {
+  if (m->opt.integrator == mjINT_IMPLICIT) {
+    return Error{"MJCF <option integrator>", "is 'implicit'", "Euler, RK4",
+                 "Euler takes creep and dampers implicitly here"};
+  }
+  if ((m->opt.disableflags & (mjDSBL_PASSIVE | mjDSBL_ACTUATION)) != 0) {
+    return Error{"MJCF <flag>", "switches passive forces or actuation off",
+                 "passive=\"enable\" actuation=\"enable\"", ""};
+  }
   auto binding = std::make_unique<Binding>();
   if (Status s = binding->BindWheelsets(m); !s.ok()) return s.error();
   if (!binding->wheelsets_.empty()) {
@@ -167,7 +175,7 @@ Status Binding::BindCoupler(const mjModel* m, const AttachOptions& options) {
 }
 
 Status Binding::BindPhs(mjModel* m, const AttachOptions& options) {
-  int next = UserData::kHeader + UserData::kPerWheelset * static_cast<int>(wheelsets_.size());
+  int next = UserData::kHeader + m->nv;
   for (const NamedTuple& tuple : TuplesWithPrefix(m, "phs:")) {
     PhsBinding p;
     p.name = tuple.name;
@@ -220,8 +228,10 @@ Status Binding::BindPhs(mjModel* m, const AttachOptions& options) {
     }
     p.state_actuator.resize(num_states);
     p.forces_at = next;
-    p.rates_at = p.forces_at + num_cylinders;
-    next = p.rates_at + num_states;
+    p.speeds_at = p.forces_at + num_cylinders;
+    p.rates_at = p.speeds_at + num_cylinders;
+    p.states_at = p.rates_at + num_states;
+    next = p.states_at + num_states;
     phs_.push_back(std::move(p));
   }
   if (next > m->nuserdata) {
@@ -245,35 +255,6 @@ Status Binding::BindPhs(mjModel* m, const AttachOptions& options) {
     }
   }
   return {};
-}
-
-void Binding::LendDamping(mjModel* m, const mjData* d) {
-  Release(m);
-  for (size_t i = 0; i < wheelsets_.size(); ++i) {
-    const WheelsetState state = CalcWheelset(m, d, static_cast<int>(i));
-    double damping = 0;
-    for (const rail::WheelRailForces& wheel : state.wheel) {
-      for (int k = 0; k < wheel.count; ++k) {
-        const rail::ContactPatch& patch = wheel.patch[k];
-        const double f11 = wheel_rail_->LongitudinalCoefficient(patch, state.speed);
-        const double speed = std::max(state.speed, wheel_rail_->params().speed_floor);
-        damping += patch.weight * f11 * patch.rolling_radius * patch.rolling_radius / speed;
-      }
-    }
-    // Only what the step needs: with inertia I the explicit step rings for c h/I > 1 and fails near
-    // 2, less what the longitudinal creep of the same wheels takes of it. Lending c - I/h keeps c
-    // h/(I + h B) at or below 1. It acts like an added inertia h B, so none is lent without need.
-    const int dof = wheelsets_[i].spin_dof;
-    const double inertia = 1 / m->dof_invweight0[dof];
-    wheelsets_[i].lent_damping = std::max(0.0, damping - inertia / m->opt.timestep);
-    m->dof_damping[dof] += wheelsets_[i].lent_damping;
-  }
-}
-
-void Binding::Release(mjModel* m) const {
-  for (const WheelsetBinding& w : wheelsets_) {
-    m->dof_damping[w.spin_dof] -= w.lent_damping;
-  }
 }
 
 }  // namespace phs::plugin

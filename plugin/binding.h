@@ -1,15 +1,14 @@
 // A model bound to the physics: names resolved to ids, profiles, track and PHS systems loaded.
 // Immutable once made; every query is a pure function of (m, d) and safe from many threads.
 //
-// Per step MuJoCo calls Passive (contact forces, returned lent damping, PHS evaluated), Control
-// (speed hold), and for each PHS actuator ActDyn and Bias. The PHS is evaluated once in Passive and
-// handed to the per-actuator callbacks through d->userdata, which is rewritten at every call and so
-// carries no history (layout: UserData below).
+// Per step MuJoCo calls Passive (contact forces, dampers and PHS at the speed of the instant:
+// half_step.h), Control (speed hold), and for each PHS actuator ActDyn and Bias. All is evaluated
+// once in Passive; what the other callbacks and readers of results need stands in d->userdata,
+// which is rewritten at every call and so carries no history (layout: UserData below). The model
+// itself is not changed, but for the key named "test".
 //
-// Lent damping. Creep resists the spin of a wheelset with c = sum f11 r^2 / V [N m s/rad], too
-// stiff for an explicit step at low speed. MuJoCo's Euler step is implicit in joint damping only.
-// So on attaching, dof_damping of each spin joint is raised by B = c, and Passive adds +B omega
-// back: forces are unchanged, the step becomes (M + h B) a = f, backward Euler for that mode.
+// With the Runge-Kutta integrator forces and rates are those of the instant; so are they while an
+// InstantForces lives, for readers of mj_forward.
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -57,7 +56,6 @@ struct WheelsetBinding {
   int spin_dof = -1;
   int yaw_joint = -1;       ///< primary yaw joint, or -1
   int drive_actuator = -1;  ///< or -1
-  double lent_damping = 0;  ///< [N m s/rad]
   std::vector<int> dofs;    ///< of the body and its ancestors
 };
 
@@ -70,11 +68,14 @@ struct PhsBinding {
   std::vector<double> length0;      ///< tendon length at rest [m]
   std::vector<int> state_actuator;  ///< actuator id that carries each state
   int forces_at = 0;                ///< userdata: actuator force per cylinder [N]
+  int speeds_at = 0;                ///< userdata: speed of the instant per cylinder [m/s]
   int rates_at = 0;                 ///< userdata: mean state rate per state
+  int states_at = 0;                ///< userdata: the states that the forces belong to
 };
 
-/// d->userdata, first entries; then six values per wheelset (moment about the centre of mass of the
-/// tree, force, of the elastic contact forces, world axes: for the books of energy); then the PHS.
+/// d->userdata, first entries; then the speed of the instant of every dof (w of half_step.h); then
+/// the PHS. All belong to the position that MuJoCo last worked out, also after mj_step, when qpos,
+/// qvel and act have gone on already.
 struct UserData {
   static constexpr int kCreepPower = 0;     ///< lost to slip, all wheels [W]
   static constexpr int kContactPower = 1;   ///< lost to contact and support damping [W]
@@ -86,8 +87,9 @@ struct UserData {
   static constexpr int kMaxLateral = 7;     ///< largest |lateral| of a wheelset [m]
   static constexpr int kTrainPower = 8;     ///< given by the train at the coupler [W]
   static constexpr int kBrakePower = 9;     ///< lost at the brake blocks [W]
-  static constexpr int kHeader = 10;
-  static constexpr int kPerWheelset = 6;
+  static constexpr int kDamperPower = 10;   ///< lost in dampers of joints and tendons [W]
+  static constexpr int kDrivePower = 11;    ///< given by the drives [W]
+  static constexpr int kHeader = 12;
 };
 
 /// Forces and motion of one wheelset at one instant (T axes: x forward, y left, z up).
@@ -99,12 +101,26 @@ struct WheelsetState {
   double yaw = 0;                  ///< against the radial direction = angle of attack [rad]
   double roll = 0;                 ///< [rad]
   double speed = 0;                ///< along the track [m/s]
+  double spin = 0;                 ///< [rad/s]
   rail::WheelRailForces wheel[2];  ///< by rail::Side, C axes
   rail::Vec3 force{};              ///< on the wheelset, world [N]
   rail::Vec3 moment{};             ///< about its centre, world [N m]
   rail::Vec3 moment_T{};           ///< the same in T axes [N m]
-  rail::Vec3 elastic_force{};      ///< elastic part of `force`, world [N]
-  rail::Vec3 elastic_moment{};     ///< about the centre, world [N m]
+};
+
+/// Takes the forces of the instant (no half step) from mj_forward as long as it lives.
+class InstantForces {
+ public:
+  explicit InstantForces(mjModel* m) : m_(m), integrator_(m->opt.integrator) {
+    m->opt.integrator = mjINT_RK4;  // mj_forward itself does not look at it
+  }
+  ~InstantForces() { m_->opt.integrator = integrator_; }
+  InstantForces(const InstantForces&) = delete;
+  InstantForces& operator=(const InstantForces&) = delete;
+
+ private:
+  mjModel* m_;
+  int integrator_;
 };
 
 /// PHS values at one instant; vectors sized by the system.
@@ -117,8 +133,7 @@ struct PhsState {
 
 class Binding {
  public:
-  /// Resolves names and loads data. Changes dof_damping of the spin joints and, if the model has a
-  /// key named "test", fills it with the settled running state. Errors name the MJCF element.
+  /// Resolves names and loads data. Errors name the MJCF element.
   static Result<std::unique_ptr<Binding>> Create(mjModel* m, const AttachOptions& options);
   /// True if the model names at least one wheelset or PHS system.
   static bool Concerns(const mjModel* m);
@@ -130,6 +145,10 @@ class Binding {
   double ActDyn(const mjModel* m, const mjData* d, int actuator) const noexcept;
   double Bias(const mjData* d, int actuator) const noexcept;
 
+  /// States of the cylinders go on by `h` while they move from where (m, d) has them at the speeds
+  /// qvel: for readers that prescribe the motion.
+  void AdvanceStates(const mjModel* m, mjData* d, double h) const noexcept;
+  /// A wheelset and its forces at the speed of the instant.
   WheelsetState CalcWheelset(const mjModel* m, const mjData* d, int index) const noexcept;
   /// Allocates; for recording, not for the step itself.
   PhsState CalcPhs(const mjModel* m, const mjData* d, int index) const;
@@ -142,19 +161,37 @@ class Binding {
   double target_speed() const { return target_speed_; }
   double start_s() const { return start_s_; }
   double friction() const { return friction_; }
-  /// Undoes the changes to the model (lent damping).
-  void Release(mjModel* m) const;
-  /// Sets the lent damping from the running state in `d` (settled at speed).
-  void LendDamping(mjModel* m, const mjData* d);
+  /// Speed of the instant of every dof [nv], as the last call of Passive left it.
+  const double* Speed(const mjData* d) const { return d->userdata + UserData::kHeader; }
 
  private:
   Status LoadRail(mjModel* m, const AttachOptions& options);
   Status BindWheelsets(mjModel* m);
   Status BindCoupler(const mjModel* m, const AttachOptions& options);
   Status BindPhs(mjModel* m, const AttachOptions& options);
-  void AddWheelsetForces(const mjModel* m, mjData* d) const noexcept;
-  void AddRunningForces(const mjModel* m, mjData* d) const noexcept;
-  void EvaluatePhs(const mjModel* m, mjData* d) const noexcept;
+  struct PressedWheelset;
+  struct Work;
+  void PressWheelset(const mjData* d, int index, PressedWheelset* at) const noexcept;
+  void MoveWheelset(const mjModel* m, const mjData* d, int index, const double* speed,
+                    PressedWheelset* at, rail::WheelDamping* damping) const noexcept;
+  /// Forces of wheels, train, brakes and cylinders at `speed` [nv] into work->force; powers and
+  /// cylinder forces into userdata. With `slopes` also the rows of the contacts' damping into
+  /// work->matrix.
+  void CalcForces(const mjModel* m, mjData* d, const double* speed, bool slopes,
+                  Work* work) const noexcept;
+  void AddWheelsetForces(const mjModel* m, mjData* d, const double* speed, bool slopes,
+                         Work* work) const noexcept;
+  void AddRunningForces(const mjModel* m, mjData* d, const double* speed, bool slopes,
+                        Work* work) const noexcept;
+  void AddCylinderForces(const mjModel* m, mjData* d, const double* speed,
+                         Work* work) const noexcept;
+  void AddCylinderSlopes(const mjModel* m, const mjData* d, bool secant, Work* work) const noexcept;
+  void AddDrives(const mjModel* m, mjData* d, Work* work) const noexcept;
+  void HalfStep(const mjModel* m, mjData* d, Work* work) const noexcept;
+  void CalcRest(const mjModel* m, mjData* d, Work* work) const noexcept;
+  void CalcRates(mjData* d, double h) const noexcept;
+  void BookPowers(const mjModel* m, mjData* d, Work* work) const noexcept;
+  double DriveControl(const mjModel* m, const mjData* d, const WheelsetBinding& w) const noexcept;
 
   std::unique_ptr<rail::Track> track_;
   std::unique_ptr<rail::WheelRail> wheel_rail_;

@@ -210,10 +210,9 @@ void Observer::Observe(const mjModel* m, const mjData* d, double* row) const {
     *out++ = JointPosition(m, d, w.yaw_joint);
     *out++ = right.y - left.y;
     *out++ = state.wheel[0].force[0] + state.wheel[1].force[0];
-    *out++ =
-        state.speed > 0
-            ? d->qvel[w.spin_dof] * binding_.wheel_rail().params().wheel_radius / state.speed - 1
-            : 0.0;
+    *out++ = state.speed > 0
+                 ? state.spin * binding_.wheel_rail().params().wheel_radius / state.speed - 1
+                 : 0.0;
     *out++ = state.moment_T[2];
     *out++ = JointForce(m, d, w.yaw_joint);
     PhsMoment moment;
@@ -261,21 +260,22 @@ void Observer::Observe(const mjModel* m, const mjData* d, double* row) const {
   }
 }
 
-PhsState Binding::CalcPhs(const mjModel* m, const mjData* d, int index) const {
+PhsState Binding::CalcPhs(const mjModel*, const mjData* d, int index) const {
   const PhsBinding& p = phs_[index];
   PhsState s;
-  for (size_t i = 0; i < p.cylinder.size(); ++i) {
-    s.displacement.push_back(d->actuator_length[p.cylinder[i]] - p.length0[i]);
-    s.speed.push_back(d->actuator_velocity[p.cylinder[i]]);
+  for (int i = 0; i < p.system->num_cylinders(); ++i) {
+    const size_t at = static_cast<size_t>(i);
+    s.displacement.push_back(d->actuator_length[p.cylinder[at]] - p.length0[at]);
+    s.speed.push_back(d->userdata[p.speeds_at + i]);
   }
-  for (const int a : p.state_actuator) s.state.push_back(d->act[a - (m->nu - m->na)]);
+  for (int i = 0; i < p.system->num_states(); ++i) s.state.push_back(d->userdata[p.states_at + i]);
   for (auto* v : {&s.force, &s.pressure_force, &s.friction_force, &s.piston, &s.p_bore, &s.p_rod}) {
     v->resize(p.cylinder.size());
   }
   s.pressure.resize(p.system->num_lines());
-  hydraulics::PhsOutputs out{s.force.data(),   s.pressure_force.data(), s.friction_force.data(),
-                             s.piston.data(),  s.p_bore.data(),         s.p_rod.data(),
-                             s.pressure.data()};
+  hydraulics::PhsOutputs out{s.force.data(),  s.pressure_force.data(), s.friction_force.data(),
+                             s.piston.data(), s.p_bore.data(),         s.p_rod.data(),
+                             nullptr,         s.pressure.data()};
   p.system->Calc(d->time, s.displacement.data(), s.speed.data(), s.state.data(), &out);
   s.stored_energy = out.stored_energy;
   s.lost_power = out.lost_power;

@@ -101,7 +101,7 @@ Status Attach(mjModel* m, const AttachOptions& options) {
   Detach(m);
   auto created = Binding::Create(m, options);
   if (!created.ok()) return created.error();
-  Binding* binding = created.value().get();
+  const Binding* binding = created.value().get();
   State& state = Global();
   {
     const std::lock_guard<std::mutex> lock(state.mutex);
@@ -109,17 +109,14 @@ Status Attach(mjModel* m, const AttachOptions& options) {
     state.bindings[m] = std::move(created).value();
     ++state.version;
   }
-  if (Status s = PrepareStart(m, binding); !s.ok()) {
+  if (Status s = PrepareStart(m, *binding); !s.ok()) {
     Detach(m);
     return s;
   }
   return {};
 }
 
-void Detach(mjModel* m) {
-  if (const Binding* binding = Find(m)) binding->Release(m);
-  Erase(m);
-}
+void Detach(mjModel* m) { Erase(m); }
 
 void Forget(const mjModel* m) { Erase(m); }
 

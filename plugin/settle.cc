@@ -159,24 +159,23 @@ void StoreStart(mjModel* m, const mjData* d) {
 
 }  // namespace
 
-Status PrepareStart(mjModel* m, Binding* binding) {
-  if (!binding->has_rail()) return {};
+Status PrepareStart(mjModel* m, const Binding& binding) {
+  if (!binding.has_rail()) return {};
+  const InstantForces instant(m);
   const DataPtr data(mj_makeData(m), &mj_deleteData);
-  PlaceVehicle(m, *binding, data.get());
-  const std::vector<int> dofs = SettlingDofs(m, *binding);
+  PlaceVehicle(m, binding, data.get());
+  const std::vector<int> dofs = SettlingDofs(m, binding);
   Settle(m, dofs, data.get());
-  RollFreely(m, *binding, data.get());
+  RollFreely(m, binding, data.get());
   const double left = Settle(m, dofs, data.get());
   // A vehicle that is left with more than a thousandth of gravity does not stand.
   if (!(left < 1e-2)) {
-    return Error{ObjectName(m, mjOBJ_BODY, m->body_rootid[binding->wheelsets()[0].body]),
-                 "does not come to rest on track '" + binding->track().name() +
+    return Error{ObjectName(m, mjOBJ_BODY, m->body_rootid[binding.wheelsets()[0].body]),
+                 "does not come to rest on track '" + binding.track().name() +
                      "' (acceleration left: " + std::to_string(left) + ")",
                  "wheelsets that stand on straight, level track at the start",
                  "check wheel radius, flange-back distance, gauge and start position"};
   }
-  mj_forward(m, data.get());
-  binding->LendDamping(m, data.get());
   StoreStart(m, data.get());
   return {};
 }

@@ -68,8 +68,7 @@ AxleMode Measure(const plugin::Binding& binding, const mjModel* m, mjData* d,
     // States go on over the step that the motion really makes, so that they do not lag behind it.
     const double next = amplitude * std::sin(omega * h * (i + 1));
     for (int k = 0; k < 2; ++k) d->qvel[joints.dof[k]] = pattern.sign[k] * (next - u) / h;
-    mj_forward(m, d);
-    for (int a = 0; a < m->na; ++a) d->act[a] += h * d->act_dot[a];
+    binding.AdvanceStates(m, d, h);
     d->time += h;
     if (i == 0) mean_start = force;
     if (i < (kCycles - 1) * per_cycle) continue;
@@ -149,6 +148,7 @@ Result<AxleModes> MeasureAxleModes(const vehicle::Simulation& simulation,
   const vehicle::DataPtr data(mj_makeData(m));
   AxleModes modes;
   const plugin::Binding& binding = simulation.binding();
+  const plugin::InstantForces instant = simulation.Instant();
   LiftOff(m, data.get());
   modes.plan = MakePlan(binding, bogies[0], m, data.get());
   for (const AxlePattern& pattern : kAxlePatterns) {

@@ -8,24 +8,6 @@
 namespace phs::analysis {
 namespace {
 
-/// Engine settings during the differences; put back on leaving.
-class InstantSettings {
- public:
-  InstantSettings(mjModel* m, const plugin::Binding& binding)
-      : m_(m), integrator_(m->opt.integrator), drives_off_(m, binding) {
-    // With RK4 the plugin gives rates at the instant; mj_forward itself does not look at it.
-    m->opt.integrator = mjINT_RK4;
-  }
-  ~InstantSettings() { m_->opt.integrator = integrator_; }
-  InstantSettings(const InstantSettings&) = delete;
-  InstantSettings& operator=(const InstantSettings&) = delete;
-
- private:
-  mjModel* m_;
-  int integrator_;
-  DrivesOff drives_off_;
-};
-
 /// Accelerations and state rates at running + delta.
 Eigen::VectorXd Rates(const mjModel* m, const mjData* running, const Eigen::VectorXd& delta,
                       mjData* d) {
@@ -41,7 +23,8 @@ Eigen::VectorXd Rates(const mjModel* m, const mjData* running, const Eigen::Vect
 
 LinearModel Linearise(mjModel* m, const plugin::Binding& binding, const mjData* running,
                       const DifferenceSteps& steps) {
-  const InstantSettings settings(m, binding);
+  const plugin::InstantForces instant(m);
+  const DrivesOff drives_off(m, binding);
   const vehicle::DataPtr d(mj_makeData(m));
   const int size = vehicle::TangentSize(m);
   LinearModel model{m->nv, m->na, Eigen::MatrixXd::Zero(size, size)};

@@ -4,9 +4,7 @@
 //   dq' = dv                                    (running straight: no rotation but the spins)
 //   dv' = d qacc/dq dq + d qacc/dv dv + d qacc/dz dz,   dz' likewise from act_dot
 // by central differences of mj_forward's accelerations, which are those of continuous time:
-//   - damping lent to MuJoCo's implicit step is taken out again by the plugin's own force, so it
-//     cancels in mj_forward to rounding;
-//   - state rates are taken at an instant (the step's mean rates belong to the Euler step);
+//   - forces and state rates are taken at an instant (plugin::InstantForces);
 //   - the speed hold is a driver, not part of the vehicle: drive torques stay as they are.
 // Everything the plugin computes is a pure function of (q, v, z), so nothing escapes the
 // differences.

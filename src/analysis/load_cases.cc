@@ -210,6 +210,7 @@ std::vector<LoadCase> StandardLoadCases() {
 Result<std::vector<LoadResult>> CalcLoadCases(const vehicle::Simulation& simulation,
                                               const std::vector<LoadCase>& cases,
                                               const LoadLimits& limits) {
+  const plugin::InstantForces instant = simulation.Instant();
   auto bogie = HeldBogie::Create(simulation);
   if (!bogie.ok()) return bogie.error();
   std::vector<LoadResult> results;

@@ -30,6 +30,7 @@ Matrix3d Attitude(const mjData* d, int body) {
 
 SteadyProblem::SteadyProblem(vehicle::Simulation* simulation, int joint)
     : m_(simulation->mutable_model()),
+      instant_(m_),
       binding_(simulation->binding()),
       data_(mj_makeData(m_)),
       follower_(m_, binding_.track(), joint) {

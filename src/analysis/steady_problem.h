@@ -64,6 +64,7 @@ class SteadyProblem {
   double Newton(double tolerance);
 
   mjModel* m_;
+  plugin::InstantForces instant_;
   const plugin::Binding& binding_;
   vehicle::DataPtr data_;
   TrackFollower follower_;

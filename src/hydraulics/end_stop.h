@@ -13,6 +13,7 @@ struct EndStopForce {
   double energy = 0;      ///< [J]
   double lost_power = 0;  ///< [W] >= 0
   double slope = 0;       ///< d(force)/dy of the elastic part [N/m]
+  double damper = 0;      ///< d(force)/dv [N s/m]
 };
 
 inline EndStopForce CalcEndStop(const EndStopParams& p, double y, double v) {
@@ -26,6 +27,7 @@ inline EndStopForce CalcEndStop(const EndStopParams& p, double y, double v) {
   out.energy = k * (soft * soft * soft / (6 * d) + hard * (d / 2 + hard / 2));
   // The stop pushes only: damping may at most cancel the elastic force on the way out.
   const double damping = std::max(p.damping_Ns_per_m * soft / d * side * v, -elastic);
+  if (damping > -elastic) out.damper = p.damping_Ns_per_m * soft / d;
   out.force = side * (elastic + damping);
   out.lost_power = damping * side * v;
   return out;

@@ -110,12 +110,16 @@ void CalcCylinder(const CompiledPhs& sys, const Instant& at, int i, double pisto
     out->stored_energy += stop.energy + c.friction.Energy(z);
     out->lost_power += stop.lost_power + friction.lost_power;
   }
+  if (out->damping) {
+    out->damping[i] = stop.damper + c.friction.Damping(piston_speed, z, sys.Place(at, i, state));
+  }
   if (c.mount_state >= 0) {
     const double u = state[c.mount_state];
     const MountCreep q = c.Creep(state);
     double slope;
     force = CalcMountForce(c.mount, u, q, &slope);
     friction_force = force - pressure_force - stop.force;
+    if (out->damping) out->damping[i] = 0;  // the mounting stands between
     if (out->energy) out->stored_energy += CalcMountEnergy(c.mount, u, q);
   }
   if (out->force) out->force[i] = force;

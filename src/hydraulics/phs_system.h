@@ -24,6 +24,7 @@ struct PhsOutputs {
   double* piston = nullptr;          ///< piston displacement from static [m]
   double* p_bore = nullptr;          ///< chamber pressures, absolute [Pa]
   double* p_rod = nullptr;
+  double* damping = nullptr;  ///< how `force` rises with the speed of the mountings [N s/m], >= 0
   // per line
   double* pressure = nullptr;  ///< line pressure, absolute [Pa]
   // whole system
@@ -73,11 +74,9 @@ class PhsSystem {
   /// integrated implicitly or exactly inside, so that an explicit Euler step of the caller is
   /// stable for any h. h = 0 gives the instantaneous derivative.
   ///
-  /// Use with semi-implicit Euler (v_{n+1} = v_n + h a_n, x_{n+1} = x_n + h v_{n+1}, states
-  /// advanced with v_n, as MuJoCo's Euler does): the stored state then lags x by one step, which
-  /// would feed energy into a stuck bristle (growth h sigma0/(2 m)). Evaluate forces at the state
-  /// that belongs to x_n: Calc(time, x, v, state + h * rate). With h = 0 rates inside RK4 no such
-  /// shift is needed.
+  /// `v` is the mean speed over that step, so that states and x stay in step: with
+  /// x_{n+1} = x_n + h v_{n+1}, as MuJoCo's Euler does, it is v_{n+1}. (States advanced with v_n lag
+  /// x by one step and feed energy into a stuck bristle, growth h sigma0/(2 m).)
   /// `before`: mean piston speeds over the step before, of the same length, if known [m/s]; what
   /// flows then answers to a speed that goes on to change as it did (second order in h), else to a
   /// constant one.

@@ -123,6 +123,23 @@ Status Validate(const CreepLawParams& p) {
 
 }  // namespace
 
+CreepForce CreepLaw::CalcWithSlope(const CreepInput& input, CreepSlope* slope) const noexcept {
+  constexpr double kShare = 1e-3;     // of the creepage
+  constexpr double kSmallest = 1e-7;  // where there is none
+  const CreepForce here = Calc(input);
+  CreepInput moved = input;
+  const double dxi = kSmallest + kShare * std::abs(input.xi);
+  moved.xi += dxi;
+  const CreepForce along = Calc(moved);
+  moved.xi = input.xi;
+  const double deta = kSmallest + kShare * std::abs(input.eta);
+  moved.eta += deta;
+  const CreepForce across = Calc(moved);
+  *slope = {(along.x - here.x) / dxi, (across.x - here.x) / deta, (along.y - here.y) / dxi,
+            (across.y - here.y) / deta};
+  return here;
+}
+
 double FrictionLaw::At(double slip_speed) const {
   return coefficient *
          ((1 - falling_ratio) * std::exp(-falling_rate_s_m * slip_speed) + falling_ratio);

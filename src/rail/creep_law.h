@@ -53,11 +53,19 @@ struct CreepForce {
   double moment = 0;  ///< about the normal [N m]
 };
 
+/// Slope of the force against creepage [N].
+struct CreepSlope {
+  double x_xi = 0, x_eta = 0;
+  double y_xi = 0, y_eta = 0;
+};
+
 /// Thread-safe, allocation-free after creation.
 class CreepLaw {
  public:
   virtual ~CreepLaw() = default;
   virtual CreepForce Calc(const CreepInput& input) const noexcept = 0;
+  /// The same force with its slope, by one-sided differences; for implicit steps.
+  CreepForce CalcWithSlope(const CreepInput& input, CreepSlope* slope) const noexcept;
   virtual std::string name() const = 0;
 };
 

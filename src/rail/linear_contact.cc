@@ -52,7 +52,8 @@ Status Validate(const LinearContactParams& p) {
 }
 
 void CalcLinearContact(const LinearContactParams& p, double radius, double speed_floor,
-                       const WheelsetMotion& motion, WheelRailForces* out) noexcept {
+                       const WheelsetMotion& motion, WheelRailForces* out,
+                       WheelDamping* damping) noexcept {
   *out = WheelRailForces{};
   out->count = 1;
   ContactPatch& patch = out->patch[0];
@@ -94,6 +95,14 @@ void CalcLinearContact(const LinearContactParams& p, double radius, double speed
                                    patch.creep.moment * patch.phi);
   out->damping_power = damper * velocity[2];
   out->stored_energy = patch.stored_energy;
+  if (damping == nullptr) return;
+  // Secant of the saturated force: never more than the slope at the origin.
+  const double left = Saturation(
+      std::hypot(p.f11_N * patch.xi, p.f22_N * patch.eta + p.f23_Nm * patch.phi), p.limit_N);
+  damping->count = 3;
+  damping->damper[0] = {{1, 0, 0}, {0, r[2], -r[1]}, left * p.f11_N / reference};
+  damping->damper[1] = {{0, 1, 0}, {-r[2], 0, r[0]}, left * p.f22_N / reference};
+  damping->damper[2] = {{0, 0, 1}, {p.half_base_m, 0, 0}, p.damping_Ns_per_m};
 }
 
 }  // namespace phs::rail

@@ -24,8 +24,10 @@ namespace phs::rail {
 /// Checks the ranges given in wheel_rail.h; the error names the parameter.
 Status Validate(const LinearContactParams& params);
 
-/// Force and motion of one wheel. `radius` r0 [m]; `speed_floor` as in WheelRailParams.
+/// Force and motion of one wheel. `radius` r0 [m]; `speed_floor` as in WheelRailParams. `damping`
+/// may be null.
 void CalcLinearContact(const LinearContactParams& params, double radius, double speed_floor,
-                       const WheelsetMotion& motion, WheelRailForces* out) noexcept;
+                       const WheelsetMotion& motion, WheelRailForces* out,
+                       WheelDamping* damping = nullptr) noexcept;
 
 }  // namespace phs::rail

@@ -21,16 +21,21 @@ Vec3 SlopesAt(const Overlap& p, const WheelsetMotion& motion, Side side, const R
   return slopes;
 }
 
+/// The sums that depend on speed.
+void ClearSpeedSums(WheelRailForces* out) {
+  out->force = out->moment = {};
+  out->t_gamma = out->t_gamma_spin = 0;
+  out->creep_power = out->damping_power = 0;
+  out->beyond_profile = false;
+}
+
 /// All but the patches, which are filled one by one.
 void ClearSums(WheelRailForces* out) {
+  ClearSpeedSums(out);
   out->count = 0;
-  for (Vec3* sum : {&out->force, &out->moment, &out->elastic_force, &out->elastic_moment}) {
-    *sum = {};
-  }
-  out->t_gamma = out->t_gamma_spin = 0;
-  out->creep_power = out->damping_power = out->stored_energy = 0;
+  out->elastic_force = out->elastic_moment = {};
+  out->stored_energy = 0;
   out->rail_lateral = out->rail_vertical = 0;
-  out->beyond_profile = false;
 }
 
 /// Longitudinal part of a patch's force into the rail: each strip is square to the rail as it lies
@@ -86,17 +91,22 @@ TouchPoint WheelRail::Touch(double lateral, double roll, double yaw) const noexc
 
 void WheelRail::Calc(const WheelsetMotion& motion, Side side, const RailOffset& rail,
                      const RailSupport& support, WheelRailForces* out) const noexcept {
-  if (const auto& linear = impl_->params.linear) {
-    CalcLinearContact(*linear, impl_->params.wheel_radius, impl_->params.speed_floor, motion, out);
-    return;
-  }
+  PressedWheel pressed;
+  Press(motion, side, rail, support, &pressed, out);
+  CalcForces(motion, pressed, out);
+}
+
+void WheelRail::Press(const WheelsetMotion& motion, Side side, const RailOffset& rail,
+                      const RailSupport& support, PressedWheel* pressed,
+                      WheelRailForces* out) const noexcept {
+  ClearSums(out);
+  if (impl_->params.linear) return;
   const Vec3 shift = MirrorPolar({0, rail.lateral, rail.vertical}, side);
   Vec3 bend{};
   Overlaps found;
   const Vec3 rest =
       FindOnSupport(*impl_->search, {motion.lateral, motion.vertical, motion.roll, motion.yaw},
                     impl_->rail_y + shift[1], shift[2], support, &bend, &found);
-  ClearSums(out);
   if (found.count == 0) return;
   out->rail_lateral = bend[1];
   out->rail_vertical = bend[2];
@@ -106,8 +116,23 @@ void WheelRail::Calc(const WheelsetMotion& motion, Side side, const RailOffset& 
     const Overlap& p = found.patch[static_cast<size_t>(i)];
     const double approach = p.depth - Dot(NormalOf(p), rest);
     if (!(approach > 0)) continue;
-    impl_->Press(motion, p, approach, SlopesAt(p, motion, side, rail),
-                 ForwardPush(p, motion, side, rail), support, out);
+    impl_->Press(p, approach, SlopesAt(p, motion, side, rail), ForwardPush(p, motion, side, rail),
+                 support, pressed, out);
+  }
+}
+
+void WheelRail::CalcForces(const WheelsetMotion& motion, const PressedWheel& pressed,
+                           WheelRailForces* out, WheelDamping* damping) const noexcept {
+  if (damping != nullptr) damping->count = 0;
+  if (const auto& linear = impl_->params.linear) {
+    CalcLinearContact(*linear, impl_->params.wheel_radius, impl_->params.speed_floor, motion, out,
+                      damping);
+    return;
+  }
+  ClearSpeedSums(out);
+  for (int k = 0; k < out->count; ++k) {
+    const auto i = static_cast<size_t>(k);
+    impl_->AddForces(motion, pressed.patch[i], &out->patch[i], out, damping);
   }
 }
 

@@ -86,6 +86,7 @@ struct ContactPatch {
   /// Share in (0, 1]: below 1 while two patches grow into one; normal, creep and stored_energy are
   /// those shares, axes and pressure those of the whole patch.
   double weight = 1;
+  bool climbs = false;  ///< at the end of a profile, or up the flange
 };
 
 struct WheelRailForces {
@@ -104,6 +105,33 @@ struct WheelRailForces {
   bool beyond_profile = false;  ///< a contact lies at the end of a profile: climbing or fallen off
   /// Places in contact: patches that grow into one count as the nearer number.
   int contacts() const;
+};
+
+/// One patch as its position alone makes it: what its forces at any speed need (C axes).
+struct PressedPatch {
+  Vec3 forward{}, lateral{}, normal{};  ///< axes of the contact plane
+  Vec3 push{};                          ///< direction in which the patch presses the rail, unit
+  Vec3 turn{};         ///< its moment about the wheelset centre, per unit of force [m]
+  double elastic = 0;  ///< Hertz force of the whole patch [N]
+  double damper = 0;   ///< normal damping of the whole patch [N s/m]
+};
+
+/// A wheel pressed on its rail: filled by WheelRail::Press, read by WheelRail::CalcForces.
+struct PressedWheel {
+  std::array<PressedPatch, kMaxPatches> patch;
+};
+
+/// How the forces of a wheel resist its speed: a sum of dampers, each along one wrench,
+///   wrench on the wheelset -= coefficient (force . v + moment . omega) (force; moment),
+/// with v the velocity of the wheelset's centre and omega its rotation. The symmetric part of the
+/// slope of creep and normal forces, C axes.
+struct WheelDamping {
+  struct Damper {
+    Vec3 force{}, moment{};
+    double coefficient = 0;  ///< >= 0 [N s/m]
+  };
+  int count = 0;
+  std::array<Damper, 3 * kMaxPatches> damper;
 };
 
 /// Where rigid bodies touch.
@@ -127,6 +155,15 @@ class WheelRail {
   /// `rail` in T axes is mirrored inside by `side`; `support` may be all zero (rigid track).
   void Calc(const WheelsetMotion& motion, Side side, const RailOffset& rail,
             const RailSupport& support, WheelRailForces* out) const noexcept;
+  /// The same in two parts. Press: all that position decides (patches, elastic forces, what is
+  /// stored); reads no speed of `motion`.
+  void Press(const WheelsetMotion& motion, Side side, const RailOffset& rail,
+             const RailSupport& support, PressedWheel* pressed,
+             WheelRailForces* out) const noexcept;
+  /// Then the forces at the speeds of `motion`, as often as wanted; `out` as Press left it. With
+  /// `damping`, also how they resist a change of these speeds.
+  void CalcForces(const WheelsetMotion& motion, const PressedWheel& pressed, WheelRailForces* out,
+                  WheelDamping* damping = nullptr) const noexcept;
   const WheelRailParams& params() const;
   const CreepLaw& creep_law() const;
   /// A wheel lowered on the undisplaced rail until it touches; position in C.

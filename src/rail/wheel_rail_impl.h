@@ -12,8 +12,6 @@ namespace phs::rail {
 
 inline double Dot(const Vec3& a, const Vec3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-struct PatchAxes;
-
 struct WheelRail::Impl {
   WheelRailParams params;
   std::unique_ptr<CreepLaw> creep;
@@ -24,13 +22,16 @@ struct WheelRail::Impl {
   double flange = 0;    ///< largest flange angle [rad]
   double climb_y = 0;   ///< contacts at smaller y of the wheel profile climb [m]
 
-  /// Normal and creep force of one patch, added to the sums.
-  void Press(const WheelsetMotion& motion, const Overlap& overlap, double approach,
-             const Vec3& slopes, double forward_push, const RailSupport& support,
+  /// One more patch: its place, shape and elastic force, added to the sums.
+  void Press(const Overlap& overlap, double approach, const Vec3& slopes, double forward_push,
+             const RailSupport& support, PressedWheel* pressed,
              WheelRailForces* out) const noexcept;
-  /// Creepages and creep force of a patch whose normal force is known, added to the sums.
-  void AddCreep(const WheelsetMotion& motion, const PatchAxes& axes, ContactPatch* patch,
-                WheelRailForces* out) const noexcept;
+  /// Normal and creep force of a pressed patch at the speeds of `motion`, added to the sums.
+  void AddForces(const WheelsetMotion& motion, const PressedPatch& pressed, ContactPatch* patch,
+                 WheelRailForces* out, WheelDamping* damping) const noexcept;
+  /// Creepages and creep force of a patch whose normal force (of the whole patch) is known.
+  void AddCreep(const WheelsetMotion& motion, const PressedPatch& axes, ContactPatch* patch,
+                WheelRailForces* out, WheelDamping* damping) const noexcept;
 };
 
 }  // namespace phs::rail

@@ -7,16 +7,6 @@
 
 namespace phs::rail {
 
-/// Axes of one patch: forward along the rail, lateral outwards in the contact plane, normal into
-/// the rail. The search takes the rail as parallel to x; its slopes (irregularity, twist of a cant
-/// ramp) turn the axes, to first order, so that a wheel that follows its rail feels no closing
-/// speed and the work of lifting it comes from the forward motion.
-struct PatchAxes {
-  Vec3 forward;
-  Vec3 lateral;
-  Vec3 normal;
-};
-
 namespace {
 
 Vec3 Cross(const Vec3& a, const Vec3& b) {
@@ -42,14 +32,18 @@ double ReferenceSpeed(double speed, double floor) {
   return speed >= 2 * floor ? speed : floor + speed * speed / (4 * floor);
 }
 
-PatchAxes AxesOf(double slope, const Vec3& slopes) {
+/// Axes of a patch: forward along the rail, lateral outwards in the contact plane, normal into the
+/// rail. The search takes the rail as parallel to x; its slopes (irregularity, twist of a cant
+/// ramp) turn the axes, to first order, so that a wheel that follows its rail feels no closing
+/// speed and the work of lifting it comes from the forward motion.
+void SetAxes(double slope, const Vec3& slopes, PressedPatch* axes) {
   const double cosine = 1 / std::sqrt(1 + slope * slope);
-  PatchAxes axes{
-      {1, slopes[1], slopes[2]}, {0, cosine, slope * cosine}, {0, -slope * cosine, cosine}};
-  for (Vec3* axis : {&axes.lateral, &axes.normal}) {
+  axes->forward = {1, slopes[1], slopes[2]};
+  axes->lateral = {0, cosine, slope * cosine};
+  axes->normal = {0, -slope * cosine, cosine};
+  for (Vec3* axis : {&axes->lateral, &axes->normal}) {
     (*axis)[0] = -((*axis)[1] * slopes[1] + (*axis)[2] * slopes[2]);
   }
-  return axes;
 }
 
 /// Damper of the support as felt by the wheel along `normal`: the massless rail on its spring k
@@ -66,10 +60,31 @@ double SupportDamping(const Vec3& normal, double contact_stiffness, const RailSu
          part(normal[2], s.vertical_stiffness_N_per_m, s.vertical_damping_Ns_per_m);
 }
 
+/// Dampers that creep is at a small change of slip: the symmetric part of the slope of the force
+/// against the slip speeds, K = sym -d(x, y)/d(xi, eta) / reference, as two dampers
+///   kxx (f + r l)^2 + (kyy - r kxy) l^2,   r = kxy/kxx,   where it resists.
+void AddCreepDampers(const CreepSlope& slope, double scale, const PressedPatch& axes,
+                     const Vec3& point, WheelDamping* damping) {
+  const double kxx = std::max(0.0, -slope.x_xi) * scale;
+  double kyy = std::max(0.0, -slope.y_eta) * scale;
+  const double ratio = kxx > 0 ? -0.5 * (slope.x_eta + slope.y_xi) * scale / kxx : 0;
+  kyy = std::max(0.0, kyy - ratio * ratio * kxx);
+  const auto add = [&](const Vec3& direction, double coefficient) {
+    if (!(coefficient > 0)) return;
+    damping->damper[static_cast<size_t>(damping->count++)] = {direction, Cross(point, direction),
+                                                              coefficient};
+  };
+  Vec3 first = axes.forward;
+  for (size_t i = 0; i < 3; ++i) first[i] += ratio * axes.lateral[i];
+  add(first, kxx);
+  add(axes.lateral, kyy);
+}
+
 }  // namespace
 
-void WheelRail::Impl::AddCreep(const WheelsetMotion& motion, const PatchAxes& axes,
-                               ContactPatch* at, WheelRailForces* out) const noexcept {
+void WheelRail::Impl::AddCreep(const WheelsetMotion& motion, const PressedPatch& axes,
+                               ContactPatch* at, WheelRailForces* out,
+                               WheelDamping* damping) const noexcept {
   ContactPatch& patch = *at;
   const Vec3 turning = Cross(motion.rotation, patch.point);
   Vec3 velocity = motion.velocity;
@@ -89,7 +104,13 @@ void WheelRail::Impl::AddCreep(const WheelsetMotion& motion, const PatchAxes& ax
   const double way = travel < 0 ? -1 : 1;
   const CreepInput input{patch.a,         patch.b,   patch.normal, way * patch.xi,
                          way * patch.eta, patch.phi, reference,    patch.friction};
-  const CreepForce whole = creep->Calc(input);
+  CreepSlope slope;
+  const CreepForce whole =
+      damping != nullptr ? creep->CalcWithSlope(input, &slope) : creep->Calc(input);
+  if (damping != nullptr) {
+    // Running backwards turns both axes of the law: its slopes stay.
+    AddCreepDampers(slope, patch.weight / reference, axes, patch.point, damping);
+  }
   patch.creep = {patch.weight * way * whole.x, patch.weight * way * whole.y,
                  patch.weight * whole.moment};
   // On the wheel: the opposite of what acts on the rail.
@@ -109,10 +130,11 @@ void WheelRail::Impl::AddCreep(const WheelsetMotion& motion, const PatchAxes& ax
                                    patch.creep.moment * patch.phi);
 }
 
-void WheelRail::Impl::Press(const WheelsetMotion& motion, const Overlap& overlap, double approach,
-                            const Vec3& slopes, double forward_push, const RailSupport& support,
+void WheelRail::Impl::Press(const Overlap& overlap, double approach, const Vec3& slopes,
+                            double forward_push, const RailSupport& support, PressedWheel* wheel,
                             WheelRailForces* out) const noexcept {
-  const PatchAxes axes = AxesOf(overlap.slope, slopes);
+  PressedPatch& pressed = wheel->patch[static_cast<size_t>(out->count)];
+  SetAxes(overlap.slope, slopes, &pressed);
   ContactPatch& patch = out->patch[static_cast<size_t>(out->count++)];
   patch.rail_y = overlap.y;
   patch.rail_z = search->rail().At(overlap.y).z;
@@ -121,9 +143,10 @@ void WheelRail::Impl::Press(const WheelsetMotion& motion, const Overlap& overlap
   patch.angle = -std::atan(overlap.slope);
   patch.rolling_radius = overlap.radius;
   patch.weight = overlap.weight;
+  patch.climbs = overlap.at_end || overlap.wheel_y < climb_y;
   // Forces act half-way into the overlap.
   patch.point = overlap.arm;
-  for (size_t i = 0; i < 3; ++i) patch.point[i] -= 0.5 * approach * axes.normal[i];
+  for (size_t i = 0; i < 3; ++i) patch.point[i] -= 0.5 * approach * pressed.normal[i];
 
   // On a sloping rail the wheel touches ahead of or behind its lowest point: where its own normal
   // is the rail's. (The search leaves this out; the change of height there is of second order.)
@@ -146,28 +169,40 @@ void WheelRail::Impl::Press(const WheelsetMotion& motion, const Overlap& overlap
   patch.b = ellipse.b;
   patch.peak_pressure = ellipse.peak_pressure;
   patch.approach = ellipse.approach;
-  const double closing = (Dot(motion.velocity, push) + Dot(motion.rotation, turn)) / size;
   const double stiffness = 1.5 * elastic / approach;
-  const double damper = 2 * params.damping_ratio * std::sqrt(stiffness * params.wheel_mass) +
-                        SupportDamping(axes.normal, stiffness, support);
-  const double normal = std::max(0.0, elastic + damper * closing);
-  patch.normal = normal;
-  AddCreep(motion, axes, &patch, out);
-
-  const double weight = overlap.weight;
-  patch.normal = weight * normal;
-  patch.stored_energy = weight * held * ratio * overlap.energy;
-  const double pressed = weight * normal / size;
-  for (size_t i = 0; i < 3; ++i) {
-    out->force[i] -= pressed * push[i];
-    out->moment[i] -= pressed * turn[i];
-    out->elastic_force[i] -= weight * held * push[i];
-    out->elastic_moment[i] -= weight * held * turn[i];
-  }
-  out->damping_power += weight * (normal - elastic) * closing;
+  pressed.elastic = elastic;
+  pressed.damper = 2 * params.damping_ratio * std::sqrt(stiffness * params.wheel_mass) +
+                   SupportDamping(pressed.normal, stiffness, support);
+  patch.stored_energy = overlap.weight * held * ratio * overlap.energy;
   out->stored_energy += patch.stored_energy;
-  const bool beyond = overlap.at_end || overlap.wheel_y < climb_y;
-  out->beyond_profile = out->beyond_profile || (beyond && patch.normal > 0);
+  for (size_t i = 0; i < 3; ++i) {
+    pressed.push[i] = push[i] / size;
+    pressed.turn[i] = turn[i] / size;
+    out->elastic_force[i] -= overlap.weight * elastic * pressed.push[i];
+    out->elastic_moment[i] -= overlap.weight * elastic * pressed.turn[i];
+  }
+}
+
+void WheelRail::Impl::AddForces(const WheelsetMotion& motion, const PressedPatch& pressed,
+                                ContactPatch* at, WheelRailForces* out,
+                                WheelDamping* damping) const noexcept {
+  ContactPatch& patch = *at;
+  const double weight = patch.weight;
+  const double closing = Dot(motion.velocity, pressed.push) + Dot(motion.rotation, pressed.turn);
+  const double normal = std::max(0.0, pressed.elastic + pressed.damper * closing);
+  if (damping != nullptr && normal > 0) {
+    damping->damper[static_cast<size_t>(damping->count++)] = {pressed.push, pressed.turn,
+                                                              weight * pressed.damper};
+  }
+  patch.normal = normal;
+  AddCreep(motion, pressed, at, out, damping);
+  patch.normal = weight * normal;
+  for (size_t i = 0; i < 3; ++i) {
+    out->force[i] -= patch.normal * pressed.push[i];
+    out->moment[i] -= patch.normal * pressed.turn[i];
+  }
+  out->damping_power += weight * (normal - pressed.elastic) * closing;
+  out->beyond_profile = out->beyond_profile || (patch.climbs && patch.normal > 0);
 }
 
 }  // namespace phs::rail

@@ -156,7 +156,7 @@ class Writer {
     Set(compiler, "angle", "radian");
     Set(compiler, "autolimits", "false");
     XMLElement* size = root->InsertNewChildElement("size");
-    Set(size, "nuserdata", "128");
+    Set(size, "nuserdata", "512");
     XMLElement* option = root->InsertNewChildElement("option");
     Set(option, "timestep", Text(map_.timestep_s));
     Set(option, "integrator", "Euler");

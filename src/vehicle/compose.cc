@@ -246,7 +246,7 @@ Result<ModelPtr> ComposeVehicle(const Scenario& scenario) {
   // Nothing to add: the file as it stands, as any MuJoCo program loads it.
   if (!locomotive && !added.value()) return LoadMjcf(path.value());
   MoveStatefulActuatorsLast(root);
-  EnlargeUserData(512, root);
+  EnlargeUserData(4096, root);
   return CompileMjcf(*document.value(), path.value());
 }
 

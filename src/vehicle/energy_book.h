@@ -1,16 +1,15 @@
 // The books of energy of a run: work in = change of kinetic, potential and stored energy + losses.
 //
-// MuJoCo's step is M (v1 - v0) = h f0 (f at the start of the step), so kinetic energy changes by
-// exactly h f0 . (v0 + v1)/2 (constant M). Losses are booked over that same mean speed: the
-// plugin's powers P0 hold at v0, and P over the step = P0 - Q . (v1 - v0)/2 with Q the generalised
-// force of the contacts or of the PHS. Without this, the first-order energy of the step (a mass on
-// a circle is given h/2 |F|^2/m by its centripetal force) would be taken for an error of the
-// physics. What the powers claim and what the forces do stays compared: P0 comes from slip and
-// closing speeds, Q from the forces that MuJoCo received.
+// Every force is taken at the speed w of its own instant (plugin/half_step.h), and kinetic energy
+// w.M w/2 changes by just what the forces give at w. So powers are read at the instants and added
+// up by the trapezoidal rule; what is left over is of second order in the step, unless a power does
+// not belong to its force: those of contacts and PHS come from slip, closing speeds and pressures,
+// not from the forces that MuJoCo received.
 #pragma once
 
 #include <mujoco/mujoco.h>
 
+#include <array>
 #include <vector>
 
 #include "plugin/binding.h"
@@ -21,14 +20,13 @@ namespace phs::vehicle {
 struct EnergyBook {
   double kinetic = 0;
   double stored = 0;   ///< gravity, springs, contacts, PHS; relative to the start
-  double work_in = 0;  ///< drives
+  double work_in = 0;  ///< drives and train
   double lost_creep = 0;
   double lost_contact = 0;
-  double lost_dampers = 0;  ///< dampers of joints and linkages, without lent damping
+  double lost_dampers = 0;  ///< dampers of joints and linkages
   double lost_phs = 0;
   double train = 0;        ///< work at the coupler, its magnitude added up
   double lost_brakes = 0;  ///< at the blocks on the wheel treads
-  double lent = 0;         ///< kinetic energy of the inertia that lent damping adds (binding.h)
   double start_kinetic = 0;
   /// Work in less everything it went into.
   double Error() const;
@@ -39,27 +37,22 @@ struct EnergyBook {
 /// Keeps a book while a model is stepped.
 class EnergyKeeper {
  public:
-  EnergyKeeper(const mjModel* m, const plugin::Binding& binding);
-  /// Before mj_step.
-  void Before(const mjModel* m, const mjData* d);
-  /// After mj_step with mjENBL_ENERGY: stores at the start of the step just made. Call before
-  /// After.
-  void Read(const mjData* d);
-  /// After mj_step: what the step did.
-  void After(const mjModel* m, const mjData* d);
+  explicit EnergyKeeper(const plugin::Binding& binding) : binding_(binding) {}
+  /// After every mj_step: works and losses up to the instant that the step started from.
+  void Step(const mjModel* m, const mjData* d);
+  /// After an mj_step with mjENBL_ENERGY, after Step: kinetic and stored energy at that instant.
+  void Read(const mjModel* m, const mjData* d);
   const EnergyBook& book() const { return book_; }
 
  private:
-  /// Springs and dampers along tendons, at the start of the step just made.
-  void ReadLinkages(const mjModel* m, const mjData* d);
+  static constexpr int kPowers = 8;
 
   const plugin::Binding& binding_;
   EnergyBook book_;
-  std::vector<double> damping_;  ///< of the joints, without what is lent
-  std::vector<double> speed_;    ///< at the start of the step
-  std::vector<double> spring_;   ///< forces of joint and linkage springs at the start of the step
-  std::vector<double> link_damper_;  ///< forces of linkage dampers, the same
+  std::array<double, kPowers> power_{};  ///< at the instant before [W]
+  std::vector<double> momentum_;
   double start_stored_ = 0;
+  bool has_power_ = false;
   bool has_start_ = false;
 };
 

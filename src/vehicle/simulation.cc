@@ -154,7 +154,7 @@ Result<RunOutcome> Simulation::Run(const Progress& progress) {
                              ? std::lround(scenario_.duration_s / h)
                              : std::lround(2 * (end_s / bound.target_speed()) / h) + 1;
   const int num_wheels = 2 * static_cast<int>(bound.wheelsets().size());
-  EnergyKeeper keeper(m, bound);
+  EnergyKeeper keeper(bound);
   DerailmentWatch watch;
   std::vector<double> row(run.channels.size());
   const double begin = ThreadSeconds();
@@ -166,7 +166,6 @@ Result<RunOutcome> Simulation::Run(const Progress& progress) {
     } else {
       m->opt.enableflags &= ~mjENBL_ENERGY;
     }
-    keeper.Before(m, d);
     const double time = d->time;
     try {
       mj_step(m, d);
@@ -182,8 +181,9 @@ Result<RunOutcome> Simulation::Run(const Progress& progress) {
     }
     run.steps = step + 1;
     run.end_time_s = time;
+    keeper.Step(m, d);
     if (record) {
-      keeper.Read(d);
+      keeper.Read(m, d);
       run.energy = keeper.book();
       observer.Observe(m, d, row.data());
       row[0] = time;
@@ -195,7 +195,6 @@ Result<RunOutcome> Simulation::Run(const Progress& progress) {
       for (size_t i = 0; i < row.size(); ++i) run.columns[i].push_back(row[i]);
       front_s = row[1];
     }
-    keeper.After(m, d);
     if (std::string why = watch.Check(d, h, num_wheels); !why.empty()) {
       run.status = "derailed";
       run.reason = why + " at s = " + std::to_string(front_s) + " m";

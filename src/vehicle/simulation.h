@@ -44,6 +44,8 @@ class Simulation {
 
   const mjModel* model() const { return model_.get(); }
   mjModel* mutable_model() { return model_.get(); }
+  /// mj_forward gives the forces of the instant as long as the result lives.
+  plugin::InstantForces Instant() const { return plugin::InstantForces(model_.get()); }
   mjData* data() { return data_.get(); }
   const plugin::Binding& binding() const;
   const Scenario& scenario() const { return scenario_; }

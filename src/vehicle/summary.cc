@@ -164,7 +164,6 @@ Json WholeRun(const Simulation& sim, const RunOutcome& run) {
           {"lost_dampers_J", e.lost_dampers},
           {"lost_phs_J", e.lost_phs},
           {"lost_brakes_J", e.lost_brakes},
-          {"energy_lent_J", e.lent},
           {"end_time_s", run.end_time_s},
           {"steps", run.steps}};
 }

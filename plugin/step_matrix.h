@@ -1,0 +1,37 @@
+// The symmetric matrix of a half step, M + h/2 C, kept in the pattern of MuJoCo's mass matrix: an
+// entry for every dof and each of its ancestors in the kinematic tree. A force on one body, or
+// between a body and one of its ancestors, couples just these. What couples different branches (a
+// linkage from axle to axle) has no entry and is left out: the matrix only steers Newton's steps,
+// their residual knows every force.
+#pragma once
+
+#include <mujoco/mujoco.h>
+
+namespace phs::plugin {
+
+/// Storage belongs to the caller. Factor: L^T D L without fill (Featherstone, Rigid Body Dynamics
+/// Algorithms, 2008, section 8.3).
+class StepMatrix {
+ public:
+  /// `entries`: room for m->nM numbers.
+  StepMatrix(const mjModel* m, double* entries) : m_(m), entries_(entries) {}
+
+  /// Starts again as the mass matrix of `d`, in MuJoCo's layout.
+  void SetMass(const mjData* d);
+  /// Adds `value` to the diagonal.
+  void AddDiagonal(int dof, double value) { entries_[m_->dof_Madr[dof]] += value; }
+  /// Adds coefficient g g^T for a row g of nv numbers; entries outside the pattern are dropped.
+  void AddOuter(double coefficient, const double* row);
+  /// The same for a chain of dofs, each the parent of the next: g as long as `dofs`, which rise.
+  void AddOuter(double coefficient, const double* row, const int* dofs, int count);
+  /// Factorises in place. False if it is not positive definite.
+  bool Factor();
+  /// x = matrix^-1 x, after Factor.
+  void Solve(double* x) const;
+
+ private:
+  const mjModel* m_;
+  double* entries_;
+};
+
+}  // namespace phs::plugin
