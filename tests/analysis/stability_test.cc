@@ -128,15 +128,14 @@ TEST(StabilityTest, HuntingOfTheCooperriderBogieLivesBelowTheLinearCriticalSpeed
   }
 }
 
-TEST(StabilityTest, TheRealBogieIsLinearisedTheSameWhateverStepAndLentDamping) {
-  // The step decides how much damping is lent to MuJoCo; continuous time must not see it.
+TEST(StabilityTest, TheRealBogieIsLinearisedTheSameWhateverTheStep) {
+  // Half steps are MuJoCo's business; continuous time must not see them.
   std::vector<std::complex<double>> reference;
   for (const double step : {1e-4, 8e-4}) {
     vehicle::Scenario scenario = Straight("phs", 8);
     scenario.timestep_s = step;
     auto simulation = vehicle::Simulation::Create(scenario);
     ASSERT_TRUE(simulation.ok()) << simulation.error().Line();
-    EXPECT_EQ(simulation.value().binding().wheelsets()[0].lent_damping > 0, step > 5e-4);
     const auto spectrum = SpectrumAt(&simulation.value(), 8);
     ASSERT_TRUE(spectrum.ok());
     if (reference.empty()) reference = spectrum.value().eigenvalues;

@@ -65,14 +65,14 @@ TEST_F(BindingTest, ModelsThatSayNothingAreLeftAlone) {
   EXPECT_EQ(Positions(plain.get(), before.get()), Positions(plain.get(), after.get()));
 }
 
-TEST_F(BindingTest, DetachingUndoesLentDampingAndCallbacks) {
+TEST_F(BindingTest, AttachingChangesNothingButTheStartAndDetachingUndoesTheCallbacks) {
   const ModelPtr m = LoadFile(BogiePath("phs"));
   const std::vector<double> damping(m->dof_damping, m->dof_damping + m->nv);
   ASSERT_TRUE(Attach(m.get(), OnStraightTrack()).ok());
-  EXPECT_NE(damping, std::vector<double>(m->dof_damping, m->dof_damping + m->nv));
+  EXPECT_EQ(damping, std::vector<double>(m->dof_damping, m->dof_damping + m->nv));
   EXPECT_NE(mjcb_passive, nullptr);
   Detach(m.get());
-  for (int i = 0; i < m->nv; ++i) EXPECT_NEAR(m->dof_damping[i], damping[i], 1e-9);
+  EXPECT_EQ(damping, std::vector<double>(m->dof_damping, m->dof_damping + m->nv));
   EXPECT_EQ(mjcb_passive, nullptr);
   EXPECT_EQ(Find(m.get()), nullptr);
 }
