@@ -54,6 +54,29 @@ std::vector<int> DofChain(const mjModel* m, int body) {
   return dofs;
 }
 
+/// Dofs that may move an actuator: those of the bodies at both ends of its tendon.
+std::vector<int> DofsOfActuator(const mjModel* m, int actuator) {
+  std::vector<char> moves(static_cast<size_t>(m->nv), 0);
+  const int id = m->actuator_trnid[2 * actuator];
+  bool known = false;
+  if (m->actuator_trntype[actuator] == mjTRN_TENDON) {
+    known = true;
+    for (int k = 0; k < m->tendon_num[id]; ++k) {
+      const int wrap = m->tendon_adr[id] + k;
+      if (m->wrap_type[wrap] != mjWRAP_SITE) known = false;
+      if (!known) break;
+      for (const int dof : DofChain(m, m->site_bodyid[m->wrap_objid[wrap]])) {
+        moves[static_cast<size_t>(dof)] = 1;
+      }
+    }
+  }
+  std::vector<int> dofs;
+  for (int i = 0; i < m->nv; ++i) {
+    if (!known || moves[static_cast<size_t>(i)]) dofs.push_back(i);
+  }
+  return dofs;
+}
+
 }  // namespace
 
 bool Binding::Concerns(const mjModel* m) {
@@ -157,6 +180,10 @@ Status Binding::BindWheelsets(mjModel* m) {
     if (joints.size() > 1) w.yaw_joint = joints[1];
     if (!drives.empty()) w.drive_actuator = drives[0];
     w.dofs = DofChain(m, w.body);
+    if (static_cast<int>(w.dofs.size()) > kMaxChain) {
+      return Error{where, "moves with " + std::to_string(w.dofs.size()) + " freedoms",
+                   "at most " + std::to_string(kMaxChain), ""};
+    }
     wheelsets_.push_back(std::move(w));
   }
   return {};
@@ -213,6 +240,7 @@ Status Binding::BindPhs(mjModel* m, const AttachOptions& options) {
       }
       p.cylinder.push_back(a);
       p.length0.push_back(m->actuator_length0[a]);
+      p.dofs.push_back(DofsOfActuator(m, a));
     }
     for (int a : ids) {
       if (m->actuator_dyntype[a] == mjDYN_USER) p.state_actuator.push_back(a);

@@ -31,6 +31,7 @@ namespace phs::plugin {
 inline constexpr int kMaxCylinders = 16;
 inline constexpr int kMaxLines = 16;
 inline constexpr int kMaxStates = 96;
+inline constexpr int kMaxChain = 64;  ///< freedoms of a wheelset and the bodies that carry it
 
 /// Overrides of what the model says in its <custom> section; empty or NaN = as in the model.
 struct AttachOptions {
@@ -64,13 +65,14 @@ struct PhsBinding {
   std::string name;
   std::string model_path;
   std::shared_ptr<const hydraulics::PhsSystem> system;
-  std::vector<int> cylinder;        ///< actuator ids
-  std::vector<double> length0;      ///< tendon length at rest [m]
-  std::vector<int> state_actuator;  ///< actuator id that carries each state
-  int forces_at = 0;                ///< userdata: actuator force per cylinder [N]
-  int speeds_at = 0;                ///< userdata: speed of the instant per cylinder [m/s]
-  int rates_at = 0;                 ///< userdata: mean state rate per state
-  int states_at = 0;                ///< userdata: the states that the forces belong to
+  std::vector<int> cylinder;           ///< actuator ids
+  std::vector<double> length0;         ///< tendon length at rest [m]
+  std::vector<std::vector<int>> dofs;  ///< that move each cylinder
+  std::vector<int> state_actuator;     ///< actuator id that carries each state
+  int forces_at = 0;                   ///< userdata: actuator force per cylinder [N]
+  int speeds_at = 0;                   ///< userdata: speed of the instant per cylinder [m/s]
+  int rates_at = 0;                    ///< userdata: mean state rate per state
+  int states_at = 0;                   ///< userdata: the states that the forces belong to
 };
 
 /// d->userdata, first entries; then the speed of the instant of every dof (w of half_step.h); then
@@ -183,9 +185,10 @@ class Binding {
                          Work* work) const noexcept;
   void AddRunningForces(const mjModel* m, mjData* d, const double* speed, bool slopes,
                         Work* work) const noexcept;
-  void AddCylinderForces(const mjModel* m, mjData* d, const double* speed,
+  void AddCylinderForces(const mjModel* m, mjData* d, const double* speed, bool slopes,
                          Work* work) const noexcept;
-  void AddCylinderSlopes(const mjModel* m, const mjData* d, bool secant, Work* work) const noexcept;
+  bool Factor(const mjModel* m, const mjData* d, bool again, Work* work) const noexcept;
+  void FollowCylinders(const mjModel* m, mjData* d, const double* speed, Work* work) const noexcept;
   void AddDrives(const mjModel* m, mjData* d, Work* work) const noexcept;
   void HalfStep(const mjModel* m, mjData* d, Work* work) const noexcept;
   void CalcRest(const mjModel* m, mjData* d, Work* work) const noexcept;

@@ -1,58 +1,17 @@
-// The part of Binding that runs inside MuJoCo's step: wheelsets and the half step. No allocation,
-// no locks, no exceptions.
+// The part of Binding that runs inside MuJoCo's step: the half step, cylinders, drives, train. No
+// allocation, no locks, no exceptions.
 #include <algorithm>
 #include <cmath>
 #include <new>
 
-#include "plugin/binding.h"
-#include "plugin/half_step.h"
-#include "plugin/tendon_forces.h"
+#include "plugin/binding_work.h"
 
 namespace phs::plugin {
 namespace {
 
-using rail::Side;
 using rail::Vec3;
 
 constexpr double kCouplerTime = 0.5;  ///< time constant of the speed that the train holds [s]
-
-double Dot(const Vec3& a, const Vec3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Vec3 Cross(const Vec3& a, const Vec3& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-Vec3 Load(const mjtNum* p) { return {p[0], p[1], p[2]}; }
-Vec3 ToTrack(const rail::TrackFrame& f, const Vec3& v) {
-  return {Dot(f.forward, v), Dot(f.left, v), Dot(f.up, v)};
-}
-Vec3 ToWorld(const rail::TrackFrame& f, const Vec3& v) {
-  Vec3 w;
-  for (int i = 0; i < 3; ++i) w[i] = f.forward[i] * v[0] + f.left[i] * v[1] + f.up[i] * v[2];
-  return w;
-}
-void Add(Vec3* a, const Vec3& b) {
-  for (int i = 0; i < 3; ++i) (*a)[i] += b[i];
-}
-
-/// Velocity of a point of a body in world axes at speeds `speed` of the dofs of its chain. MuJoCo
-/// keeps the axes of dofs at the centre of mass of the whole tree.
-struct BodyVelocity {
-  Vec3 rotation{};
-  Vec3 centre{};
-};
-BodyVelocity VelocityOf(const mjModel* m, const mjData* d, int body, const std::vector<int>& dofs,
-                        const double* speed) {
-  double v[6] = {};
-  for (const int dof : dofs) {
-    const mjtNum* c = d->cdof + 6 * dof;
-    for (int k = 0; k < 6; ++k) v[k] += c[k] * speed[dof];
-  }
-  const mjtNum* centre = d->xpos + 3 * body;
-  const mjtNum* com = d->subtree_com + 3 * m->body_rootid[body];
-  BodyVelocity out{{v[0], v[1], v[2]}, {v[3], v[4], v[5]}};
-  Add(&out.centre,
-      Cross(out.rotation, {centre[0] - com[0], centre[1] - com[1], centre[2] - com[2]}));
-  return out;
-}
 
 /// Velocity of a body's frame as MuJoCo left it.
 Vec3 CentreVelocity(const mjModel* m, const mjData* d, int body) {
@@ -64,151 +23,23 @@ Vec3 CentreVelocity(const mjModel* m, const mjData* d, int body) {
   return velocity;
 }
 
-/// Position and attitude of a wheelset in T axes (speeds and forces still empty).
-void PlaceOnTrack(const mjData* d, const rail::Track& track, int body, WheelsetState* out) {
-  out->centre = Load(d->xpos + 3 * body);
-  out->frame = track.FrameAt(track.Project(out->centre));
-  Vec3 offset = out->centre;
-  for (int i = 0; i < 3; ++i) offset[i] -= out->frame.origin[i];
-  out->lateral = Dot(out->frame.left, offset);
-  out->vertical = Dot(out->frame.up, offset);
-  const mjtNum* r = d->xmat + 9 * body;
-  const Vec3 axle = ToTrack(out->frame, {r[1], r[4], r[7]});
-  out->yaw = std::atan2(-axle[0], axle[1]);
-  out->roll = std::asin(std::clamp(axle[2], -1.0, 1.0));
+/// Rate of length of a cylinder at `speed` of the dofs.
+double SpeedOf(const mjModel* m, const mjData* d, const PhsBinding& p, int cylinder,
+               const double* speed) {
+  const mjtNum* row = d->actuator_moment + p.cylinder[cylinder] * m->nv;
+  double rate = 0;
+  for (const int dof : p.dofs[cylinder]) rate += row[dof] * speed[dof];
+  return rate;
 }
 
-/// Adds the generalised force of a wrench on a body: force and moment about the centre of mass of
-/// the tree, where MuJoCo keeps the axes of dofs.
-void AddWrench(const mjData* d, const std::vector<int>& dofs, const Vec3& force, const Vec3& moment,
-               double* out) {
-  for (const int dof : dofs) {
-    const mjtNum* c = d->cdof + 6 * dof;
-    out[dof] += c[0] * moment[0] + c[1] * moment[1] + c[2] * moment[2] + c[3] * force[0] +
-                c[4] * force[1] + c[5] * force[2];
-  }
+/// Adds the generalised force of a cylinder that pushes its ends apart with `force`.
+void AddForceOf(const mjModel* m, const mjData* d, const PhsBinding& p, int cylinder, double force,
+                double* out) {
+  const mjtNum* row = d->actuator_moment + p.cylinder[cylinder] * m->nv;
+  for (const int dof : p.dofs[cylinder]) out[dof] += force * row[dof];
 }
-
-constexpr int kMaxChain = 64;  ///< dofs of a wheelset and its ancestors
-/// Slope, force and speed before, of each cylinder.
-constexpr int kCylinderNumbers = 3 * kMaxCylinders;
 
 }  // namespace
-
-/// A wheelset where it stands, ready for its forces at any speed.
-struct Binding::PressedWheelset {
-  WheelsetState state;
-  rail::WheelsetMotion motion[2];
-  rail::PressedWheel wheel[2];
-};
-
-/// Numbers of one evaluation, on MuJoCo's stack.
-struct Binding::Work {
-  PressedWheelset* wheelsets = nullptr;
-  double* force = nullptr;     ///< of wheels, train, brakes, cylinders [nv]
-  double* cylinder = nullptr;  ///< the part of the cylinders, which MuJoCo adds itself [nv]
-  double* rest = nullptr;      ///< all other forces, at v_n [nv]
-  double* drive = nullptr;     ///< the part of actuators that are no cylinders [nv]
-  double* row = nullptr;       ///< scratch [nv]
-  double* contact = nullptr;   ///< M + h/2 (C of all but cylinders) [nM]
-  double* entries = nullptr;   ///< the same with cylinders, factorised [nM]
-  double half = 0;             ///< h/2 [s]
-  StepMatrix* matrix = nullptr;
-  double* slope = nullptr;  ///< kCylinderNumbers of each PHS
-};
-
-void Binding::PressWheelset(const mjData* d, int index, PressedWheelset* at) const noexcept {
-  WheelsetState& out = at->state;
-  PlaceOnTrack(d, *track_, wheelsets_[index].body, &out);
-  for (const Side side : {Side::kLeft, Side::kRight}) {
-    const Vec3 place = rail::MirrorPolar({0, out.lateral, out.vertical}, side);
-    const Vec3 attitude = rail::MirrorAxial({out.roll, 0, out.yaw}, side);
-    rail::WheelsetMotion& motion = at->motion[static_cast<int>(side)];
-    motion.lateral = place[1];
-    motion.vertical = place[2];
-    motion.roll = attitude[0];
-    motion.yaw = attitude[2];
-    wheel_rail_->Press(motion, side, track_->Rail(side, out.frame.s), track_->support(),
-                       &at->wheel[static_cast<int>(side)], &out.wheel[static_cast<int>(side)]);
-  }
-}
-
-void Binding::MoveWheelset(const mjModel* m, const mjData* d, int index, const double* speed,
-                           PressedWheelset* at, rail::WheelDamping* damping) const noexcept {
-  const WheelsetBinding& w = wheelsets_[index];
-  WheelsetState& out = at->state;
-  const BodyVelocity world = VelocityOf(m, d, w.body, w.dofs, speed);
-  const Vec3 velocity = ToTrack(out.frame, world.centre);
-  const Vec3 rotation = ToTrack(out.frame, world.rotation);
-  out.speed = velocity[0];
-  out.spin = speed[w.spin_dof];
-  Vec3 force_T{};
-  out.moment_T = {};
-  for (const Side side : {Side::kLeft, Side::kRight}) {
-    const int k = static_cast<int>(side);
-    rail::WheelsetMotion& motion = at->motion[k];
-    motion.velocity = rail::MirrorPolar(velocity, side);
-    motion.rotation = rail::MirrorAxial(rotation, side);
-    motion.speed = std::abs(out.speed);
-    rail::WheelRailForces* wheel = &out.wheel[k];
-    wheel_rail_->CalcForces(motion, at->wheel[k], wheel,
-                            damping == nullptr ? nullptr : damping + k);
-    Add(&force_T, rail::MirrorPolar(wheel->force, side));
-    Add(&out.moment_T, rail::MirrorAxial(wheel->moment, side));
-  }
-  out.force = ToWorld(out.frame, force_T);
-  out.moment = ToWorld(out.frame, out.moment_T);
-}
-
-WheelsetState Binding::CalcWheelset(const mjModel* m, const mjData* d, int index) const noexcept {
-  PressedWheelset at;
-  PressWheelset(d, index, &at);
-  MoveWheelset(m, d, index, Speed(d), &at, nullptr);
-  return at.state;
-}
-
-void Binding::AddWheelsetForces(const mjModel* m, mjData* d, const double* speed, bool slopes,
-                                Work* work) const noexcept {
-  mjtNum* user = d->userdata;
-  for (size_t i = 0; i < wheelsets_.size(); ++i) {
-    const WheelsetBinding& w = wheelsets_[i];
-    PressedWheelset& at = work->wheelsets[i];
-    rail::WheelDamping damping[2];
-    MoveWheelset(m, d, static_cast<int>(i), speed, &at, slopes ? damping : nullptr);
-    const WheelsetState& state = at.state;
-    const Vec3 com = Load(d->subtree_com + 3 * m->body_rootid[w.body]);
-    const Vec3 arm = {state.centre[0] - com[0], state.centre[1] - com[1], state.centre[2] - com[2]};
-    Vec3 moment = state.moment;
-    Add(&moment, Cross(arm, state.force));
-    AddWrench(d, w.dofs, state.force, moment, work->force);
-    for (const rail::WheelRailForces& wheel : state.wheel) {
-      user[UserData::kCreepPower] += wheel.creep_power;
-      user[UserData::kContactPower] += wheel.damping_power;
-      user[UserData::kContactEnergy] += wheel.stored_energy;
-      user[UserData::kLifted] += wheel.count == 0 ? 1 : 0;
-      user[UserData::kBeyondProfile] += wheel.beyond_profile ? 1 : 0;
-    }
-    user[UserData::kMaxLateral] = std::max(user[UserData::kMaxLateral], std::abs(state.lateral));
-    if (!slopes) continue;
-    const int count = static_cast<int>(w.dofs.size());
-    for (const Side side : {Side::kLeft, Side::kRight}) {
-      const rail::WheelDamping& dampers = damping[static_cast<int>(side)];
-      for (int k = 0; k < dampers.count; ++k) {
-        const auto& damper = dampers.damper[static_cast<size_t>(k)];
-        const Vec3 force = ToWorld(state.frame, rail::MirrorPolar(damper.force, side));
-        Vec3 turn = ToWorld(state.frame, rail::MirrorAxial(damper.moment, side));
-        Add(&turn, Cross(arm, force));
-        double row[kMaxChain];
-        for (int q = 0; q < count; ++q) {
-          const mjtNum* c = d->cdof + 6 * w.dofs[static_cast<size_t>(q)];
-          row[q] = c[0] * turn[0] + c[1] * turn[1] + c[2] * turn[2] + c[3] * force[0] +
-                   c[4] * force[1] + c[5] * force[2];
-        }
-        work->matrix->AddOuter(work->half * damper.coefficient, row, w.dofs.data(), count);
-      }
-    }
-  }
-}
 
 void Binding::AddRunningForces(const mjModel* m, mjData* d, const double* speed, bool slopes,
                                Work* work) const noexcept {
@@ -244,7 +75,7 @@ void Binding::AddRunningForces(const mjModel* m, mjData* d, const double* speed,
   d->userdata[UserData::kTrainPower] = force * along;
 }
 
-void Binding::AddCylinderForces(const mjModel* m, mjData* d, const double* speed,
+void Binding::AddCylinderForces(const mjModel* m, mjData* d, const double* speed, bool slopes,
                                 Work* work) const noexcept {
   mjtNum* user = d->userdata;
   std::fill(work->cylinder, work->cylinder + m->nv, 0.0);
@@ -256,15 +87,16 @@ void Binding::AddCylinderForces(const mjModel* m, mjData* d, const double* speed
     mjtNum* v = user + p.speeds_at;
     for (int i = 0; i < num_cylinders; ++i) {
       x[i] = d->actuator_length[p.cylinder[i]] - p.length0[i];
-      v[i] = mju_dot(d->actuator_moment + p.cylinder[i] * m->nv, speed, m->nv);
+      v[i] = SpeedOf(m, d, p, i, speed);
     }
     hydraulics::PhsOutputs out{force,      scratch[0], scratch[1], scratch[2],
                                scratch[3], scratch[4], slope,      pressure};
+    out.energy = !slopes;  // of the last round alone
     p.system->Calc(d->time, x, v, user + p.states_at, &out);
     // MuJoCo's actuator force pushes the ends apart, ours pulls them together.
     for (int i = 0; i < num_cylinders; ++i) {
       user[p.forces_at + i] = -force[i];
-      mju_addToScl(work->cylinder, d->actuator_moment + p.cylinder[i] * m->nv, -force[i], m->nv);
+      AddForceOf(m, d, p, i, -force[i], work->cylinder);
     }
     user[UserData::kPhsPower] += out.lost_power;
     user[UserData::kPhsEnergy] += out.stored_energy;
@@ -272,23 +104,56 @@ void Binding::AddCylinderForces(const mjModel* m, mjData* d, const double* speed
   }
 }
 
-void Binding::AddCylinderSlopes(const mjModel* m, const mjData* d, bool secant,
-                                Work* work) const noexcept {
+bool Binding::Factor(const mjModel* m, const mjData* d, bool again, Work* work) const noexcept {
+  // Slopes of the contacts serve both rounds, those of the cylinders are looked at again.
+  bool changed = !again;
   double* numbers = work->slope;
   for (const PhsBinding& p : phs_) {
-    double* force_before = numbers + kMaxCylinders;
+    double* used = numbers + kMaxCylinders;
+    double* force_before = used + kMaxCylinders;
     double* speed_before = force_before + kMaxCylinders;
     for (int i = 0; i < static_cast<int>(p.cylinder.size()); ++i) {
       const double force = -d->userdata[p.forces_at + i];
       const double speed = d->userdata[p.speeds_at + i];
       double slope = numbers[i];
-      if (secant && speed != speed_before[i]) {
+      if (again && speed != speed_before[i]) {
         slope = std::max(0.0, (force - force_before[i]) / (speed - speed_before[i]));
+      }
+      constexpr double kSame = 0.02;
+      if (!again || std::abs(slope - used[i]) > kSame * (slope + used[i])) {
+        changed = true;
+        used[i] = slope;
       }
       force_before[i] = force;
       speed_before[i] = speed;
+    }
+    numbers += kCylinderNumbers;
+  }
+  if (!changed) return true;
+  if (!again) std::copy(work->entries, work->entries + m->nM, work->contact);
+  if (again) std::copy(work->contact, work->contact + m->nM, work->entries);
+  numbers = work->slope;
+  for (const PhsBinding& p : phs_) {
+    for (size_t i = 0; i < p.cylinder.size(); ++i) {
+      const double slope = numbers[kMaxCylinders + i];
       if (!(slope > 0)) continue;
       work->matrix->AddOuter(work->half * slope, d->actuator_moment + p.cylinder[i] * m->nv);
+    }
+    numbers += kCylinderNumbers;
+  }
+  return work->matrix->Factor();
+}
+
+void Binding::FollowCylinders(const mjModel* m, mjData* d, const double* speed,
+                              Work* work) const noexcept {
+  const double* numbers = work->slope;
+  for (const PhsBinding& p : phs_) {
+    for (int i = 0; i < static_cast<int>(p.cylinder.size()); ++i) {
+      const double now = SpeedOf(m, d, p, i, speed);
+      const double less = numbers[kMaxCylinders + i] * (now - d->userdata[p.speeds_at + i]);
+      d->userdata[p.speeds_at + i] = now;
+      d->userdata[p.forces_at + i] -= less;
+      AddForceOf(m, d, p, i, -less, work->cylinder);
     }
     numbers += kCylinderNumbers;
   }
@@ -300,7 +165,7 @@ void Binding::CalcForces(const mjModel* m, mjData* d, const double* speed, bool 
   std::fill(work->force, work->force + m->nv, 0.0);
   if (has_rail()) AddWheelsetForces(m, d, speed, slopes, work);
   if (coupler_site_ >= 0) AddRunningForces(m, d, speed, slopes, work);
-  AddCylinderForces(m, d, speed, work);
+  AddCylinderForces(m, d, speed, slopes, work);
 }
 
 double Binding::DriveControl(const mjModel* m, const mjData* d,
@@ -323,6 +188,7 @@ void Binding::AddDrives(const mjModel* m, mjData* d, Work* work) const noexcept 
       if (driving && w.drive_actuator == id) ctrl = DriveControl(m, d, w);
     }
     const double force = ActuatorForce(m, d, id, ctrl);
+    if (force == 0) continue;
     mju_addToScl(work->drive, d->actuator_moment + id * m->nv, force, m->nv);
   }
 }
@@ -332,43 +198,44 @@ void Binding::HalfStep(const mjModel* m, mjData* d, Work* work) const noexcept {
   double* speed = d->userdata + UserData::kHeader;
   double* a = mj_stackAlloc(d, nv);
   double* r = mj_stackAlloc(d, nv);
+  double* bias = mj_stackAlloc(d, nv);
+  double* bias_before = mj_stackAlloc(d, nv);
   std::fill(a, a + nv, 0.0);
+  std::fill(r, r + nv, 0.0);
   CalcRest(m, d, work);
+  mj_rne(m, d, 0, bias_before);
+  std::copy(bias_before, bias_before + nv, bias);
   work->matrix->SetMass(d);
   AddDamperSlopes(m, d, work->half, work->row, work->matrix);
   for (int round = 0; round < 2; ++round) {
     CalcForces(m, d, speed, round == 0, work);
-    // The contacts' slopes serve both rounds.
-    if (round == 0) std::copy(work->entries, work->entries + m->nM, work->contact);
-    if (round == 1) std::copy(work->contact, work->contact + m->nM, work->entries);
-    AddCylinderSlopes(m, d, round == 1, work);
-    mj_mulM(m, d, r, a);
+    if (round == 1) {
+      CalcBiasAt(m, d, speed, bias);
+      mj_mulM(m, d, r, a);
+    }
     for (int i = 0; i < nv; ++i) {
-      r[i] = work->rest[i] + work->force[i] + work->cylinder[i] - r[i];
+      r[i] = work->rest[i] + work->force[i] + work->cylinder[i] - bias[i] - r[i];
       work->row[i] = speed[i] - d->qvel[i];
     }
     AddDampers(m, d, work->row, r);
-    if (!work->matrix->Factor()) break;
+    if (!Factor(m, d, round == 1, work)) break;
     work->matrix->Solve(r);
     for (int i = 0; i < nv; ++i) {
       a[i] += r[i];
       speed[i] = d->qvel[i] + work->half * a[i];
     }
   }
-  CalcForces(m, d, speed, false, work);
+  FollowCylinders(m, d, speed, work);
   // What MuJoCo must add to the forces it knows, so that its step makes this a.
   mj_mulM(m, d, r, a);
   for (int i = 0; i < nv; ++i) {
     const double smooth = r[i] + 2 * work->half * m->dof_damping[i] * a[i];
-    d->qfrc_passive[i] += smooth - work->rest[i] - work->cylinder[i];
+    d->qfrc_passive[i] += smooth - work->rest[i] - work->cylinder[i] + bias_before[i];
   }
 }
 
 void Binding::CalcRest(const mjModel* m, mjData* d, Work* work) const noexcept {
-  mj_rne(m, d, 0, work->rest);
-  for (int i = 0; i < m->nv; ++i) {
-    work->rest[i] = d->qfrc_passive[i] - work->rest[i] + work->drive[i];
-  }
+  for (int i = 0; i < m->nv; ++i) work->rest[i] = d->qfrc_passive[i] + work->drive[i];
   AddApplied(m, d, work->rest);
 }
 
@@ -391,7 +258,7 @@ void Binding::AdvanceStates(const mjModel* m, mjData* d, double h) const noexcep
     double x[kMaxCylinders], mean[kMaxCylinders], state[kMaxStates], rate[kMaxStates];
     for (int i = 0; i < p.system->num_cylinders(); ++i) {
       x[i] = d->actuator_length[p.cylinder[i]] - p.length0[i];
-      mean[i] = mju_dot(d->actuator_moment + p.cylinder[i] * m->nv, d->qvel, m->nv);
+      mean[i] = SpeedOf(m, d, p, i, d->qvel);
     }
     const int num_states = p.system->num_states();
     for (int i = 0; i < num_states; ++i) state[i] = act[p.state_actuator[i]];

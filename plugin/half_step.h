@@ -20,8 +20,8 @@
 // MuJoCo itself solves (M + h B) a = f + ... with the damping B of joints. The forces handed over
 // hold h B a on top, so that its step makes the a of (1).
 //
-// Left at v_n: MuJoCo's own Coriolis and gyroscopic forces, actuators that are no cylinders, and
-// the speed hold; what constraints (limits, equalities) add to a is not in w.
+// Left at v_n: actuators that are no cylinders, and the speed hold; what constraints (limits,
+// equalities) add to a is not in w.
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -36,6 +36,10 @@ void AddDampers(const mjModel* m, const mjData* d, const double* speed, double* 
 /// Their part of C times `scale`; tendons that couple branches of the tree are left out.
 void AddDamperSlopes(const mjModel* m, const mjData* d, double scale, double* row,
                      StepMatrix* matrix);
+
+/// Coriolis, gyroscopic and weight forces (MuJoCo's bias) at `speed` [nv]; velocities of `d` are
+/// then again those of qvel.
+void CalcBiasAt(const mjModel* m, mjData* d, const double* speed, double* bias);
 
 /// Adds applied forces: qfrc_applied and xfrc_applied.
 void AddApplied(const mjModel* m, mjData* d, double* force);

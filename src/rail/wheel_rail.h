@@ -109,11 +109,11 @@ struct WheelRailForces {
 
 /// One patch as its position alone makes it: what its forces at any speed need (C axes).
 struct PressedPatch {
-  Vec3 forward{}, lateral{}, normal{};  ///< axes of the contact plane
-  Vec3 push{};                          ///< direction in which the patch presses the rail, unit
-  Vec3 turn{};         ///< its moment about the wheelset centre, per unit of force [m]
-  double elastic = 0;  ///< Hertz force of the whole patch [N]
-  double damper = 0;   ///< normal damping of the whole patch [N s/m]
+  Vec3 forward, lateral, normal{};  ///< axes of the contact plane
+  Vec3 push{};                      ///< direction in which the patch presses the rail, unit
+  Vec3 turn{};                      ///< its moment about the wheelset centre, per unit of force [m]
+  double elastic = 0;               ///< Hertz force of the whole patch [N]
+  double damper = 0;                ///< normal damping of the whole patch [N s/m]
 };
 
 /// A wheel pressed on its rail: filled by WheelRail::Press, read by WheelRail::CalcForces.
@@ -127,8 +127,8 @@ struct PressedWheel {
 /// slope of creep and normal forces, C axes.
 struct WheelDamping {
   struct Damper {
-    Vec3 force{}, moment{};
-    double coefficient = 0;  ///< >= 0 [N s/m]
+    Vec3 force, moment;
+    double coefficient;  ///< >= 0 [N s/m]
   };
   int count = 0;
   std::array<Damper, 3 * kMaxPatches> damper;
