@@ -27,6 +27,13 @@ int Fail(const std::string& text) {
   return -1;
 }
 
+int NotAttached(const std::string& function, const mjModel* m) {
+  return Fail(function + ": the model is not attached" +
+              (phs::plugin::WasAttached(m)
+                   ? ": it was copied or saved from one that is detached; attach it"
+                   : ""));
+}
+
 /// "kind:line" or "kind:line:at_s", several separated by commas.
 Result<std::vector<phs::effects::Failure>> ParseFailures(const std::string& text) {
   std::vector<phs::effects::Failure> failures;
@@ -132,15 +139,18 @@ void phs_detach(mjModel* m) {
 const char* phs_last_error(void) { return LastError().c_str(); }
 
 int phs_reset(const mjModel* m, mjData* d) {
-  if (phs::plugin::Find(m) == nullptr) return Fail("phs_reset: the model is not attached");
-  phs::plugin::ResetToStart(m, d);
-  return 0;
+  return Guard([&] {
+    if (phs::plugin::Find(m) == nullptr) return NotAttached("phs_reset", m);
+    phs::plugin::StandInFront(m);
+    phs::plugin::ResetToStart(m, d);
+    return 0;
+  });
 }
 
 int phs_num_outputs(const mjModel* m) {
   return Guard([&] {
     const phs::plugin::Binding* binding = phs::plugin::Find(m);
-    if (binding == nullptr) return Fail("phs_num_outputs: the model is not attached");
+    if (binding == nullptr) return NotAttached("phs_num_outputs", m);
     return static_cast<int>(phs::plugin::Observer(m, *binding).channels().size());
   });
 }
@@ -149,7 +159,7 @@ const char* phs_output_name(const mjModel* m, int index) {
   thread_local std::string name;
   const int found = Guard([&] {
     const phs::plugin::Binding* binding = phs::plugin::Find(m);
-    if (binding == nullptr) return Fail("phs_output_name: the model is not attached");
+    if (binding == nullptr) return NotAttached("phs_output_name", m);
     const phs::plugin::Observer observer(m, *binding);
     if (index < 0 || index >= static_cast<int>(observer.channels().size())) {
       return Fail("phs_output_name: index out of range");
@@ -163,7 +173,11 @@ const char* phs_output_name(const mjModel* m, int index) {
 int phs_outputs(const mjModel* m, const mjData* d, double* values) {
   return Guard([&] {
     const phs::plugin::Binding* binding = phs::plugin::Find(m);
-    if (binding == nullptr) return Fail("phs_outputs: the model is not attached");
+    if (binding == nullptr) return NotAttached("phs_outputs", m);
+    const std::string bypassed = phs::plugin::Bypassed(m);
+    if (!bypassed.empty()) {
+      return Fail("phs_outputs: " + bypassed + " (phs_reset puts the plugin in front again)");
+    }
     phs::plugin::Observer(m, *binding).Observe(m, d, values);
     return 0;
   });

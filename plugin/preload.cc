@@ -1,8 +1,9 @@
 // LD_PRELOAD=libphs_mujoco.so any-mujoco-program bogie.xml
 //
 // MuJoCo 2.2.2 has no plugin loading, so the shared library stands in front of the functions that
-// load and delete models: a model that names wheelsets or PHS systems is attached as it is loaded.
-// Only libphs_mujoco.so contains this file.
+// load, copy and delete models: a model that names wheelsets or PHS systems is attached as it is
+// loaded. It also stands in front of the functions that evaluate it, to stay in the callbacks if
+// the program sets its own later. Only libphs_mujoco.so contains this file.
 //
 // PHS_OPTIONS="speed_m_s=20;track=curve_r400" overrides as in phs_attach. PHS_TRACE=FILE writes
 // time and qpos of every step of the first mjData to a CSV with every digit.
@@ -19,6 +20,8 @@
 #include "plugin/registry.h"
 
 namespace {
+
+using Evaluate = void (*)(const mjModel*, mjData*);
 
 template <typename Function>
 Function Next(const char* name) {
@@ -85,11 +88,37 @@ PHS_API void mj_deleteModel(mjModel* m) {
   Next<void (*)(mjModel*)>("mj_deleteModel")(m);
 }
 
+PHS_API mjModel* mj_copyModel(mjModel* dest, const mjModel* src) {
+  using Copy = mjModel* (*)(mjModel*, const mjModel*);
+  mjModel* copy = Next<Copy>("mj_copyModel")(dest, src);
+  phs::plugin::Find(copy);  // from here on the copy stands for itself
+  return copy;
+}
+
+// Callbacks that the program has set since come behind ours: nothing is lost, no step is bare.
 PHS_API void mj_step(const mjModel* m, mjData* d) {
-  using Step = void (*)(const mjModel*, mjData*);
-  static const Step next = Next<Step>("mj_step");
+  static const Evaluate next = Next<Evaluate>("mj_step");
+  phs::plugin::StandInFront(m);
   next(m, d);
   Trace::Get().Step(m, d);
+}
+
+PHS_API void mj_step1(const mjModel* m, mjData* d) {
+  static const Evaluate next = Next<Evaluate>("mj_step1");
+  phs::plugin::StandInFront(m);
+  next(m, d);
+}
+
+PHS_API void mj_step2(const mjModel* m, mjData* d) {
+  static const Evaluate next = Next<Evaluate>("mj_step2");
+  phs::plugin::StandInFront(m);
+  next(m, d);
+}
+
+PHS_API void mj_forward(const mjModel* m, mjData* d) {
+  static const Evaluate next = Next<Evaluate>("mj_forward");
+  phs::plugin::StandInFront(m);
+  next(m, d);
 }
 
 }  // extern "C"

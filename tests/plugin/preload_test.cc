@@ -47,6 +47,19 @@ TEST(PreloadTest, AForeignProgramFollowsTheSameTrajectoryBitForBit) {
   }
 }
 
+TEST(PreloadTest, CopiesAndCallbacksOfTheProgramChangeNoBit) {
+  PHS_SKIP_UNDER_SANITIZERS();
+  const std::string host =
+      std::string(kPreload) + PHS_BINARY_DIR + "/tests/foreign_host " + BogiePath("phs") + " 500";
+  const Output plain = Execute(host);
+  ASSERT_EQ(plain.code, 0) << plain.text;
+  for (const char* manner : {" copy", " replace", " chain"}) {
+    const Output out = Execute(host + manner);
+    EXPECT_EQ(out.code, 0) << manner;
+    EXPECT_EQ(out.text, plain.text) << manner;
+  }
+}
+
 TEST(PreloadTest, WithoutThePluginTheSameProgramFallsFreely) {
   const Output bare =
       Execute(std::string(PHS_BINARY_DIR) + "/tests/foreign_host " + BogiePath("phs") + " 1000");
