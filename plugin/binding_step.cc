@@ -91,6 +91,7 @@ void Binding::AddCylinderForces(const mjModel* m, mjData* d, const double* speed
     }
     hydraulics::PhsOutputs out{force,      scratch[0], scratch[1], scratch[2],
                                scratch[3], scratch[4], slope,      pressure};
+    if (!slopes) out.damping = nullptr;  // the second round has a secant
     out.energy = !slopes;  // of the last round alone
     p.system->Calc(d->time, x, v, user + p.states_at, &out);
     // MuJoCo's actuator force pushes the ends apart, ours pulls them together.
@@ -115,7 +116,7 @@ bool Binding::Factor(const mjModel* m, const mjData* d, bool again, Work* work) 
     for (int i = 0; i < static_cast<int>(p.cylinder.size()); ++i) {
       const double force = -d->userdata[p.forces_at + i];
       const double speed = d->userdata[p.speeds_at + i];
-      double slope = numbers[i];
+      double slope = again ? used[i] : numbers[i];
       if (again && speed != speed_before[i]) {
         slope = std::max(0.0, (force - force_before[i]) / (speed - speed_before[i]));
       }
