@@ -1,14 +1,11 @@
 #include "analysis/curve_family.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <filesystem>
 
-#include "base/result_dir.h"
+#include "base/disk.h"
 
 namespace phs::analysis {
 namespace {
@@ -41,11 +38,8 @@ Result<FamilyCurve> CurveOfRadius(const CurveFamily& f, double radius_m) {
 }
 
 Result<TemporaryTrack> TemporaryTrack::Write(const CurveFamily& f, const FamilyCurve& c) {
-  static std::atomic<int> number{0};
   TemporaryTrack track;
-  track.path_ = (std::filesystem::temp_directory_path() /
-                 fmt::format("phs_curve_{}_{}.yaml", getpid(), number++))
-                    .string();
+  if (Status s = track.folder_.status(); !s.ok()) return s.error();
   const std::string text = fmt::format(
       "name: arc_r{:g}\ngauge_m: {}\ngauge_height_m: 0.014\ncant_pivot: low_rail\ncant_base_m: {}\n"
       "segments:\n  - {{kind: tangent, length_m: 40}}\n  - {{kind: transition, length_m: {}}}\n"
@@ -53,14 +47,8 @@ Result<TemporaryTrack> TemporaryTrack::Write(const CurveFamily& f, const FamilyC
       "  - {{kind: transition, length_m: {}}}\n  - {{kind: tangent, length_m: 20}}\n",
       c.radius_m, f.gauge_m, f.cant_base_m, c.transition_m, c.radius_m, f.arc_length_m, c.cant_m,
       c.transition_m);
-  if (Status s = WriteFileAtomically(track.path_, text); !s.ok()) return s.error();
+  if (Status s = WritePassingFile(track.path(), text); !s.ok()) return s.error();
   return track;
-}
-
-TemporaryTrack::~TemporaryTrack() {
-  if (path_.empty()) return;
-  std::error_code ignored;
-  std::filesystem::remove(path_, ignored);
 }
 
 }  // namespace phs::analysis

@@ -6,6 +6,7 @@
 
 #include <string>
 
+#include "base/local_folder.h"
 #include "base/result.h"
 
 namespace phs::analysis {
@@ -29,21 +30,15 @@ struct FamilyCurve {
 /// Errors: radius outside 80 … 20000 m, family out of range.
 Result<FamilyCurve> CurveOfRadius(const CurveFamily& family, double radius_m);
 
-/// A track file of the curve in the system's temporary folder; removed with the object.
+/// A track file of the curve in a temporary folder of its own; removed with the object.
 class TemporaryTrack {
  public:
   static Result<TemporaryTrack> Write(const CurveFamily& family, const FamilyCurve& curve);
-  TemporaryTrack(TemporaryTrack&& other) noexcept { path_.swap(other.path_); }
-  TemporaryTrack& operator=(TemporaryTrack&& other) noexcept {
-    path_.swap(other.path_);
-    return *this;
-  }
-  ~TemporaryTrack();
-  const std::string& path() const { return path_; }
+  std::string path() const { return folder_.path() + "/curve.yaml"; }
 
  private:
   TemporaryTrack() = default;
-  std::string path_;
+  LocalFolder folder_;
 };
 
 }  // namespace phs::analysis

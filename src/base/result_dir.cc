@@ -5,15 +5,16 @@
 #include <stdio.h>
 #include <unistd.h>
 
-#include <atomic>
 #include <cerrno>
 #include <filesystem>
 #include <fstream>
+#include <set>
 #include <sstream>
 #include <system_error>
 #include <utility>
 
 #include "base/numbers.h"
+#include "base/words.h"
 
 namespace phs {
 namespace {
@@ -21,20 +22,12 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr char kPartial[] = ".partial.";
+constexpr char kOld[] = ".old";
+constexpr char kMarkTitle[] =
+    "# A result of phs. --force replaces this folder while it holds these files alone.\n";
 
-std::string HostName() {
-  char name[256] = "";
-  gethostname(name, sizeof name - 1);
-  return name;
-}
-
-/// "HOST.PID.COUNT": no two writers of one file share it, on one machine or on a shared disk.
-std::string WriterName() {
-  static std::atomic<int> count{0};
-  return HostName() + '.' + std::to_string(getpid()) + '.' + std::to_string(count++);
-}
-
-/// Removes what killed writers of `path` on this machine left behind.
+/// What killed writers of `path` on this machine left behind is removed; a former result that was
+/// aside when its place was empty goes back.
 void RemoveAbandoned(const fs::path& path) {
   const fs::path parent = path.has_parent_path() ? path.parent_path() : fs::path(".");
   const std::string prefix = path.filename().string() + kPartial + HostName() + '.';
@@ -47,7 +40,12 @@ void RemoveAbandoned(const fs::path& path) {
     const auto pid = ParseNumber(name.substr(prefix.size(), end - prefix.size()));
     if (!pid || *pid < 2 || *pid > 1e9) continue;
     const bool lives = kill(static_cast<pid_t>(*pid), 0) == 0 || errno != ESRCH;
-    if (!lives) fs::remove_all(entry.path(), ignored);
+    if (lives) continue;
+    if (name.ends_with(kOld) && !fs::exists(fs::symlink_status(path, ignored))) {
+      fs::rename(entry.path(), path, ignored);
+    } else {
+      fs::remove_all(entry.path(), ignored);
+    }
   }
 }
 
@@ -67,6 +65,12 @@ Error ExistsAlready(const std::string& path) {
   return {path, "exists already", "a new directory", "choose another, or --force"};
 }
 
+Error NoFormerResult(const std::string& path, const std::string& what) {
+  return {path, "is no former result of phs: " + what,
+          "--force replaces only what phs wrote, with nothing else in it",
+          "choose another directory, or remove it yourself"};
+}
+
 /// Renames, never over something that exists.
 bool RenameToNew(const std::string& from, const std::string& to, std::error_code* fault) {
   fault->clear();
@@ -83,7 +87,71 @@ bool RenameToNew(const std::string& from, const std::string& to, std::error_code
   return false;
 }
 
+/// Two directories change places: in one step, or by a third name.
+bool ChangePlaces(const std::string& a, const std::string& b, std::error_code* fault) {
+  fault->clear();
+  if (renameat2(AT_FDCWD, a.c_str(), AT_FDCWD, b.c_str(), RENAME_EXCHANGE) == 0) return true;
+  if (errno != EINVAL && errno != ENOSYS) {
+    *fault = {errno, std::generic_category()};
+    return false;
+  }
+  const std::string aside = a + kOld;
+  std::error_code ignored;
+  fs::rename(b, aside, *fault);
+  if (*fault) return false;
+  fs::rename(a, b, *fault);
+  if (*fault) {
+    fs::rename(aside, b, ignored);
+    return false;
+  }
+  fs::rename(aside, a, ignored);
+  return true;
+}
+
+/// Files below `folder`, by their path in it, sorted; the mark is not among them.
+std::set<std::string> FilesIn(const std::string& folder, std::error_code* fault) {
+  std::set<std::string> files;
+  for (fs::recursive_directory_iterator at(folder, *fault), end; !*fault && at != end;
+       at.increment(*fault)) {
+    if (at->symlink_status(*fault).type() == fs::file_type::directory) continue;
+    files.insert(at->path().lexically_relative(folder).generic_string());
+  }
+  files.erase(kResultMark);
+  return files;
+}
+
+Status WriteMark(const std::string& folder) {
+  std::error_code fault;
+  std::string text = kMarkTitle;
+  for (const std::string& file : FilesIn(folder, &fault)) text += file + "\n";
+  if (fault) return WriteFault(folder, fault.value());
+  return WritePassingFile(folder + "/" + kResultMark, text);
+}
+
 }  // namespace
+
+Status CheckFormerResult(const std::string& path) {
+  std::error_code fault;
+  const fs::file_type kind = fs::symlink_status(path, fault).type();
+  if (kind == fs::file_type::symlink) return NoFormerResult(path, "it is a link");
+  if (kind != fs::file_type::directory) return NoFormerResult(path, "it is a file");
+  fault.clear();
+  if (fs::is_empty(path, fault)) return {};
+  const std::set<std::string> found = FilesIn(path, &fault);
+  if (fault) return NoFormerResult(path, "it cannot be looked into (" + fault.message() + ")");
+  const auto mark = ReadFile(path + "/" + kResultMark);
+  if (!mark.ok() || mark.value().compare(0, sizeof kMarkTitle - 1, kMarkTitle) != 0) {
+    const std::string held = found.empty() ? "folders" : Quoted(*found.begin());
+    return NoFormerResult(path, "it holds " + held + " and no " + kResultMark);
+  }
+  std::set<std::string> own;
+  std::istringstream lines(mark.value());
+  for (std::string line; std::getline(lines, line);) own.insert(line);
+  for (const std::string& file : found) {
+    if (own.count(file) == 0) return NoFormerResult(path, "it holds " + Quoted(file) + " too");
+  }
+  return {};
+}
 
 Result<ResultDir> ResultDir::Create(const std::string& final_path, bool force) {
   fs::path path = fs::path(final_path).lexically_normal();
@@ -94,17 +162,20 @@ Result<ResultDir> ResultDir::Create(const std::string& final_path, bool force) {
                  "a directory of its own", ""};
   }
   std::error_code fault;
-  if (fs::exists(fs::symlink_status(path, fault)) && !force) return ExistsAlready(path.string());
-  fault.clear();  // nothing there is what a new directory asks for
   if (path.has_parent_path()) fs::create_directories(path.parent_path(), fault);
   if (!fault) RemoveAbandoned(path);
+  std::error_code none;
+  if (fs::exists(fs::symlink_status(path, none))) {
+    if (!force) return ExistsAlready(path.string());
+    if (Status s = CheckFormerResult(path.string()); !s.ok()) return s.error();
+  }
   const std::string partial = path.string() + kPartial + WriterName();
   if (!fault) fs::create_directory(partial, fault);
-  if (fault) {
-    return Error{path.string(), "cannot be created (" + fault.message() + ")",
-                 "a place that can be written", ""};
-  }
-  return ResultDir(path.string(), partial, force);
+  if (!fault) return ResultDir(path.string(), partial, force);
+  const Error error = WriteFault(path.string(), fault.value());
+  if (IsDiskFault(error)) return error;
+  return Error{path.string(), "cannot be created (" + fault.message() + ")",
+               "a place that can be written", ""};
 }
 
 ResultDir::ResultDir(ResultDir&& other) noexcept
@@ -126,54 +197,41 @@ ResultDir::~ResultDir() {
 
 std::string ResultDir::File(const std::string& name) const { return partial_ + "/" + name; }
 
+std::string ResultDir::Parent() const { return fs::path(final_path_).parent_path().string(); }
+
 Status ResultDir::Commit() {
   PHS_CHECK(!partial_.empty());
+  if (Status s = WriteMark(partial_); !s.ok()) return s;
+  if (Status s = SyncTree(partial_); !s.ok()) return s;
   std::error_code fault;
   if (RenameToNew(partial_, final_path_, &fault)) {
+    if (Status s = SyncFolder(Parent()); !s.ok()) {
+      std::error_code ignored;
+      (void)RenameToNew(final_path_, partial_, &ignored);
+      return s;
+    }
     partial_.clear();
     return {};
   }
-  if (fault == std::errc::file_exists) {
-    if (!force_) return ExistsAlready(final_path_);
-    // The old and the new change places at once: at no time is there neither.
-    fault.clear();
-    if (renameat2(AT_FDCWD, partial_.c_str(), AT_FDCWD, final_path_.c_str(), RENAME_EXCHANGE) !=
-        0) {
-      const std::string old = partial_ + ".old";
-      fs::rename(final_path_, old, fault);
-      if (!fault) fs::rename(partial_, final_path_, fault);
-      if (!fault) partial_ = old;
-    }
-    if (!fault) {  // what is aside now is the old one
-      fs::remove_all(partial_, fault);
-      partial_.clear();
-      return {};
-    }
-  }
-  return Error{final_path_, "cannot be put into place (" + fault.message() + ")", "", ""};
+  if (fault == std::errc::file_exists) return force_ ? Replace() : ExistsAlready(final_path_);
+  return WriteFault(final_path_, fault.value());
 }
 
-Status WriteFileAtomically(const std::string& path, const std::string& text) {
+Status ResultDir::Replace() {
+  // Hours may have passed since it was looked into.
+  if (Status s = CheckFormerResult(final_path_); !s.ok()) return s;
   std::error_code fault;
-  // A pipe or a terminal is written to, not replaced.
-  const bool direct = fs::exists(path, fault) && !fs::is_regular_file(path, fault);
-  const std::string aside = direct ? path : path + ".tmp." + WriterName();
-  errno = 0;
-  std::ofstream file(aside, std::ios::binary);
-  file << text;
-  file.close();
-  if (!file) {
-    fault = {errno != 0 ? errno : EIO, std::generic_category()};
-  } else if (!direct) {
-    fs::rename(aside, path, fault);
-  } else {
-    fault.clear();
+  if (!ChangePlaces(partial_, final_path_, &fault)) {
+    return WriteFault(final_path_, fault.value());
   }
-  if (!fault) return {};
-  std::error_code ignored;
-  if (!direct) fs::remove(aside, ignored);
-  return Error{path, "cannot be written (" + fault.message() + ")",
-               "a place with room that can be written", ""};
+  if (Status s = SyncFolder(Parent()); !s.ok()) {
+    std::error_code ignored;
+    (void)ChangePlaces(partial_, final_path_, &ignored);
+    return s;
+  }
+  fs::remove_all(partial_, fault);  // the old one; the new one stands whatever becomes of it
+  partial_.clear();
+  return {};
 }
 
 Result<std::string> ReadFile(const std::string& path) {
@@ -185,11 +243,7 @@ Result<std::string> ReadFile(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   std::ostringstream text;
   if (file && file.peek() != std::ifstream::traits_type::eof()) text << file.rdbuf();
-  if (!file.is_open() || file.bad() || !text) {
-    const int code = errno != 0 ? errno : EIO;
-    return Error{path, "cannot be read (" + std::generic_category().message(code) + ")",
-                 "a readable file", "check the path"};
-  }
+  if (!file.is_open() || file.bad() || !text) return ReadFault(path, errno != 0 ? errno : EIO);
   return text.str();
 }
 

@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <unordered_set>
 
 #include "base/numbers.h"
 #include "base/result_dir.h"
@@ -52,10 +54,11 @@ Result<std::vector<std::string>> SplitLine(std::string_view line, const std::str
 
 /// Takes the names from the header row.
 Status ReadHeader(const std::vector<std::string>& cells, const std::string& where, Table* table) {
+  std::unordered_set<std::string> known;
   for (const std::string& cell : cells) {
     const std::string column(Trimmed(cell));
     if (column.empty()) return Error{where, "a column has no name", "a header row of names", ""};
-    if (table->Find(column) >= 0) {
+    if (!known.insert(column).second) {
       return Error{where, "column " + Quoted(column) + " is given twice", "each name once", ""};
     }
     table->names.push_back(column);
@@ -78,8 +81,9 @@ Status ReadRow(const std::vector<std::string>& cells, const std::string& where, 
   for (size_t i = 0; i < cells.size(); ++i) {
     const std::string_view cell = Trimmed(cells[i]);
     table->text[i].emplace_back(cell);
-    table->columns[i].push_back(
-        ParseNumber(cell).value_or(std::numeric_limits<double>::quiet_NaN()));
+    const auto number = ParseNumber(cell);
+    const bool fits = number && std::abs(*number) <= kLargestReading;
+    table->columns[i].push_back(fits ? *number : std::numeric_limits<double>::quiet_NaN());
   }
   return {};
 }

@@ -9,6 +9,9 @@
 
 namespace phs {
 
+/// No quantity in any unit is larger; sums of its squares stay finite.
+inline constexpr double kLargestReading = 1e60;
+
 /// Columns of equal length. Text cells that are not numbers are kept in `text`.
 struct Table {
   std::string source;                          ///< file it came from, for messages
@@ -27,7 +30,7 @@ struct Table {
 
 /// Reads a CSV with one header row: commas, '.' as decimal mark, line ends of any system. `#` lines
 /// are comments. Ragged rows, unclosed quotes, doubled names and empty files are errors; a cell
-/// that is no finite number is NaN and stays readable in `text`.
+/// that is no number up to kLargestReading is NaN and stays readable in `text`.
 Result<Table> ReadCsv(const std::string& path);
 Result<Table> ParseCsv(const std::string& text, const std::string& name);
 /// Reads the real numeric vectors of a MATLAB file (v5/v7.3): each variable or struct field one

@@ -2,8 +2,10 @@
 #include <matio.h>
 
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <map>
 #include <memory>
 
@@ -73,6 +75,9 @@ void Add(const matvar_t& variable, const std::string& parent, std::vector<Found>
     return;
   }
   std::vector<double> values = VectorOf(variable);
+  for (double& value : values) {
+    if (!(std::abs(value) <= kLargestReading)) value = std::numeric_limits<double>::quiet_NaN();
+  }
   if (values.size() >= 2) found->push_back({parent, variable.name, std::move(values)});
 }
 

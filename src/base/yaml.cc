@@ -12,15 +12,14 @@
 #include "base/yaml_document.h"
 
 namespace phs {
-namespace {
 
 /// What all maps of one document share.
-struct Document {
+struct YamlMap::Document {
   std::string path;
   std::optional<Error> error;
+  /// The map and the key where `error` says that it is missing.
+  std::pair<const Impl*, std::string> missing = {nullptr, ""};
 };
-
-}  // namespace
 
 bool Range::Contains(double value) const {
   if (!std::isfinite(value)) return false;
@@ -78,7 +77,20 @@ struct YamlMap::Impl {
     if (!document->error) document->error = std::move(error);
   }
   void Missing(std::string_view key, const std::string& allowed) {
+    if (!document->error) document->missing = {this, std::string(key)};
     Fail({Where(key), "is missing", allowed, "add it"});
+  }
+  /// The key that stands there for a missing one, mistyped. Once all keys have been asked for.
+  std::optional<Error> MistypedFor(const std::string& key) const {
+    std::vector<std::string> unknown;
+    for (const Entry& entry : entries) {
+      if (asked.count(entry.key) == 0) unknown.push_back(entry.key);
+    }
+    const std::string found = NearestWord(key, unknown);
+    if (found.empty()) return std::nullopt;
+    return Error{Where(found), "unknown key",
+                 JoinWords(std::vector<std::string>(asked.begin(), asked.end())),
+                 DidYouMean(found, {key}, "did you mean " + Quoted(key) + "?")};
   }
   double ToNumber(const std::string& where, const YAML::Node& node, const Range& range) {
     const auto value = node.IsScalar() ? ParseNumber(node.Scalar()) : std::nullopt;
@@ -292,7 +304,11 @@ std::string YamlMap::Where(std::string_view key) const { return impl_->Where(key
 const std::string& YamlMap::path() const { return impl_->document->path; }
 
 Status YamlMap::Finish() const {
-  if (impl_->document->error) return *impl_->document->error;
+  if (impl_->document->error) {
+    const auto& [map, key] = impl_->document->missing;
+    const auto mistyped = map == nullptr ? std::nullopt : map->MistypedFor(key);
+    return mistyped ? *mistyped : *impl_->document->error;
+  }
   std::optional<std::pair<int, Error>> first;
   impl_->FindUnknown(&first);
   return first ? Status(first->second) : Status();

@@ -79,6 +79,7 @@ class YamlMap {
   Status Finish() const;
 
  private:
+  struct Document;
   struct Impl;
   explicit YamlMap(std::shared_ptr<Impl> impl) : impl_(std::move(impl)) {}
   std::shared_ptr<Impl> impl_;

@@ -1,7 +1,8 @@
 // phs: Passive Hydraulic Steering on MuJoCo. Chooses the verb, maps outcomes to exit codes.
-#include <csignal>
+#include <cerrno>
 #include <cstdio>
 #include <exception>
+#include <system_error>
 
 #include "cli/verbs.h"
 
@@ -37,11 +38,25 @@ int Main(int argc, char** argv) {
   return action();
 }
 
+/// What was printed has been taken: a full disk may be behind stdout, too.
+int Flushed(int code) {
+  errno = 0;
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
+  return phs::cli::BadInput(phs::WriteFault("stdout", errno != 0 ? errno : EIO));
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   try {
-    return Main(argc, argv);
+    return Flushed(Main(argc, argv));
+  } catch (const std::system_error& e) {
+    const phs::Error fault = phs::WriteFault("stdout", e.code().value());
+    if (phs::IsDiskFault(fault)) return phs::cli::BadInput(fault);
+    std::fprintf(stderr,
+                 "phs: the system refuses: %s; free memory, threads or files, then repeat\n",
+                 e.what());
+    return phs::cli::kFailed;
   } catch (const std::exception& e) {
     std::fprintf(stderr, "phs: internal fault: %s; please report it with the command used\n",
                  e.what());

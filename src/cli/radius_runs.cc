@@ -56,6 +56,7 @@ int RunOverRadii(const CurveOptions& options) {
   auto rows =
       vehicle::RunRadii(curves, options.bogies, [&](double share) { return progress(share); });
   if (!rows.ok()) return BadInput(rows.error());
+  if (StopSignal() != 0) return Stopped("nothing written");
   Json described = vehicle::DescribeRadii(rows.value(), base);
   if (options.stability) {
     auto speeds = CriticalSpeedsOf(options, base);

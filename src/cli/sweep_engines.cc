@@ -64,9 +64,8 @@ std::optional<int> MakeRunsHere(const sweep::Study& study, int workers, sweep::W
   });
   if (!all.ok()) return KeptButFailed(all.error());
   if (all.value()) return std::nullopt;
-  fmt::print(stderr, "phs: stopped with {} of {} runs done; --resume continues\n",
-             CountDone(study, *work), study.num_runs());
-  return kFailed;
+  return Stopped(fmt::format("{} of {} runs are done; --resume continues", CountDone(study, *work),
+                             study.num_runs()));
 }
 
 std::optional<int> MakeRunsOnSlurm(const sweep::Study& study, const sweep::SlurmOptions& options,

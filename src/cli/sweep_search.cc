@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "report/optimisation_report.h"
@@ -64,25 +65,27 @@ int FindBestDesign(Study study, int workers, const std::string& out, bool resume
   }();
   if (!found.ok()) return BadInput(found.error());
   if (!found.value().all) {
-    fmt::print(stderr, "phs: stopped after {} candidates; --resume continues\n",
-               found.value().candidates.size());
-    return kFailed;
+    return Stopped(
+        fmt::format("{} candidates are done; --resume continues", found.value().candidates.size()));
   }
   const auto records = sweep::ReadRecords(study, work.value());
-  for (const Status& s : {sweep::WriteTables(study, records, work.value()),
-                          sweep::WriteOptimum(study, found.value(), work.value())}) {
+  auto opened = work.value().OpenResult();
+  if (!opened.ok()) return BadInput(opened.error());
+  ResultDir& dir = opened.value();
+  for (const Status& s : {sweep::WriteTables(study, records, work.value(), dir),
+                          sweep::WriteOptimum(study, found.value(), dir)}) {
     if (!s.ok()) return BadInput(s.error());
   }
-  if (Status s =
-          report::WriteOptimisationReport(work.value().path(), work.value().File("report.html"));
-      !s.ok()) {
+  if (Status s = report::WriteOptimisationReport(dir.File(""), dir.File("report.html")); !s.ok()) {
     return BadInput(s.error());
   }
-  if (Status s = work.value().Finish(); !s.ok()) return BadInput(s.error());
+  if (Status s = work.value().Finish(&dir); !s.ok()) return BadInput(s.error());
   const SearchResult& result = found.value();
   if (common.format == "json") {
-    fmt::print("{{\"candidates\": {}, \"best\": {}, \"optimum\": \"{}/optimum.json\"}}\n",
-               result.candidates.size(), result.best, work.value().final_path());
+    const nlohmann::ordered_json json = {{"candidates", result.candidates.size()},
+                                         {"best", result.best},
+                                         {"optimum", work.value().final_path() + "/optimum.json"}};
+    fmt::print("{}\n", json.dump());
   } else {
     Print(study, result, work.value().final_path());
   }

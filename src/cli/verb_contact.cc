@@ -309,7 +309,7 @@ void AddContact(CLI::App* app, Action* action) {
   verb->add_option("--side", options->side, "Wheel where the table names none (left)")
       ->check(CLI::IsMember({"left", "right"}));
   AddPairOptions(verb, &options->pair);
-  verb->add_option("--out", options->out, "CSV to write")->required();
+  verb->add_option("--out", options->out, "CSV to write")->required()->check(NotEmpty);
   verb->add_flag("--force", options->force, "Replace an existing file");
   verb->callback([=] { *action = [=] { return RunContact(*options); }; });
 }

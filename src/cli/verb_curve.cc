@@ -29,6 +29,9 @@ using vehicle::RunOutcome;
 using vehicle::Scenario;
 using vehicle::Simulation;
 
+/// Beside the first run, or after it where the system gives no thread.
+constexpr auto kAsideOrLater = std::launch::async | std::launch::deferred;
+
 struct CurveRun {
   std::string bogie;
   std::optional<Simulation> simulation;
@@ -64,13 +67,16 @@ Status CreateRuns(const CurveOptions& options, const Scenario& scenario,
   return {};
 }
 
-/// Runs two at a time; results do not depend on it.
-Status RunAll(const CurveOptions& options, const Scenario& scenario, std::vector<CurveRun>* runs) {
+/// Runs two at a time; results do not depend on it. False: the user has stopped it.
+Result<bool> RunAll(const CurveOptions& options, const Scenario& scenario,
+                    std::vector<CurveRun>* runs) {
   ProgressLine progress(scenario.name, options.common.quiet);
   for (size_t i = 0; i < runs->size(); i += 2) {
     std::future<Result<RunOutcome>> second;
     if (i + 1 < runs->size()) {
-      second = std::async(std::launch::async, [&, i] { return (*runs)[i + 1].simulation->Run(); });
+      second = std::async(kAsideOrLater, [&, i] {
+        return (*runs)[i + 1].simulation->Run([](double) { return StopSignal() == 0; });
+      });
     }
     const double done = static_cast<double>(i) / static_cast<double>(runs->size());
     const double part = 2.0 / static_cast<double>(runs->size());
@@ -84,11 +90,15 @@ Status RunAll(const CurveOptions& options, const Scenario& scenario, std::vector
       (*runs)[i + 1].outcome = std::move(outcome).value();
     }
   }
+  // A run that was cut is no result, although it has all its files.
+  for (const CurveRun& run : *runs) {
+    if (run.outcome.status == "stopped") return false;
+  }
   for (CurveRun& run : *runs) {
     run.summary = vehicle::Summarise(*run.simulation, run.outcome);
     run.summary["assessment"] = analysis::AssessRun(*run.simulation, run.outcome);
   }
-  return {};
+  return true;
 }
 
 NamedSummaries Summaries(const std::vector<CurveRun>& runs) {
@@ -156,7 +166,9 @@ int RunCurve(const CurveOptions& options, bool compare) {
   std::optional<ResultDir>& dir = asked.value();
   std::vector<CurveRun> runs;
   if (Status s = CreateRuns(chosen, scenario, &runs); !s.ok()) return BadInput(s.error());
-  if (Status s = RunAll(chosen, scenario, &runs); !s.ok()) return BadInput(s.error());
+  const auto all = RunAll(chosen, scenario, &runs);
+  if (!all.ok()) return BadInput(all.error());
+  if (!all.value()) return Stopped("nothing written");
   const NamedSummaries summaries = Summaries(runs);
   if (options.common.format == "json") {
     const Json json =
@@ -205,7 +217,8 @@ void AddCurveOptions(CLI::App* verb, CurveOptions* options) {
   verb->add_option("scenario", options->scenario, "Scenario: a name or a YAML file")->required();
   verb->add_option("--check", options->limits,
                    "Limits (YAML) that the result must keep: else exit 1");
-  verb->add_option("--junit", options->junit, "Write how runs and limits did as JUnit XML");
+  verb->add_option("--junit", options->junit, "Write how runs and limits did as JUnit XML")
+      ->check(NotEmpty);
   verb->add_option("--phs", options->phs,
                    "PHS model, instead of the bogie's: a name or a YAML file (the model.yaml of an "
                    "identification too)");

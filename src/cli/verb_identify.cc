@@ -56,8 +56,7 @@ int RunIdentifyVerb(const IdentifyOptions& options) {
   }();
   if (!outcome.ok()) return BadInput(outcome.error());
   if (outcome.value().cancelled) {
-    std::fprintf(stderr, "phs: stopped; nothing written\n");
-    return kFailed;
+    return Stopped("nothing written");
   }
   WriteReport(dir.value());
   if (Status s = dir.value().Commit(); !s.ok()) return BadInput(s.error());

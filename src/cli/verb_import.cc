@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "base/result_dir.h"
@@ -45,9 +46,11 @@ int RunImport(const ImportOptions& options) {
   if (Status s = dir.value().Commit(); !s.ok()) return BadInput(s.error());
   const std::string made = dir.value().final_path() + "/" + name;
   if (options.common.format == "json") {
-    fmt::print("{{\"bogie\": \"{}\", \"links\": {}, \"axles\": {}, \"cylinders\": {}}}\n", made,
-               urdf.value().links.size(), mapping.value().axles.size(),
-               mapping.value().cylinders.size());
+    const nlohmann::ordered_json json = {{"bogie", made},
+                                         {"links", urdf.value().links.size()},
+                                         {"axles", mapping.value().axles.size()},
+                                         {"cylinders", mapping.value().cylinders.size()}};
+    fmt::print("{}\n", json.dump());
   } else {
     fmt::print("{}: {} links, {} axles, {} cylinders; stands on straight track\n", made,
                urdf.value().links.size(), mapping.value().axles.size(),

@@ -5,14 +5,17 @@
 #include <cmath>
 #include <filesystem>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "base/data_path.h"
 #include "base/result_dir.h"
+#include "base/table.h"
 #include "cli/sweep_engines.h"
 #include "cli/sweep_search.h"
 #include "cli/verbs.h"
 #include "report/sweep_report.h"
 #include "sweep/case_files.h"
+#include "sweep/output_check.h"
 #include "sweep/outputs.h"
 #include "sweep/result_store.h"
 #include "sweep/sensitivity.h"
@@ -56,7 +59,7 @@ void PrintOutcome(const Study& study, const std::vector<RunRecord>& records,
     const auto worst = std::max_element(values.begin(), values.end(), [](auto a, auto b) {
       return std::abs(a.first) < std::abs(b.first);
     });
-    fmt::print("{:<38}{:>14.5g}{:>14.5g}{:>14.5g}   {}\n", sweep::OutputColumn(study.outputs[i]),
+    fmt::print("{:<38}{:>14.5g}{:>14.5g}{:>14.5g}   {}\n", sweep::OutputColumns(study.outputs)[i],
                values.front().first, values[values.size() / 2].first, values.back().first,
                worst->second);
   }
@@ -82,7 +85,7 @@ void AddIndices(const Study& study, const std::vector<RunRecord>& records, std::
   }
   const auto indices = sweep::SobolIndices(values, static_cast<int>(study.axes.size()));
   if (indices.empty() || input->parameters.size() != study.axes.size()) return;
-  report::OutputIndices of{sweep::OutputColumn(study.outputs[output]), {}, {}, {}, {}};
+  report::OutputIndices of{sweep::OutputColumns(study.outputs)[output], {}, {}, {}, {}};
   for (const sweep::SobolIndex& index : indices) {
     of.first.push_back(index.first);
     of.total.push_back(index.total);
@@ -112,7 +115,7 @@ report::SweepReportInput ReportInput(const Study& study, const std::vector<RunRe
     const bool any = std::any_of(records.begin(), records.end(),
                                  [&](const auto& r) { return std::isfinite(r.outputs[i]); });
     if (!any) continue;
-    input.outputs.push_back(sweep::OutputColumn(study.outputs[i]));
+    input.outputs.push_back(sweep::OutputColumns(study.outputs)[i]);
     AddIndices(study, records, i, &input);
   }
   return input;
@@ -143,23 +146,52 @@ int RunOnly(const SweepOptions& options, const Study& study) {
   return kDone;
 }
 
+void PrintJson(std::size_t runs, long ok, const std::string& path) {
+  const nlohmann::ordered_json json = {{"runs", runs}, {"ok", ok}, {"table", path + "/sweep.csv"}};
+  fmt::print("{}\n", json.dump());
+}
+
 int Conclude(const SweepOptions& options, const Study& study, sweep::WorkDir* work) {
   const auto records = sweep::ReadRecords(study, *work);
-  if (Status s = sweep::WriteTables(study, records, *work); !s.ok()) return BadInput(s.error());
-  const auto input = ReportInput(study, records, work->File("sweep.csv"));
+  auto opened = work->OpenResult();
+  if (!opened.ok()) return BadInput(opened.error());
+  ResultDir& dir = opened.value();
+  if (Status s = sweep::WriteTables(study, records, *work, dir); !s.ok()) {
+    return BadInput(s.error());
+  }
+  const auto input = ReportInput(study, records, dir.File("sweep.csv"));
   if (Count(records, "ok") > 0 && !input.outputs.empty() && !input.parameters.empty()) {
-    if (Status s = report::WriteSweepReport(input, work->File("report.html")); !s.ok()) {
+    if (Status s = report::WriteSweepReport(input, dir.File("report.html")); !s.ok()) {
       return BadInput(s.error());
     }
   }
-  if (Status s = work->Finish(); !s.ok()) return BadInput(s.error());
+  if (Status s = work->Finish(&dir); !s.ok()) return BadInput(s.error());
   if (options.common.format == "json") {
-    fmt::print("{{\"runs\": {}, \"ok\": {}, \"table\": \"{}/sweep.csv\"}}\n", records.size(),
-               Count(records, "ok"), work->final_path());
+    PrintJson(records.size(), Count(records, "ok"), work->final_path());
   } else {
     PrintOutcome(study, records, work->final_path());
   }
   return Count(records, "ok") == study.num_runs() ? kDone : kFailed;
+}
+
+/// A sweep that was ended after its result stood, asked to go on: the exit code that it had.
+int TellFinished(const SweepOptions& options, const Study& study, const std::string& out) {
+  const auto table = ReadCsv(out + "/sweep.csv");
+  if (!table.ok()) return BadInput(table.error());
+  const int at = table.value().Find("status");
+  const auto& states = table.value().text[static_cast<std::size_t>(std::max(at, 0))];
+  const auto ok = std::count(states.begin(), states.end(), "ok");
+  if (options.common.format == "json") {
+    PrintJson(states.size(), ok, out);
+  } else {
+    fmt::print("{}: was finished already\n\nTable: {}/sweep.csv\n", study.name, out);
+  }
+  if (!study.optimisation) return ok == static_cast<long>(states.size()) ? kDone : kFailed;
+  const auto optimum = ReadFile(out + "/optimum.json");
+  if (!optimum.ok()) return BadInput(optimum.error());
+  const auto json = nlohmann::json::parse(optimum.value(), nullptr, false);
+  const auto best = json.is_object() ? json.value("best", nlohmann::json()) : nlohmann::json();
+  return best.is_object() && best.value("keeps_constraints", false) ? kDone : kFailed;
 }
 
 int RunSearch(const SweepOptions& options, const Study& study) {
@@ -168,6 +200,7 @@ int RunSearch(const SweepOptions& options, const Study& study) {
                      "its runs depend on each other: leave --engine, --only and --plan away"});
   }
   const std::string out = options.common.out.empty() ? study.name : options.common.out;
+  if (options.resume && sweep::IsFinished(out, study)) return TellFinished(options, study, out);
   return FindBestDesign(study, options.workers, out, options.resume, options.common);
 }
 
@@ -181,6 +214,10 @@ int RunSweep(const SweepOptions& options) {
   const sweep::SlurmOptions slurm = options.slurm.Over(study.slurm);
   if (!options.slurm.task.empty()) return RunSlurmTask(study, out, options.slurm.task);
   if (options.slurm.plan) return PrintSlurmPlan(study, slurm, out);
+  if (options.resume && sweep::IsFinished(out, study)) return TellFinished(options, study, out);
+  if (!options.resume) {
+    if (Status s = sweep::CheckOutputs(study); !s.ok()) return BadInput(s.error());
+  }
   auto work = sweep::WorkDir::Open(out, study, options.resume, options.common.force);
   if (!work.ok()) return BadInput(work.error());
   const auto code = options.engine == "slurm"
@@ -207,7 +244,8 @@ void AddSweep(CLI::App* app, Action* action) {
   verb->add_flag("--resume", options->resume, "Continue what was stopped or killed");
   verb->add_option("--only", options->only, "Lay out one run as files, to be simulated alone")
       ->check(CLI::NonNegativeNumber);
-  verb->footer("Exit code 1 when a run did not end well, or the sweep was stopped.");
+  verb->footer(
+      "Exit code 1 when a run did not end well or the disk failed, 130 when it was stopped.");
   verb->callback([=] { *action = [=] { return RunSweep(*options); }; });
 }
 

@@ -10,23 +10,38 @@
 namespace phs::cli {
 namespace {
 
-std::atomic<bool> interrupted{false};
-void OnInterrupt(int) { interrupted = true; }
+std::atomic<int> stop_signal{0};
+void OnStop(int signal) {
+  stop_signal = signal;
+  std::signal(signal, SIG_DFL);
+}
 
 }  // namespace
 
 void AddCommonOptions(CLI::App* verb, CommonOptions* options) {
-  verb->add_option("--out", options->out, "Result directory (complete or absent)");
+  verb->add_option("--out", options->out, "Result directory (complete or absent)")->check(NotEmpty);
   verb->add_option("--format", options->format, "Output on stdout")
       ->check(CLI::IsMember({"text", "json"}))
       ->capture_default_str();
   verb->add_flag("--quiet", options->quiet, "No progress on stderr");
-  verb->add_flag("--force", options->force, "Replace an existing result directory");
+  verb->add_flag("--force", options->force, "Replace a former result of phs");
+}
+
+std::string NotEmpty(const std::string& path) {
+  return path.empty() ? "is empty; name a file or folder, or leave the option away" : "";
 }
 
 int BadInput(const Error& error) {
   std::fprintf(stderr, "phs: %s\n", error.Line().c_str());
-  return kBadInput;
+  if (StopSignal() != 0) return kSignalled + StopSignal();
+  return IsDiskFault(error) ? kFailed : kBadInput;
+}
+
+int StopSignal() { return stop_signal; }
+
+int Stopped(const std::string& what) {
+  std::fprintf(stderr, "phs: stopped; %s\n", what.c_str());
+  return kSignalled + StopSignal();
 }
 
 Result<std::optional<ResultDir>> OpenAskedDir(const CommonOptions& options) {
@@ -64,8 +79,9 @@ ProgressLine::ProgressLine(std::string what, bool quiet) : impl_(new Impl) {
   impl_->what = std::move(what);
   impl_->quiet = quiet;
   impl_->terminal = isatty(STDERR_FILENO) != 0;
-  std::signal(SIGINT, &OnInterrupt);
-  std::signal(SIGTERM, &OnInterrupt);
+  if (StopSignal() != 0) return;
+  std::signal(SIGINT, &OnStop);
+  std::signal(SIGTERM, &OnStop);
 }
 
 ProgressLine::~ProgressLine() {
@@ -74,7 +90,7 @@ ProgressLine::~ProgressLine() {
 }
 
 bool ProgressLine::operator()(double share) {
-  if (interrupted) return false;
+  if (StopSignal() != 0) return false;
   if (impl_->quiet) return true;
   const auto now = std::chrono::steady_clock::now();
   const double elapsed = std::chrono::duration<double>(now - impl_->begin).count();

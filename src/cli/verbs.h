@@ -12,7 +12,15 @@
 namespace phs::cli {
 
 /// Exit codes of the program (docs/program.md).
-enum ExitCode { kDone = 0, kFailed = 1, kUsage = 2, kBadInput = 3, kInternal = 5 };
+/// Stopped by a signal: 128 + its number, 130 after Ctrl-C.
+enum ExitCode {
+  kDone = 0,
+  kFailed = 1,
+  kUsage = 2,
+  kBadInput = 3,
+  kInternal = 5,
+  kSignalled = 128
+};
 
 /// Options that every verb has.
 struct CommonOptions {
@@ -25,8 +33,18 @@ struct CommonOptions {
 /// Adds --out, --format, --quiet, --force to a subcommand.
 void AddCommonOptions(CLI::App* verb, CommonOptions* options);
 
-/// Prints `error` as one line on stderr and returns the exit code for bad input.
+/// For options that name a file or folder: '' is refused.
+std::string NotEmpty(const std::string& path);
+
+/// Prints `error` as one line on stderr and returns its exit code: bad input; failed where the disk
+/// is full or fails; that of the signal where the user stopped the work.
 int BadInput(const Error& error);
+
+/// The signal with which the user has stopped the work, 0 for none. Heard while a ProgressLine has
+/// been there; a second one ends the program at once.
+int StopSignal();
+/// Says that the work was stopped and `what` became of it; returns the exit code.
+int Stopped(const std::string& what);
 
 /// The result directory asked for with --out; none without it.
 Result<std::optional<ResultDir>> OpenAskedDir(const CommonOptions& options);

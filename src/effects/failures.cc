@@ -93,7 +93,8 @@ std::vector<Failure> ReadFailures(YamlMap* map, double speed_m_s, double start_s
     if (HasTime(f)) {
       if (entry.Has("at_m")) {
         if (entry.Has("at_s")) entry.Fail("at_m", "repeats at_s", "one of the two");
-        f.at_s = (entry.Number("at_m", {}) - start_s_m) / std::max(speed_m_s, 1e-6);
+        f.at_m = entry.Number("at_m", {.min = start_s_m});
+        f.at_s = (f.at_m - start_s_m) / std::max(speed_m_s, 1e-6);
       } else {
         f.at_s = entry.Number("at_s", {.min = 0, .max = 1e6}, 0.0);
       }

@@ -15,6 +15,7 @@
 // others; the kinds without a time are changes of parameters, present from the start.
 #pragma once
 
+#include <limits>
 #include <map>
 #include <string>
 #include <vector>
@@ -33,6 +34,8 @@ struct Failure {
   double at_s = 0;          ///< time of a burst or leak [s]
   double conductance_m3_per_Pas = 1e-12;  ///< of a leak, 0 < G <= 1e-3
   double air_m3 = 20e-6;                  ///< at 101325 Pa, 0 … 1e-3
+  /// The place that gave `at_s` [m], NaN if none did: it must lie on the track.
+  double at_m = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// Names of the kinds, in the order above.

@@ -4,6 +4,7 @@
 #include <cctype>
 #include <cmath>
 #include <cstdlib>
+#include <optional>
 
 #include "base/words.h"
 
@@ -60,6 +61,42 @@ Dimension Joined(const Dimension& a, const Dimension& b, double sign) {
   return out;
 }
 
+double Apply(Code code, double a, double b) {
+  switch (code) {
+    case Code::kAdd:
+      return a + b;
+    case Code::kSubtract:
+      return a - b;
+    case Code::kMultiply:
+      return a * b;
+    case Code::kDivide:
+      return a / b;
+    case Code::kMax:
+      return std::max(a, b);
+    default:
+      return std::pow(a, b);
+  }
+}
+
+double Apply(Code code, double a) {
+  switch (code) {
+    case Code::kNegate:
+      return -a;
+    case Code::kSin:
+      return std::sin(a);
+    case Code::kCos:
+      return std::cos(a);
+    case Code::kExp:
+      return std::exp(a);
+    case Code::kTanh:
+      return std::tanh(a);
+    case Code::kAbs:
+      return std::abs(a);
+    default:
+      return std::sqrt(std::max(a, 0.0));
+  }
+}
+
 class Parser {
  public:
   Parser(const std::string& text, const std::map<std::string, double>& coefficients,
@@ -103,6 +140,27 @@ class Parser {
     stack_ += leaf ? 1 : binary ? -1 : 0;
     if (stack_ > Formula::kMaxDepth || steps_.size() > 400) Fail("too long");
     steps_.push_back(step);
+    FoldFixed(step, leaf, binary);
+  }
+  /// Follows what is fixed by the text alone: what then has no finite value never will have one.
+  void FoldFixed(const Step& step, bool leaf, bool binary) {
+    if (!error_.empty()) return;
+    if (leaf) {
+      fixed_.push_back(step.code == Code::kNumber && !step.free ? std::optional(step.number)
+                                                                : std::nullopt);
+      return;
+    }
+    const std::optional<double> b = fixed_.back();
+    if (binary) fixed_.pop_back();
+    std::optional<double>& a = fixed_.back();
+    if (step.code == Code::kDivide && b == 0.0) Fail("a division by zero");
+    if (binary) {
+      a = a && b ? std::optional(Apply(step.code, *a, *b)) : std::nullopt;
+    } else if (a) {
+      if (step.code == Code::kSqrt && *a < 0) Fail("a root of a negative number");
+      a = Apply(step.code, *a);
+    }
+    if (a && !std::isfinite(*a)) Fail("a part without finite value");
   }
 
   Dimension Sum() {
@@ -224,7 +282,7 @@ class Parser {
       Fail(name.empty() ? "a value is missing" : "unknown name " + name);
       return kPlain;
     }
-    Push({Code::kNumber, found->second});
+    Push({.code = Code::kNumber, .number = found->second, .free = true});
     return kind_.dimension;
   }
   Dimension Larger() {
@@ -241,46 +299,11 @@ class Parser {
   const std::map<std::string, double>& coefficients_;
   const Kind& kind_;
   std::vector<Step> steps_;
+  std::vector<std::optional<double>> fixed_;  ///< the stack, where it depends on nothing
   std::string error_;
   size_t at_ = 0;
   int stack_ = 0, nested_ = 0;
 };
-
-double Apply(Code code, double a, double b) {
-  switch (code) {
-    case Code::kAdd:
-      return a + b;
-    case Code::kSubtract:
-      return a - b;
-    case Code::kMultiply:
-      return a * b;
-    case Code::kDivide:
-      return a / b;
-    case Code::kMax:
-      return std::max(a, b);
-    default:
-      return std::pow(a, b);
-  }
-}
-
-double Apply(Code code, double a) {
-  switch (code) {
-    case Code::kNegate:
-      return -a;
-    case Code::kSin:
-      return std::sin(a);
-    case Code::kCos:
-      return std::cos(a);
-    case Code::kExp:
-      return std::exp(a);
-    case Code::kTanh:
-      return std::tanh(a);
-    case Code::kAbs:
-      return std::abs(a);
-    default:
-      return std::sqrt(std::max(a, 0.0));
-  }
-}
 
 }  // namespace
 

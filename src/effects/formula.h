@@ -31,7 +31,8 @@ const char* UnitSuffix(FormulaUnit unit);
 
 class Formula {
  public:
-  /// `coefficients`: values of c1 … in that unit. Errors: syntax, unknown names, dimensions, depth.
+  /// `coefficients`: values of c1 … in that unit. Errors: syntax, unknown names, dimensions, depth,
+  /// a part that has no finite value whatever the variables and coefficients are (c1/0).
   static Result<Formula> Parse(const std::string& text,
                                const std::map<std::string, double>& coefficients,
                                FormulaUnit unit = FormulaUnit::kForce);
@@ -63,6 +64,7 @@ class Formula {
     Code code = Code::kNumber;
     double number = 0;
     int variable = 0;
+    bool free = false;  ///< a coefficient: another number in the next fit
   };
 
  private:

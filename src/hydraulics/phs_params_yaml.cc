@@ -8,6 +8,8 @@ namespace {
 
 const Range kPositive{.min = 0, .open_min = true};
 const Range kNotNegative{.min = 0};
+/// Absolute pressures at rest: what is smaller was written in MPa or bar.
+const Range kPressure{.min = 1e4, .max = 1e8};
 
 int IndexOf(const std::string& word, const std::vector<std::string>& words) {
   for (size_t i = 0; i < words.size(); ++i) {
@@ -57,7 +59,7 @@ double GasAfterCharging(const LineParams& line, double charge, double T) {
 // A charge given for all lines depends on each line's own static pressure, so it is kept in
 // `charge` [Pa] and turned into a gas volume only by the lines themselves.
 void ReadLine(YamlMap& map, LineParams* line, double* charge) {
-  line->static_pressure_Pa = map.Number("static_pressure_Pa", kPositive, line->static_pressure_Pa);
+  line->static_pressure_Pa = map.Number("static_pressure_Pa", kPressure, line->static_pressure_Pa);
   line->oil_volume_m3 = map.Number("oil_volume_m3", kPositive, line->oil_volume_m3);
   line->bulk_modulus_Pa = map.Number("bulk_modulus_Pa", kPositive, line->bulk_modulus_Pa);
   line->bulk_modulus_slope =
@@ -70,14 +72,14 @@ void ReadLine(YamlMap& map, LineParams* line, double* charge) {
       r.Fail("gas_volume_m3", "given together with charge_pressure_Pa", "one of the two");
     }
     if (r.Has("gas_volume_m3")) *charge = 0;
-    *charge = r.Number("charge_pressure_Pa", kPositive, *charge);
+    *charge = r.Number("charge_pressure_Pa", kPressure, *charge);
     line->gas_volume_m3 = r.Number("gas_volume_m3", kNotNegative, line->gas_volume_m3);
   }
   if (map.Has("accumulator")) {
     YamlMap a = map.Map("accumulator");
     ReadGas(a, &line->accumulator);
     line->accumulator_precharge_Pa =
-        a.Number("precharge_Pa", kPositive, line->accumulator_precharge_Pa);
+        a.Number("precharge_Pa", kPressure, line->accumulator_precharge_Pa);
   }
 }
 

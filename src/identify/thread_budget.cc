@@ -1,6 +1,7 @@
 #include "identify/thread_budget.h"
 
 #include <algorithm>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -20,11 +21,17 @@ void ThreadBudget::ForEach(int n, const std::function<void(int)>& work) {
     for (int i = next++; i < n; i = next++) work(i);
   };
   std::vector<std::thread> helpers;
-  for (int k = Take(n - 1); k > 0; --k) {
-    helpers.emplace_back([&] {
-      loop();
-      ++free_;
-    });
+  int taken = Take(n - 1);
+  try {
+    helpers.reserve(static_cast<size_t>(taken));
+    for (; taken > 0; --taken) {
+      helpers.emplace_back([&] {
+        loop();
+        ++free_;
+      });
+    }
+  } catch (const std::system_error&) {  // the system gives no more threads: those there do it all
+    free_ += taken;
   }
   loop();
   ++free_;  // while it waits, the calling thread's place is the others'

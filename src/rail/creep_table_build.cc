@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -11,21 +12,6 @@ namespace phs::rail {
 namespace {
 
 using namespace creep_table;
-
-/// Direction of a node; the largest component is 1.
-NormalisedCreepage Direction(int face, int first, int second) {
-  const double half1 = first / static_cast<double>(kPerUnit);
-  const double full1 = (first - kPerUnit) / static_cast<double>(kPerUnit);
-  const double full2 = (second - kPerUnit) / static_cast<double>(kPerUnit);
-  switch (face) {
-    case kFaceU:
-      return {1, full1, 2 * full2, 0};
-    case kFaceV:
-      return {half1, 1, 2 * full2, 0};
-    default:
-      return {half1, full2, 2, 0};
-  }
-}
 
 /// Solves for B-spline coefficients c[0 … n+1] (one beyond each end) through f[0 … n-1].
 /// Mirror: sign s of f(-x) = s f(x) at the first node; 0 = third difference vanishes there.
@@ -118,7 +104,10 @@ CreepTable CreepTable::Build(const FastsimParams& params, int threads) {
     }
   };
   std::vector<std::thread> helpers;
-  for (int i = 1; i < threads; ++i) helpers.emplace_back(work);
+  try {
+    for (int i = 1; i < threads; ++i) helpers.emplace_back(work);
+  } catch (const std::system_error&) {  // the system gives no more threads: those there do it all
+  }
   work();
   for (std::thread& helper : helpers) helper.join();
   for (int face = 0; face < kFaces; ++face) {

@@ -15,6 +15,8 @@
 #include <tuple>
 #include <vector>
 
+#include "rail/creep_table_grid.h"
+
 namespace phs::rail {
 namespace {
 
@@ -59,16 +61,25 @@ std::filesystem::path FileOf(const std::string& folder, const FastsimParams& par
           (params.elliptic_bound ? "_elliptic.bin" : "_parabolic.bin"));
 }
 
-/// A table of an older algorithm has a right checksum and wrong numbers.
+/// A table of an older algorithm has a right checksum and wrong numbers. At its nodes the table is
+/// FASTSIM itself but for rounding (processors round differently), so a few nodes of all faces,
+/// shapes and sizes are calculated anew.
 bool AgreesWithFastsim(const CreepTable& table, const FastsimParams& params) {
+  using namespace creep_table;
+  constexpr int kNodes = 48;
+  constexpr double kRounding = 1e-9;  ///< of forces of size 1
   const Fastsim fastsim(params);
-  const NormalisedCreepage points[] = {
-      {0.7, 0.3, 0.5, 0.5}, {0.4, -1.6, 2.0, 0.4}, {0.3, 0.6, 4.0, 0.6}, {3.0, 1.0, -1.0, 0.3}};
-  for (const NormalisedCreepage& c : points) {
+  for (int i = 0; i < kNodes; ++i) {
+    const int face = i % kFaces;
+    NormalisedCreepage c =
+        Direction(face, (3 * i) % kGrids[face].nodes[2], (5 * i + 1) % kGrids[face].nodes[3]);
+    const double t = (1 + 7 * i % (kSizes - 2)) / static_cast<double>(kSizes - 1);
+    const double p = kSizeUnit * t / (1 - t);
+    c = {p * c.u, p * c.v, p * c.w, (i % kShapes) / static_cast<double>(kShapes - 1)};
     const NormalisedForce a = fastsim.Calc(c);
     const NormalisedForce b = table.At(c);
-    if (!(std::abs(a.x - b.x) < 0.02 && std::abs(a.y - b.y) < 0.02 &&
-          std::abs(a.moment - b.moment) < 0.02)) {
+    if (!(std::abs(a.x - b.x) < kRounding && std::abs(a.y - b.y) < kRounding &&
+          std::abs(a.moment - b.moment) < kRounding)) {
       return false;
     }
   }

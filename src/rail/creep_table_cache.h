@@ -1,9 +1,9 @@
 // The creep table of a run: from this process, from disk, or built (about half a second).
 //
 // On disk it lies in $XDG_CACHE_HOME/phs, else $HOME/.cache/phs, one file per grid and bound. The
-// file starts with a format version, the grid and a checksum; after reading, a few points are
-// compared with FASTSIM itself. A file that is missing, stale, damaged or unreadable is built anew
-// without a word; a folder that cannot be written is left alone. Files are written aside and
+// file starts with a format version, the grid and a checksum; after reading, some entries
+// are calculated anew and compared. A file that is missing, stale, damaged or unreadable is built
+// anew without a word; a folder that cannot be written is left alone. Files are written aside and
 // renamed, so several processes may start at once.
 #pragma once
 

@@ -61,4 +61,19 @@ inline Place PlaceOn(double s, int nodes) {
   return place;
 }
 
+/// Direction of a node; the largest component is 1.
+inline NormalisedCreepage Direction(int face, int first, int second) {
+  const double half1 = first / static_cast<double>(kPerUnit);
+  const double full1 = (first - kPerUnit) / static_cast<double>(kPerUnit);
+  const double full2 = (second - kPerUnit) / static_cast<double>(kPerUnit);
+  switch (face) {
+    case kFaceU:
+      return {1, full1, 2 * full2, 0};
+    case kFaceV:
+      return {half1, 1, 2 * full2, 0};
+    default:
+      return {half1, full2, 2, 0};
+  }
+}
+
 }  // namespace phs::rail::creep_table

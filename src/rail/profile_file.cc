@@ -125,6 +125,54 @@ Result<Profile> Generate(const std::string& text, ProfileKind kind) {
   return Profile::FromPoints(text, y, z);
 }
 
+/// A lone point far off both its neighbours, which are near each other.
+Status CheckSpikes(const std::string& name, const std::vector<double>& y,
+                   const std::vector<double>& z) {
+  constexpr double kNear = 5e-3, kFar = 10e-3;  // [m]
+  const auto between = [&](size_t a, size_t b) { return std::hypot(y[a] - y[b], z[a] - z[b]); };
+  for (size_t i = 1; i + 1 < y.size(); ++i) {
+    if (between(i - 1, i + 1) > kNear) continue;
+    if (between(i, i - 1) < kFar || between(i, i + 1) < kFar) continue;
+    return Error{name,
+                 "point " + std::to_string(i + 1) + " lies " +
+                     std::to_string(std::lround(1e3 * between(i, i - 1))) +
+                     " mm off its neighbours",
+                 "an outline without spikes", "remove it"};
+  }
+  return {};
+}
+
+/// A wheel has its flange inside (y < 0) and below the tread (z > 0), a rail its top above its
+/// sides.
+Status CheckSides(const std::string& name, ProfileKind kind, const std::vector<double>& y,
+                  const std::vector<double>& z) {
+  constexpr double kFlange = 15e-3, kSide = 5e-3, kTallest = 0.25;  // [m]
+  size_t middle = 0;
+  for (size_t i = 0; i < y.size(); ++i) {
+    if (std::abs(y[i]) < std::abs(y[middle])) middle = i;
+  }
+  const auto [high, low] = std::minmax_element(z.begin(), z.end());  // z is down
+  const std::string mend = "turn the sign of y or z (mirror.y, mirror.z)";
+  if (*low - *high > kTallest) {
+    return Error{name, "is " + std::to_string(std::lround(1e3 * (*low - *high))) + " mm tall",
+                 "at most 250 mm", "check the unit of length and single points"};
+  }
+  if (kind == ProfileKind::kRail) {
+    if (z[middle] - std::min(z.front(), z.back()) > kSide) {
+      return Error{name, "is upside down: its sides stand above its top", "z downwards", mend};
+    }
+    return {};
+  }
+  if (z[middle] - *high > kFlange) {
+    return Error{name, "is upside down: its flange stands above its tread", "z downwards", mend};
+  }
+  if (*low - z[middle] > kFlange && y[static_cast<size_t>(low - z.begin())] > 0) {
+    return Error{name, "is mirrored: its flange is on the outer side",
+                 "y outwards, flange at y < 0", mend};
+  }
+  return {};
+}
+
 }  // namespace
 
 Result<Profile> ParseProfile(const std::string& text, const std::string& name, ProfileKind kind) {
@@ -147,7 +195,8 @@ Result<Profile> ParseProfile(const std::string& text, const std::string& name, P
     return Error{name, "is " + std::to_string(widest * 1e3) + " mm wide", "20 … 400 mm",
                  "check the unit of length"};
   }
-  (void)kind;
+  if (Status s = CheckSpikes(name, y, z); !s.ok()) return s.error();
+  if (Status s = CheckSides(name, kind, y, z); !s.ok()) return s.error();
   if (raw.smoothing > 0) SmoothOutline(raw.smoothing, &y, &z);
   return Profile::FromPoints(name, std::move(y), std::move(z));
 }

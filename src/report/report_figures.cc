@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <string_view>
 
 #include "base/check.h"
 #include "report/decimation.h"
@@ -13,14 +14,26 @@ namespace {
 
 using nlohmann::json;
 
-/// JSON that may stand inside an HTML script element; numbers that are not finite become null.
+/// Numbers that are not finite become null.
 std::string Dump(const json& value) {
-  const std::string text = value.dump(-1, ' ', false, json::error_handler_t::replace);
+  return value.dump(-1, ' ', false, json::error_handler_t::replace);
+}
+
+/// JSON that may stand inside an HTML script element: '<', '>', '&' and the line ends U+2028,
+/// U+2029 only occur in its texts, and there they may be written by their numbers.
+std::string ScriptSafe(const std::string& text) {
+  constexpr std::string_view kLineEnds = "\xe2\x80";
   std::string safe;
   safe.reserve(text.size());
-  for (char c : text) {
-    if (c == '<') {
-      safe += "\\u003c";
+  for (size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    const bool line_end = text.compare(i, 2, kLineEnds) == 0 && i + 2 < text.size() &&
+                          (text[i + 2] == '\xa8' || text[i + 2] == '\xa9');
+    if (c == '<' || c == '>' || c == '&') {
+      safe += c == '<' ? "\\u003c" : c == '>' ? "\\u003e" : "\\u0026";
+    } else if (line_end) {
+      safe += text[i + 2] == '\xa8' ? "\\u2028" : "\\u2029";
+      i += 2;
     } else {
       safe += c;
     }
@@ -148,7 +161,7 @@ void ReportPage::AddFigure(const std::string& kind, const std::string& title,
            "<figcaption>" + EscapeHtml(title) +
            "</figcaption><div class=\"drawing\"></div></figure>\n";
   if (!figures_.empty()) figures_ += ",\n";
-  figures_ += "\"" + id + "\":" + spec;
+  figures_ += "\"" + id + "\":" + ScriptSafe(spec);
 }
 
 }  // namespace phs::report

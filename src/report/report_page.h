@@ -154,7 +154,7 @@ class ReportPage {
   void Add(const SeriesPlot& plot);
   void Add(const XyPlot& plot);
   void Add(const HeatMap& map);
-  /// A figure drawn by the page script's painter `kind` from `json`.
+  /// A figure drawn by the page script's painter `kind` from `json`, whatever its texts hold.
   void AddFigure(const std::string& kind, const std::string& title, const std::string& json);
 
   std::string Html() const;

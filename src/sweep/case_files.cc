@@ -7,12 +7,12 @@
 #include <filesystem>
 
 #include "base/data_path.h"
+#include "base/local_folder.h"
 #include "base/numbers.h"
 #include "base/result_dir.h"
 #include "base/words.h"
 #include "effects/catalogue.h"
 #include "hydraulics/phs_params.h"
-#include "sweep/local_folder.h"
 #include "vehicle/compose.h"
 #include "vehicle/scenario.h"
 
@@ -164,7 +164,7 @@ class CaseBuilder {
 
   Result<std::string> File(const std::string& name, const std::string& text) const {
     const std::string path = (fs::path(folder_) / name).string();
-    if (Status s = WriteFileAtomically(path, text); !s.ok()) return s.error();
+    if (Status s = WritePassingFile(path, text); !s.ok()) return s.error();
     return path;
   }
 
@@ -255,7 +255,7 @@ Status LayOutRun(const Study& study, int run, const std::string& folder,
   for (std::size_t at = 0; (at = moved.find(from, at)) != std::string::npos; at += to.size()) {
     moved.replace(at, from.size(), to);
   }
-  return WriteFileAtomically(file.value(), moved);
+  return WritePassingFile(file.value(), moved);
 }
 
 namespace {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "base/disk.h"
 #include "base/words.h"
 #include "sweep/case_files.h"
 
@@ -39,6 +40,7 @@ DesignParameter ReadParameter(YamlMap* entry, std::set<std::string>* keys) {
 StudyCase ReadCase(YamlMap* entry, const std::string& scenario) {
   StudyCase c;
   c.name = entry->Text("name");
+  if (!IsFileName(c.name)) entry->Fail("name", Quoted(c.name) + " is no file name", kFileNames);
   c.analysis = ReadAnalysis(entry);
   c.scenario = entry->Text("scenario", scenario);
   if (c.scenario.empty()) entry->Fail("scenario", "is missing", "a scenario here or in the study");

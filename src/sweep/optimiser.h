@@ -38,8 +38,8 @@ struct SearchResult {
 Result<SearchResult> SearchOptimum(Study* study, int workers, WorkDir* work,
                                    const Progress& progress);
 
-/// optimum.json and candidates.csv in the working directory; best/CASE/ with the files of the best
-/// candidate, which name their place under the final path.
-Status WriteOptimum(const Study& study, const SearchResult& result, const WorkDir& work);
+/// optimum.json and candidates.csv in `dir`; best/CASE/ with the files of the best candidate, which
+/// name their place under the final path.
+Status WriteOptimum(const Study& study, const SearchResult& result, const ResultDir& dir);
 
 }  // namespace phs::sweep

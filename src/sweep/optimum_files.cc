@@ -47,7 +47,7 @@ std::string Cell(const std::string& text) {
   return text.find(',') == std::string::npos ? text : "\"" + text + "\"";
 }
 
-Status WriteCandidates(const Study& study, const SearchResult& result, const WorkDir& work) {
+Status WriteCandidates(const Study& study, const SearchResult& result, const ResultDir& dir) {
   std::string text = "candidate";
   for (std::size_t i = 0; i + 1 < study.axes.size(); ++i) text += "," + study.axes[i].column;
   text += ",status,objective,largest_violation";
@@ -68,17 +68,17 @@ Status WriteCandidates(const Study& study, const SearchResult& result, const Wor
     for (double value : c.constrained) text += "," + cell(value);
     text += "\n";
   }
-  return WriteFileAtomically(work.File("candidates.csv"), text);
+  return WriteFileAtomically(dir.File("candidates.csv"), text);
 }
 
-Status WriteBest(const Study& study, int best, const WorkDir& work) {
+Status WriteBest(const Study& study, int best, const ResultDir& dir) {
   for (std::size_t k = 0; k < study.cases.size(); ++k) {
     const std::string at = "best/" + study.cases[k].name;
     std::error_code fault;
-    fs::create_directories(work.File(at), fault);
-    if (fault) return Error{work.File(at), fault.message(), "", ""};
+    fs::create_directories(dir.File(at), fault);
+    if (fault) return WriteFault(dir.File(at), fault.value());
     const int run = best * static_cast<int>(study.cases.size()) + static_cast<int>(k);
-    if (Status s = LayOutRun(study, run, work.File(at), work.final_path() + "/" + at); !s.ok()) {
+    if (Status s = LayOutRun(study, run, dir.File(at), dir.final_path() + "/" + at); !s.ok()) {
       return s;
     }
   }
@@ -87,7 +87,7 @@ Status WriteBest(const Study& study, int best, const WorkDir& work) {
 
 }  // namespace
 
-Status WriteOptimum(const Study& study, const SearchResult& result, const WorkDir& work) {
+Status WriteOptimum(const Study& study, const SearchResult& result, const ResultDir& dir) {
   Json json = {{"study", study.name}, {"candidates", result.candidates.size()}};
   for (const ObjectiveTerm& term : study.optimisation->objective) {
     const std::string& of = study.cases[static_cast<std::size_t>(term.number.of_case)].name;
@@ -105,11 +105,11 @@ Status WriteOptimum(const Study& study, const SearchResult& result, const WorkDi
     one["best"] = CandidateJson(study, result, result.best_of[i]);
     json["combinations"].push_back(one);
   }
-  if (Status s = WriteFileAtomically(work.File("optimum.json"), json.dump(2) + "\n"); !s.ok()) {
+  if (Status s = WriteFileAtomically(dir.File("optimum.json"), json.dump(2) + "\n"); !s.ok()) {
     return s;
   }
-  if (Status s = WriteCandidates(study, result, work); !s.ok()) return s;
-  return result.best < 0 ? Status() : WriteBest(study, result.best, work);
+  if (Status s = WriteCandidates(study, result, dir); !s.ok()) return s;
+  return result.best < 0 ? Status() : WriteBest(study, result.best, dir);
 }
 
 }  // namespace phs::sweep

@@ -1,5 +1,6 @@
 #include "sweep/outputs.h"
 
+#include <map>
 #include <sstream>
 #include <vector>
 
@@ -18,16 +19,31 @@ bool NamesList(const std::string& part) {
          part == "cases";
 }
 
-}  // namespace
-
-std::string OutputColumn(const std::string& path) {
+std::string Joined(const std::vector<std::string>& parts, std::size_t first) {
   std::string column;
-  const auto parts = Parts(path);
-  for (std::size_t i = parts.size() > 1 ? 1 : 0; i < parts.size(); ++i) {
+  for (std::size_t i = first; i < parts.size(); ++i) {
     if (NamesList(parts[i])) continue;
     column += (column.empty() ? "" : "_") + parts[i];
   }
   return column;
+}
+
+}  // namespace
+
+std::string OutputColumn(const std::string& path) {
+  const auto parts = Parts(path);
+  return Joined(parts, parts.size() > 1 ? 1 : 0);
+}
+
+std::vector<std::string> OutputColumns(const std::vector<std::string>& paths) {
+  std::map<std::string, int> count;
+  for (const std::string& path : paths) ++count[OutputColumn(path)];
+  std::vector<std::string> columns;
+  for (const std::string& path : paths) {
+    const std::string column = OutputColumn(path);
+    columns.push_back(count[column] > 1 ? Joined(Parts(path), 0) : column);
+  }
+  return columns;
 }
 
 }  // namespace phs::sweep

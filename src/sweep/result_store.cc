@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 #include <sqlite3.h>
 
+#include <cerrno>
 #include <cmath>
 #include <memory>
+#include <utility>
 
 #include "base/numbers.h"
 #include "base/result_dir.h"
@@ -86,9 +88,23 @@ class Database {
     return sqlite3_step(raw) == SQLITE_DONE ? Status() : Fault();
   }
 
+  Status Close() {
+    return sqlite3_close(db_.release()) == SQLITE_OK ? Status() : Status(WriteFault(path_, EIO));
+  }
+
  private:
   Database(sqlite3* raw, std::string path) : db_(raw, &sqlite3_close), path_(std::move(path)) {}
-  Status Fault() const { return Error{path_, sqlite3_errmsg(db_.get()), "", "free space?"}; }
+  Status Fault() const {
+    switch (sqlite3_errcode(db_.get()) & 0xff) {
+      case SQLITE_FULL:
+        return WriteFault(path_, ENOSPC);
+      case SQLITE_IOERR:
+      case SQLITE_CANTOPEN:
+        return WriteFault(path_, errno == ENOSPC ? ENOSPC : EIO);
+      default:
+        return Error{path_, sqlite3_errmsg(db_.get()), "", ""};
+    }
+  }
   std::unique_ptr<sqlite3, decltype(&sqlite3_close)> db_;
   std::string path_;
 };
@@ -131,7 +147,7 @@ std::vector<std::string> ColumnNames(const Study& study) {
   for (const Axis& axis : study.axes) names.push_back(axis.column);
   if (study.vary_irregularity) names.emplace_back("seed");
   names.emplace_back("status");
-  for (const std::string& output : study.outputs) names.push_back(OutputColumn(output));
+  for (std::string& column : OutputColumns(study.outputs)) names.push_back(std::move(column));
   names.emplace_back("reason");
   return names;
 }
@@ -153,7 +169,8 @@ Status WriteIndex(const Study& study, const std::vector<RunRecord>& records,
                   const std::string& path) {
   auto db = Database::Create(path);
   if (!db.ok()) return db.error();
-  return FillIndex(study, records, &db.value());
+  if (Status s = FillIndex(study, records, &db.value()); !s.ok()) return s;
+  return db.value().Close();
 }
 
 }  // namespace phs::sweep

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -47,11 +48,11 @@ Result<RunRecord> Simulate(const Study& study, int run, const std::string& scrat
     const auto value = NumberAt(summary, path);
     if (value.ok()) {
       record.outputs.push_back(value.value());
-    } else if (record.status == "ok") {
+    } else if (record.status == "ok" && !path.starts_with("assessment.")) {
       Error error = value.error();
       error.where = "outputs: " + path;
       return error;
-    } else {  // a run that ended early has no steady curve
+    } else {  // a run that ended early has no steady curve; one without hunting no frequency
       record.outputs.push_back(kNoNumber);
     }
   }
@@ -60,14 +61,18 @@ Result<RunRecord> Simulate(const Study& study, int run, const std::string& scrat
 
 }  // namespace
 
-RunRecord RunCase(const Study& study, int run, const std::string& scratch) {
-  std::error_code ignored;
-  fs::create_directories(scratch, ignored);
+Result<RunRecord> RunCase(const Study& study, int run, const std::string& scratch) {
+  std::error_code fault, ignored;
+  fs::create_directories(scratch, fault);
+  if (fault) return WriteFault(scratch, fault.value());
   const auto made = Simulate(study, run, scratch);
+  const bool there = fs::is_directory(scratch, fault);
   fs::remove_all(scratch, ignored);
   if (made.ok()) return made.value();
-  return {run, "error", Without(made.error().Line(), scratch + "/"),
-          std::vector<double>(study.outputs.size(), kNoNumber)};
+  if (IsDiskFault(made.error())) return made.error();
+  if (!there) return WriteFault(scratch, ENOENT);  // someone has cleared it away
+  return RunRecord{run, "error", Without(made.error().Line(), scratch + "/"),
+                   std::vector<double>(study.outputs.size(), kNoNumber)};
 }
 
 RunRecord KilledRun(const Study& study, int run, const std::string& reason) {

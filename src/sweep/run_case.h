@@ -18,8 +18,9 @@ struct RunRecord {
 };
 
 /// Lays out the run's files in `scratch` (emptied after), simulates, takes the outputs. Bad input
-/// is status "error". The record depends on study and run alone.
-RunRecord RunCase(const Study& study, int run, const std::string& scratch);
+/// is status "error". The record depends on study and run alone; so a disk that is full or fails
+/// is an error of the call and no record.
+Result<RunRecord> RunCase(const Study& study, int run, const std::string& scratch);
 
 /// The record of a run whose process was lost.
 RunRecord KilledRun(const Study& study, int run, const std::string& reason);

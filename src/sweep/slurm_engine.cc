@@ -88,7 +88,7 @@ class SlurmSweep {
     most_per_array_ = most.value();
     std::error_code fault;
     fs::create_directories(folder_, fault);
-    if (fault) return Error{folder_, fault.message(), "", ""};
+    if (fault) return WriteFault(folder_, fault.value());
     if (Status s = WriteScript(); !s.ok()) return s;
     if (Status s = TakeUpJobs(); !s.ok()) return s;
     std::set<int> under_way;

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "base/local_folder.h"
 #include "base/numbers.h"
-#include "sweep/local_folder.h"
 #include "sweep/slurm_batches.h"
 
 namespace phs::sweep {

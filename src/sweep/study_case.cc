@@ -5,6 +5,7 @@
 
 #include "analysis/axle_modes_json.h"
 #include "analysis/load_cases.h"
+#include "analysis/running_assessment.h"
 #include "analysis/stability.h"
 #include "analysis/steady_curve.h"
 #include "vehicle/simulation.h"
@@ -18,8 +19,9 @@ using Json = nlohmann::ordered_json;
 Result<Analysed> RunInTime(vehicle::Simulation* simulation) {
   const auto outcome = simulation->Run();
   if (!outcome.ok()) return outcome.error();
-  return Analysed{outcome.value().status, outcome.value().reason,
-                  vehicle::Summarise(*simulation, outcome.value())};
+  Json numbers = vehicle::Summarise(*simulation, outcome.value());
+  numbers["assessment"] = analysis::AssessRun(*simulation, outcome.value());
+  return Analysed{outcome.value().status, outcome.value().reason, std::move(numbers)};
 }
 
 Result<Analysed> SolveCurve(vehicle::Simulation* simulation) {

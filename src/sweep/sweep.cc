@@ -5,12 +5,14 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
-#include <cstring>
 #include <filesystem>
+#include <iterator>
 
 #include "base/result_dir.h"
 #include "sweep/result_store.h"
+#include "sweep/study_inputs.h"
 #include "sweep/worker_pool.h"
 
 namespace phs::sweep {
@@ -18,23 +20,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Everything that decides the runs: the study and the laid-out values. Other results would follow
-/// from another text.
-std::string Fingerprint(const Study& study) {
-  std::string text = study.text;
-  for (const StudyCase& c : study.cases) {
-    const auto base = ReadFile(c.scenario);
-    text += "\n# base scenario\n" + (base.ok() ? base.value() : "");
-  }
-  text += "\n# runs\n";
-  for (const auto& run : study.runs) text += fmt::format("{}\n", fmt::join(run, ","));
-  return text;
-}
+constexpr char kPlan[] = "plan.txt";
 
 Result<int> Lock(const std::string& path) {
   const std::string file = path + "/lock";
   const int lock = open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
-  if (lock < 0) return Error{file, std::strerror(errno), "", "choose another directory"};
+  if (lock < 0) return WriteFault(file, errno);
   if (flock(lock, LOCK_EX | LOCK_NB) != 0) {
     close(lock);
     return Error{path, "is in use by another sweep", "", "wait for it, or choose another --out"};
@@ -42,28 +33,61 @@ Result<int> Lock(const std::string& path) {
   return lock;
 }
 
+/// Nothing but what a sweep leaves in its working directory.
+Status CheckIsWorkDir(const std::string& path) {
+  std::error_code fault;
+  for (const auto& entry : fs::directory_iterator(path, fault)) {
+    const std::string name = entry.path().filename().string();
+    const auto& known = WorkDir::kParts;
+    const bool own = std::find(std::begin(known), std::end(known), name) != std::end(known) ||
+                     name.find(".tmp.") != std::string::npos;
+    if (own) continue;
+    return Error{path, "is no working directory of a sweep: it holds '" + name + "'", "",
+                 "choose another --out, or remove it yourself"};
+  }
+  return {};
+}
+
 Status CheckPlaces(const std::string& final_path, const std::string& path, bool resume,
                    bool force) {
   std::error_code ignored;
-  if (fs::exists(final_path, ignored) && !force) {
-    return Error{final_path, "exists already", "a new directory", "use --force to replace it"};
-  }
-  const bool unfinished = fs::exists(path + "/plan.txt", ignored);
+  const bool unfinished = fs::exists(path + "/" + kPlan, ignored);
   if (resume && !unfinished) {
     return Error{path, "holds no unfinished sweep", "", "start it without --resume"};
+  }
+  if (fs::exists(fs::symlink_status(final_path, ignored))) {
+    if (!force) {
+      return Error{final_path, "exists already", "a new directory", "use --force to replace it"};
+    }
+    if (Status s = CheckFormerResult(final_path); !s.ok()) return s;
   }
   if (unfinished && !resume && !force) {
     return Error{path, "holds an unfinished sweep", "",
                  "--resume continues it, --force starts anew"};
   }
-  return {};
+  return resume ? Status() : CheckIsWorkDir(path);
 }
 
 Status CheckSameStudy(const std::string& path, const Study& study) {
-  const auto before = ReadFile(path + "/plan.txt");
-  if (before.ok() && before.value() == Fingerprint(study)) return {};
-  return Error{path, "belongs to another study, or the study or its scenario has changed since", "",
+  const auto before = ReadFile(path + "/" + kPlan);
+  if (!before.ok()) return before.error();
+  if (Status s = CheckInputs(before.value()); !s.ok()) return s;
+  if (before.value() == PlanText(study)) return {};
+  return Error{path, "belongs to another study, or the study has changed since", "",
                "--force starts anew"};
+}
+
+/// An empty place for runs, and only then the plan: with it the sweep can be resumed.
+Status BeginAnew(const WorkDir& work, const Study& study) {
+  std::error_code fault;
+  for (const char* name : {kPlan, "runs", "scratch", "slurm", "candidates.txt"}) {
+    fs::remove_all(work.File(name), fault);
+    if (fault) return WriteFault(work.File(name), fault.value());
+  }
+  fs::create_directory(work.File("runs"), fault);
+  if (fault) return WriteFault(work.File("runs"), fault.value());
+  if (Status s = SyncFolder(work.path()); !s.ok()) return s;
+  return WriteFileAtomically(work.File(kPlan), PlanText(study));
 }
 
 }  // namespace
@@ -87,21 +111,18 @@ Result<WorkDir> WorkDir::Open(const std::string& final_path, const Study& study,
   const std::string path = UnfinishedPath(final_path);
   if (Status s = CheckPlaces(final_path, path, resume, force); !s.ok()) return s.error();
   std::error_code fault;
-  fs::create_directories(path + "/runs", fault);
-  if (fault) return Error{path, fault.message(), "", "choose another directory"};
+  fs::create_directories(path, fault);
+  if (fault) return WriteFault(path, fault.value());
+  if (Status s = SyncFolder(fs::path(path).parent_path().string()); !s.ok()) return s.error();
   const auto lock = Lock(path);
   if (!lock.ok()) return lock.error();
   WorkDir work(path, final_path, lock.value(), force);
   if (resume) {
     if (Status s = CheckSameStudy(path, study); !s.ok()) return s.error();
+    fs::create_directory(work.File("runs"), fault);
     return work;
   }
-  fs::remove_all(path + "/runs", fault);
-  fs::remove(work.File("candidates.txt"), fault);
-  fs::create_directories(path + "/runs", fault);
-  if (Status s = WriteFileAtomically(work.File("plan.txt"), Fingerprint(study)); !s.ok()) {
-    return s.error();
-  }
+  if (Status s = BeginAnew(work, study); !s.ok()) return s.error();
   return work;
 }
 
@@ -130,15 +151,28 @@ std::vector<int> WorkDir::Missing(const Study& study, bool repeat_killed) const 
   return MissingRuns(study, path_, repeat_killed);
 }
 
-Status WorkDir::Finish() {
-  std::error_code fault;
-  for (const char* name : {"runs", "scratch", "slurm", "plan.txt", "candidates.txt", "lock"}) {
-    fs::remove_all(File(name), fault);
+Result<ResultDir> WorkDir::OpenResult() const {
+  const auto plan = ReadFile(File(kPlan));
+  if (!plan.ok()) return plan.error();
+  if (Status s = CheckInputs(plan.value()); !s.ok()) return s.error();
+  return ResultDir::Create(final_path_, force_);
+}
+
+Status WorkDir::Finish(ResultDir* result) {
+  if (Status s = result->Commit(); !s.ok()) {
+    Error error = s.error();
+    error.mend += (error.mend.empty() ? "" : "; ") +
+                  std::string("the runs are kept: --resume writes the result");
+    return error;
   }
-  if (force_) fs::remove_all(final_path_, fault);
-  fs::rename(path_, final_path_, fault);
-  if (fault) return Error{final_path_, fault.message(), "", "the results are in " + path_};
+  Remove();
   return {};
+}
+
+void WorkDir::Remove() const {
+  std::error_code ignored;
+  for (const char* name : kParts) fs::remove_all(File(name), ignored);
+  fs::remove(path_, ignored);  // not if someone has put something there
 }
 
 Result<bool> MakeRuns(const Study& study, const std::vector<int>& runs, int workers,
@@ -147,7 +181,8 @@ Result<bool> MakeRuns(const Study& study, const std::vector<int>& runs, int work
   PoolEvents events;
   events.work = [&](int run, int worker) {
     work->ReleaseInChild();
-    return WriteRecord(RunCase(study, run, fmt::format("{}/{}", scratch, worker)), work->path());
+    const auto record = RunCase(study, run, fmt::format("{}/{}", scratch, worker));
+    return record.ok() ? WriteRecord(record.value(), work->path()) : Status(record.error());
   };
   events.done = [&](int run, const LostRun* lost) -> Status {
     ++done;
@@ -173,12 +208,30 @@ std::vector<RunRecord> ReadRecords(const Study& study, const WorkDir& work) {
   return records;
 }
 
-Status WriteTables(const Study& study, const std::vector<RunRecord>& records, const WorkDir& work) {
-  if (Status s = WriteSweepCsv(study, records, work.File("sweep.csv")); !s.ok()) return s;
+Status WriteTables(const Study& study, const std::vector<RunRecord>& records, const WorkDir& work,
+                   const ResultDir& result) {
+  if (Status s = WriteSweepCsv(study, records, result.File("sweep.csv")); !s.ok()) return s;
+  if (Status s = WriteIndex(study, records, result.File("index.sqlite")); !s.ok()) return s;
+  const auto plan = ReadFile(work.File(kPlan));
+  if (!plan.ok()) return plan.error();
+  if (Status s = WriteFileAtomically(result.File(kPlan), plan.value()); !s.ok()) return s;
+  return WriteFileAtomically(result.File("study.yaml"), study.text);
+}
+
+bool IsFinished(const std::string& final_path, const Study& study) {
+  const auto plan = ReadFile(final_path + "/" + kPlan);
+  if (!plan.ok() || plan.value() != PlanText(study) || !CheckFormerResult(final_path).ok()) {
+    return false;
+  }
+  const std::string path = UnfinishedPath(final_path);
   std::error_code ignored;
-  fs::remove(work.File("index.sqlite"), ignored);
-  if (Status s = WriteIndex(study, records, work.File("index.sqlite")); !s.ok()) return s;
-  return WriteFileAtomically(work.File("study.yaml"), study.text);
+  if (!fs::is_directory(path, ignored)) return true;
+  const auto left = ReadFile(path + "/" + kPlan);
+  if (left.ok() && left.value() != plan.value()) return false;
+  const auto lock = Lock(path);
+  if (!lock.ok()) return false;
+  WorkDir::Leftover(path, lock.value()).Remove();
+  return true;
 }
 
 }  // namespace phs::sweep

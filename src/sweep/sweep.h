@@ -1,15 +1,16 @@
 // A sweep from start to result: a working directory that survives, the runs, the result directory.
 //
-// DIR.unfinished/ holds the study, a lock and runs/NNNNNN.json while work goes on; a sweep that is
-// stopped or killed is continued from there. When every run has its record, sweep.csv, index.sqlite
-// and study.yaml are written and the directory becomes DIR, in one rename.
+// DIR.unfinished/ holds the plan, a lock and runs/NNNNNN.json while work goes on; a sweep that is
+// stopped or killed, at whatever place, is continued from there. The plan holds a digest of every
+// input file (study_inputs.h). When every run has its record, the result is written beside
+// (ResultDir) and becomes DIR in one rename; then DIR.unfinished/ goes.
 #pragma once
 
 #include <functional>
 #include <string>
 #include <vector>
 
-#include "base/result.h"
+#include "base/result_dir.h"
 #include "sweep/run_case.h"
 #include "sweep/study.h"
 
@@ -24,7 +25,8 @@ std::vector<int> MissingRuns(const Study& study, const std::string& path, bool r
 class WorkDir {
  public:
   /// Creates DIR.unfinished, or takes up the one that is there when `resume`. Refused: a finished
-  /// DIR or an unfinished sweep without `force`/`resume`, one of another study, one in use.
+  /// DIR or an unfinished sweep without `force`/`resume`, with `force` a DIR that is no former
+  /// result, a sweep of another study or with changed inputs, one in use.
   static Result<WorkDir> Open(const std::string& final_path, const Study& study, bool resume,
                               bool force);
   /// An existing working directory, shared: for tasks on other machines.
@@ -33,13 +35,23 @@ class WorkDir {
   WorkDir& operator=(WorkDir&&) = delete;
   ~WorkDir();
 
+  /// What a working directory may hold, the plan first: without it there is nothing to resume.
+  static constexpr const char* kParts[] = {"plan.txt", "runs",           "scratch",
+                                           "slurm",    "candidates.txt", "lock"};
+  /// What a finished sweep has left, to be removed.
+  static WorkDir Leftover(const std::string& path, int lock) { return {path, "", lock, false}; }
+  /// Removes it; what is not a sweep's stays.
+  void Remove() const;
+
   const std::string& path() const { return path_; }
   const std::string& final_path() const { return final_path_; }
   std::string File(const std::string& name) const { return path_ + "/" + name; }
   /// Runs that have no record yet, or one of status "killed" when `repeat_killed`.
   std::vector<int> Missing(const Study& study, bool repeat_killed) const;
-  /// Removes the runs' files, and renames to the final path.
-  Status Finish();
+  /// A directory for the result. Refused if an input file has changed since the sweep was begun.
+  Result<ResultDir> OpenResult() const;
+  /// Puts the result into place and removes the working directory.
+  Status Finish(ResultDir* result);
   /// In a forked child: the lock stays with the parent alone.
   void ReleaseInChild();
 
@@ -63,7 +75,12 @@ Result<bool> RunLocally(const Study& study, int workers, WorkDir* work, const Pr
 /// All records in order of the runs. @pre none is missing
 std::vector<RunRecord> ReadRecords(const Study& study, const WorkDir& work);
 
-/// sweep.csv, index.sqlite, study.yaml in the working directory.
-Status WriteTables(const Study& study, const std::vector<RunRecord>& records, const WorkDir& work);
+/// sweep.csv, index.sqlite, study.yaml, plan.txt.
+Status WriteTables(const Study& study, const std::vector<RunRecord>& records, const WorkDir& work,
+                   const ResultDir& result);
+
+/// True if FINAL_PATH is the result of this very study with these inputs: a sweep was killed after
+/// the result stood. What is left of its working directory is removed.
+bool IsFinished(const std::string& final_path, const Study& study);
 
 }  // namespace phs::sweep

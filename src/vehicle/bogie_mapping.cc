@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/disk.h"
 #include "base/yaml.h"
 #include "rail/creep_law.h"
 
@@ -68,6 +69,7 @@ Result<BogieMapping> LoadBogieMapping(const std::string& path) {
   BogieMapping m;
   m.path = path;
   m.name = map.Text("name");
+  if (!IsFileName(m.name)) map.Fail("name", Quoted(m.name) + " is no file name", kFileNames);
   m.frame = map.Text("frame");
   if (map.Has("coupler_m")) ReadPoint(&map, "coupler_m", m.coupler_m);
   for (YamlMap entry : map.Maps("axles")) m.axles.push_back(ReadAxle(&entry));

@@ -127,7 +127,8 @@ Result<std::vector<RadiusRow>> RunRadii(const std::vector<Scenario>& curves,
   for (size_t i = 0; i < all.size(); i += 2) {
     std::future<Result<RadiusRow>> second;
     if (i + 1 < all.size()) {
-      second = std::async(std::launch::async, [&, i] { return RunOne(all[i + 1]); });
+      second = std::async(std::launch::async | std::launch::deferred,
+                          [&, i] { return RunOne(all[i + 1]); });
     }
     auto first = RunOne(all[i]);
     if (!first.ok()) return first.error();

@@ -5,6 +5,7 @@
 #include <ctime>
 
 #include "base/data_path.h"
+#include "base/numbers.h"
 #include "base/words.h"
 #include "plugin/model_text.h"
 #include "plugin/registry.h"
@@ -74,6 +75,17 @@ Status ChangeJoints(const Scenario& scenario, mjModel* m) {
   return {};
 }
 
+/// A failure at a place that the run never reaches would be none.
+Status CheckPlaces(const Scenario& scenario, const rail::Track& track) {
+  for (const effects::Failure& failure : scenario.phs_changes.failures) {
+    if (!(failure.at_m > track.length())) continue;
+    return Error{"failures: line " + Quoted(failure.line) + ": at_m",
+                 Shortest(failure.at_m) + " m lies beyond the track " + track.name(),
+                 "up to " + Shortest(track.length()) + " m", ""};
+  }
+  return {};
+}
+
 double TotalDriveTorque(const mjData* d, const plugin::Binding& binding) {
   double torque = 0;
   for (const auto& w : binding.wheelsets()) {
@@ -121,6 +133,7 @@ Result<Simulation> Simulation::Create(const Scenario& scenario) {
   options.wear = scenario.wear;
   try {
     if (Status s = plugin::Attach(sim.model_.get(), options); !s.ok()) return s.error();
+    if (Status s = CheckPlaces(scenario, sim.binding().track()); !s.ok()) return s.error();
     sim.data_.reset(mj_makeData(sim.model_.get()));
     plugin::ResetToStart(sim.model_.get(), sim.data_.get());
     if (Status s = CheckStep(sim.model_.get(), sim.data_.get(), &sim.largest_stable_step_);

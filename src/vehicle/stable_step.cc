@@ -19,6 +19,7 @@ constexpr double kProbe = 1e-7;       ///< of position [m, rad] and activation
 constexpr double kSpeedProbe = 1e-5;  ///< of speed [m/s, rad/s]
 constexpr double kSmallest = 1e-5;    ///< [s]
 constexpr double kLargest = 0.02;     ///< [s]
+constexpr double kLongest = 0.05;     ///< no step of a vehicle is judged beyond it [s]
 
 /// One step of the model from states near a base.
 class Probe {
@@ -76,6 +77,9 @@ bool Stable(mjModel* m, const mjData* d, double h) {
 
 Status CheckStep(mjModel* m, const mjData* d, double* largest) {
   const double h = m->opt.timestep;
+  if (!(h > 0 && h <= kLongest)) {
+    return Error{"timestep_s", "is " + std::to_string(h) + " s", "1e-6 … 0.05 s", ""};
+  }
   double low = kSmallest;
   double high = std::max(kLargest, h);
   if (Stable(m, d, high)) {
@@ -90,6 +94,10 @@ Status CheckStep(mjModel* m, const mjData* d, double* largest) {
   }
   *largest = low;
   if (h <= low || Stable(m, d, h)) return {};
+  if (low == 0) {
+    return Error{"vehicle", "does not stand on straight track at any step", "",
+                 "check profiles, gauge, masses and springs"};
+  }
   return Error{"timestep_s", "is too large for the stiffness of this vehicle",
                "at most " + std::to_string(low) + " s", "make it smaller"};
 }

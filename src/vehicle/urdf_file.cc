@@ -3,8 +3,11 @@
 #include <console_bridge/console.h>
 #include <urdf_parser/urdf_parser.h>
 
+#include <algorithm>
 #include <functional>
 #include <mutex>
+#include <string_view>
+#include <utility>
 
 #include "base/result_dir.h"
 
@@ -71,6 +74,47 @@ UrdfLink LinkOf(const urdf::Link& from) {
   return link;
 }
 
+constexpr int kMostNested = 100;  ///< elements inside elements
+constexpr int kMostLinks = 1000;
+
+/// The end of what begins at `at` with '<' and is no element, e.g. a comment; else `at`.
+size_t BehindRemark(const std::string& text, size_t at) {
+  for (const auto& [begin, end] :
+       {std::pair{"<!--", "-->"}, {"<![CDATA[", "]]>"}, {"<?", "?>"}, {"<!", ">"}}) {
+    const std::string_view opening = begin;
+    if (text.compare(at, opening.size(), opening) != 0) continue;
+    const size_t found = text.find(end, at + opening.size());
+    return found == std::string::npos ? text.size() : found + std::string_view(end).size();
+  }
+  return at;
+}
+
+/// Elements nested or chained without limit would end the parser's stack: they are counted first.
+Status CheckSize(const std::string& text, const std::string& path) {
+  int depth = 0, links = 0;
+  for (size_t at = 0; (at = text.find('<', at)) != std::string::npos;) {
+    if (const size_t behind = BehindRemark(text, at); behind != at) {
+      at = behind;
+      continue;
+    }
+    const size_t end = std::min(text.find('>', at), text.size());
+    if (text.compare(at, 2, "</") == 0) {
+      --depth;
+    } else if (text[end - 1] != '/') {
+      ++depth;
+    }
+    links += text.compare(at, 5, "<link") == 0;
+    if (depth > kMostNested || links > kMostLinks) {
+      return Error{path, depth > kMostNested ? "nests elements too deeply" : "has too many links",
+                   std::to_string(kMostNested) + " levels of elements, " +
+                       std::to_string(kMostLinks) + " links",
+                   ""};
+    }
+    at = end;
+  }
+  return {};
+}
+
 }  // namespace
 
 const UrdfLink* UrdfModel::Find(const std::string& link) const {
@@ -83,6 +127,7 @@ const UrdfLink* UrdfModel::Find(const std::string& link) const {
 Result<UrdfModel> ReadUrdf(const std::string& path) {
   auto text = ReadFile(path);
   if (!text.ok()) return text.error();
+  if (Status s = CheckSize(text.value(), path); !s.ok()) return s.error();
   // The handler is global to the process.
   static std::mutex mutex;
   const std::lock_guard<std::mutex> lock(mutex);

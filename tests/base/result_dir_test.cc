@@ -45,10 +45,18 @@ TEST(ResultDir, LeavesNothingWithoutCommit) {
   EXPECT_THAT(NamesIn(scratch.path()), IsEmpty());
 }
 
+/// A former result with one file.
+void WriteResult(const std::string& path, const std::string& file) {
+  auto dir = ResultDir::Create(path, false);
+  ASSERT_TRUE(dir.ok());
+  fs::create_directories(fs::path(dir.value().File(file)).parent_path());
+  Write(dir.value().File(file), "old");
+  ASSERT_TRUE(dir.value().Commit().ok());
+}
+
 TEST(ResultDir, ExistingIsReplacedOnlyByForce) {
   const ScratchDir scratch;
-  fs::create_directory(scratch.File("out"));
-  Write(scratch.File("out/old.json"), "old");
+  WriteResult(scratch.File("out"), "old.json");
   EXPECT_EQ(ResultDir::Create(scratch.File("out"), false).error().Line(),
             scratch.File("out") +
                 ": exists already; allowed: a new directory; choose another, or --force");
@@ -57,7 +65,7 @@ TEST(ResultDir, ExistingIsReplacedOnlyByForce) {
   Write(dir.value().File("new.json"), "new");
   EXPECT_EQ(TextOf(scratch.File("out/old.json")), "old");
   ASSERT_TRUE(dir.value().Commit().ok());
-  EXPECT_THAT(NamesIn(scratch.File("out")), ElementsAre("new.json"));
+  EXPECT_THAT(NamesIn(scratch.File("out")), ElementsAre(".phs_result", "new.json"));
   EXPECT_THAT(NamesIn(scratch.path()), ElementsAre("out"));
 }
 
@@ -74,14 +82,68 @@ TEST(ResultDir, ForceNeedsNothingToReplaceAlsoBesideTheUser) {
   EXPECT_TRUE(fs::is_directory(scratch.File("out")));
 }
 
-TEST(ResultDir, FileInTheWayIsReplacedByForceToo) {
+/// What force says to `path`.
+std::string RefusedByForce(const std::string& path) {
+  const auto dir = ResultDir::Create(path, true);
+  return dir.ok() ? "" : dir.error().Line();
+}
+
+TEST(ResultDir, ForceLeavesAloneWhatIsNoFormerResult) {
   const ScratchDir scratch;
-  Write(scratch.File("out"), "a file");
+  Write(scratch.File("file"), "a file");
+  EXPECT_THAT(RefusedByForce(scratch.File("file")), HasSubstr("it is a file"));
+  fs::create_directories(scratch.File("work/deep"));
+  EXPECT_THAT(RefusedByForce(scratch.File("work")), HasSubstr("it holds folders and no"));
+  Write(scratch.File("work/deep/thesis.tex"), "x");
+  EXPECT_THAT(
+      RefusedByForce(scratch.File("work")),
+      HasSubstr("is no former result of phs: it holds 'deep/thesis.tex' and no .phs_result"));
+  Write(scratch.File("work/.phs_result"), "deep/thesis.tex\n");
+  EXPECT_THAT(RefusedByForce(scratch.File("work")), HasSubstr("thesis.tex"));
+  WriteResult(scratch.File("out"), "best/old.json");
+  fs::create_directory_symlink(scratch.File("out"), scratch.File("link"));
+  EXPECT_THAT(RefusedByForce(scratch.File("link")), HasSubstr("it is a link"));
+  EXPECT_EQ(RefusedByForce(scratch.File("out")), "");
+  Write(scratch.File("out/best/notes.txt"), "mine");
+  EXPECT_THAT(RefusedByForce(scratch.File("out")), HasSubstr("it holds 'best/notes.txt' too"));
+  EXPECT_EQ(TextOf(scratch.File("out/best/notes.txt")), "mine");
+  EXPECT_EQ(TextOf(scratch.File("work/deep/thesis.tex")), "x");
+  EXPECT_THAT(NamesIn(scratch.path()), ElementsAre("file", "link", "out", "work"));
+}
+
+TEST(ResultDir, WhatWasPutIntoTheOldOneMeanwhileIsKept) {
+  const ScratchDir scratch;
+  WriteResult(scratch.File("out"), "old.json");
   auto dir = ResultDir::Create(scratch.File("out"), true);
   ASSERT_TRUE(dir.ok());
+  Write(scratch.File("out/notes.txt"), "mine");
+  EXPECT_THAT(dir.value().Commit().error().Line(), HasSubstr("it holds 'notes.txt' too"));
+  EXPECT_EQ(TextOf(scratch.File("out/notes.txt")), "mine");
+  EXPECT_EQ(TextOf(scratch.File("out/old.json")), "old");
+}
+
+TEST(ResultDir, AnEmptyFolderMayBeTakenByForce) {
+  const ScratchDir scratch;
+  fs::create_directory(scratch.File("out"));
+  auto dir = ResultDir::Create(scratch.File("out"), true);
+  ASSERT_TRUE(dir.ok());
+  Write(dir.value().File("new.json"), "new");
   ASSERT_TRUE(dir.value().Commit().ok());
-  EXPECT_TRUE(fs::is_directory(scratch.File("out")));
-  EXPECT_THAT(NamesIn(scratch.path()), ElementsAre("out"));
+  EXPECT_EQ(TextOf(scratch.File("out/new.json")), "new");
+}
+
+TEST(ResultDir, AResultThatAKilledWriterHadPutAsideGoesBack) {
+  const ScratchDir scratch;
+  WriteResult(scratch.File("out"), "old.json");
+  pid_t dead = fork();
+  if (dead == 0) _exit(0);
+  waitpid(dead, nullptr, 0);
+  const std::string aside =
+      scratch.File("out.partial." + HostName() + "." + std::to_string(dead) + ".0.old");
+  fs::rename(scratch.File("out"), aside);
+  EXPECT_THAT(ResultDir::Create(scratch.File("out"), false).error().Line(),
+              HasSubstr("exists already"));
+  EXPECT_EQ(TextOf(scratch.File("out/old.json")), "old");
 }
 
 TEST(ResultDir, SecondWriterDoesNotOverwriteTheFirst) {
@@ -155,13 +217,26 @@ TEST(WriteFileAtomically, FullDiskIsAnErrorAndKeepsTheOld) {
     const rlimit limit{100000, 100000};
     setrlimit(RLIMIT_FSIZE, &limit);
     const Status status = WriteFileAtomically(scratch.File("f"), std::string(200000, 'x'));
-    _exit(!status.ok() && status.error().what == "cannot be written (File too large)" ? 0 : 1);
+    _exit(!status.ok() && IsDiskFault(status.error()) &&
+                  status.error().what.ends_with("no room left on the disk (File too large)")
+              ? 0
+              : 1);
   }
   int how = 0;
   waitpid(child, &how, 0);
   EXPECT_EQ(how, 0);
   EXPECT_EQ(TextOf(scratch.File("f")), "old");
   EXPECT_THAT(NamesIn(scratch.path()), ElementsAre("f"));
+}
+
+TEST(DiskFault, IsToldFromAPlaceThatCannotBeWritten) {
+  EXPECT_EQ(WriteFault("f", ENOSPC).Line(),
+            "f: cannot be written: no room left on the disk (No space left on device); free some "
+            "space, then repeat");
+  EXPECT_TRUE(IsDiskFault(WriteFault("f", EDQUOT)));
+  EXPECT_TRUE(IsDiskFault(ReadFault("f", EIO)));
+  EXPECT_FALSE(IsDiskFault(WriteFault("f", EACCES)));
+  EXPECT_FALSE(IsDiskFault(ReadFault("f", ENOENT)));
 }
 
 TEST(ReadFile, Messages) {

@@ -43,10 +43,22 @@ TEST(Csv, LineEndsOfAnySystemAndByteOrderMark) {
 }
 
 TEST(Csv, WhatIsNoFiniteNumberIsNaNAndKeptAsText) {
-  auto table = ParseCsv("a\nnan\ninf\nx\n\"\"\n1e999\n", "d");
+  auto table = ParseCsv("a\nnan\ninf\nx\n\"\"\n1e999\n-1e308\n", "d");
   ASSERT_TRUE(table.ok());
   for (double value : table.value().columns[0]) EXPECT_TRUE(std::isnan(value));
-  EXPECT_THAT(table.value().text[0], ElementsAre("nan", "inf", "x", "", "1e999"));
+  EXPECT_THAT(table.value().text[0], ElementsAre("nan", "inf", "x", "", "1e999", "-1e308"));
+}
+
+TEST(Csv, HundredsOfThousandsOfColumns) {
+  std::string text;
+  for (int i = 0; i < 400000; ++i) text += (i == 0 ? "c" : ",c") + std::to_string(i);
+  const std::string twice = text + ",c7\n1\n";
+  text += "\n" + std::string(799999, ',');
+  for (size_t i = text.size() - 799999; i < text.size(); i += 2) text[i] = '1';
+  const auto table = ParseCsv(text + "\n", "wide.csv");
+  ASSERT_TRUE(table.ok()) << table.error().Line();
+  EXPECT_EQ(table.value().num_columns(), 400000);
+  EXPECT_THAT(ParseCsv(twice, "wide.csv").error().Line(), HasSubstr("'c7' is given twice"));
 }
 
 std::string CsvError(const std::string& text) {

@@ -79,6 +79,18 @@ TEST(Yaml, UnknownKeyNamesTheNearest) {
             "x.yaml:2: colour_of_paint: unknown key; allowed: a; remove it");
 }
 
+TEST(Yaml, AMistypedKeyIsNotToldAsAMissingOne) {
+  const auto read = [](YamlMap& m) {
+    m.Text("track");
+    m.Text("bogie", "phs");
+  };
+  EXPECT_EQ(ErrorOf("trak: straight\n", read),
+            "x.yaml:1: trak: unknown key; allowed: bogie, track; did you mean 'track'?");
+  EXPECT_EQ(ErrorOf("bogie: phs\n", read), "x.yaml:1: track: is missing; allowed: a word; add it");
+  EXPECT_EQ(ErrorOf("bogie: phs\nweather: dry\n", read),
+            "x.yaml:1: track: is missing; allowed: a word; add it");
+}
+
 TEST(Yaml, TopmostUnknownKeyOfNestedMapsIsNamed) {
   EXPECT_THAT(ErrorOf("z:\n  gap: 1\n  wrong: 2\na:\n  other: 3\n",
                       [](YamlMap& m) {

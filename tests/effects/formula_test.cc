@@ -51,6 +51,16 @@ TEST(Formula, DimensionsAndNamesAreChecked) {
   EXPECT_FALSE(Refusal(deep).empty());
 }
 
+TEST(Formula, WhatNeverHasAFiniteValueIsRefused) {
+  EXPECT_NE(Refusal("c1/0").find("a division by zero"), std::string::npos);
+  EXPECT_NE(Refusal("c1*(x/(1[m]-1[m]))").find("a division by zero"), std::string::npos);
+  EXPECT_NE(Refusal("c1*0^-1").find("without finite value"), std::string::npos);
+  EXPECT_NE(Refusal("c1*(1e308*1e308)").find("without finite value"), std::string::npos);
+  EXPECT_NE(Refusal("c1*sqrt(1-2)").find("a root of a negative number"), std::string::npos);
+  // A coefficient is another number in the next fit.
+  EXPECT_TRUE(Formula::Parse("c1*(c1/c2)", {{"c1", 1.0}, {"c2", 0.0}}).ok());
+}
+
 TEST(Formula, LargerOfTwoAndOtherUnits) {
   hydraulics::ForcePlace at;
   at.bore_rise = 3e6;

@@ -2,9 +2,13 @@
 #include "identify/thread_budget.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <atomic>
 #include <chrono>
+#include <fstream>
 #include <thread>
 #include <vector>
 
@@ -32,6 +36,33 @@ TEST(ThreadBudget, DoesAllOnceAndKeepsTheLimit) {
   EXPECT_LE(most, kThreads);
   EXPECT_GT(most, 1);
 }
+
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+TEST(ThreadBudget, WithoutThreadsTheCallerDoesItAll) {
+  const pid_t child = fork();
+  if (child == 0) {
+    long pages = 0;
+    std::ifstream("/proc/self/statm") >> pages;
+    const rlim_t bytes = static_cast<rlim_t>(pages) * static_cast<rlim_t>(getpagesize());
+    const rlimit no_more_stacks{bytes + (1 << 20), bytes + (1 << 20)};
+    setrlimit(RLIMIT_AS, &no_more_stacks);
+    ThreadBudget threads(4);
+    std::atomic<int> done{0};
+    const auto caller = std::this_thread::get_id();
+    bool alone = true;
+    for (int repeat = 0; repeat < 3; ++repeat) {
+      threads.ForEach(10, [&](int) {
+        alone &= std::this_thread::get_id() == caller;
+        ++done;
+      });
+    }
+    _exit(done == 30 && alone ? 0 : 1);
+  }
+  int how = 0;
+  waitpid(child, &how, 0);
+  EXPECT_EQ(how, 0);
+}
+#endif
 
 TEST(ThreadBudget, WhoWaitsForAHelperLendsItItsPlace) {
   ThreadBudget threads(2);

@@ -290,7 +290,10 @@ TEST_F(CreepTableCache, DamagedFilesAreIgnored) {
   EXPECT_TRUE(ReadCreepTable(folder_, kGrid).empty());
   // A table with a right checksum and wrong numbers.
   std::vector<double> wrong(Built().data().begin(), Built().data().end());
-  for (double& value : wrong) value *= 1.1;
+  for (double& value : wrong) value *= 1.015;
+  ASSERT_TRUE(WriteCreepTable(folder_, kGrid, CreepTable::FromData(wrong)));
+  EXPECT_TRUE(ReadCreepTable(folder_, kGrid).empty());
+  for (double& value : wrong) value *= (1 + 1e-7) / 1.015;
   ASSERT_TRUE(WriteCreepTable(folder_, kGrid, CreepTable::FromData(std::move(wrong))));
   EXPECT_TRUE(ReadCreepTable(folder_, kGrid).empty());
 }

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <nlohmann/json.hpp>
 
 #include "base/result_dir.h"
 #include "example_results.h"
@@ -42,6 +43,17 @@ TEST_F(CurvingReport, ShowsTheNumbersOfTheResult) {
   EXPECT_TRUE(Holds(html, "<td class=\"strong\">1.04</td><td>3.01</td><td>1.89</td>"));
   EXPECT_TRUE(Holds(html, "R = 550 m to the left"));
   EXPECT_TRUE(Holds(html, "rigid link / PHS"));
+}
+
+TEST_F(CurvingReport, ATrackCannotBringAScript) {
+  (void)Make({});
+  const std::string path = directory_.File("compare.json");
+  auto json = nlohmann::ordered_json::parse(ReadFile(path).value());
+  json["track"]["name"] = "</script><img src=x onerror=bad()>";
+  ASSERT_TRUE(WriteFileAtomically(path, json.dump()).ok());
+  const std::string html = Remake();
+  EXPECT_TRUE(Lacks(html, "<img"));
+  EXPECT_TRUE(Holds(html, "onerror=bad()"));
 }
 
 TEST_F(CurvingReport, SaysWhatSteersAndWhatHoldsBack) {

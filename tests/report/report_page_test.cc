@@ -42,6 +42,19 @@ TEST(ReportPage, TextsCannotBecomeMarkup) {
   EXPECT_TRUE(Holds(html, "a &lt;b&gt; &amp; &quot;c&quot;"));
 }
 
+TEST(ReportPage, TextsOfFiguresCannotEndTheScript) {
+  ReportPage page("a", "b");
+  page.AddFigure("plan", "c",
+                 R"({"name":"</script><img src=x onerror=bad()> &amp; )"
+                 "\xe2\x80\xa8\xe2\x80\xa9\xe2\x80\x93"
+                 R"("})");
+  const std::string html = page.Html();
+  EXPECT_TRUE(Lacks(html, "<img"));
+  EXPECT_TRUE(Lacks(html, "\xe2\x80\xa8"));
+  EXPECT_TRUE(Holds(html, R"("\u003c/script\u003e\u003cimg src=x onerror=bad()\u003e \u0026amp; )"
+                          "\\u2028\\u2029\xe2\x80\x93\""));
+}
+
 TEST(ReportPage, AsksNothingFromTheNetwork) {
   ReportPage page("t", "s");
   page.Section("x");

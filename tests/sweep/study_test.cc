@@ -130,6 +130,8 @@ TEST(Outputs, AreFoundByPathAndNamedByColumn) {
       {"run", {{"max_sum_Y_N", 7}}}};
   EXPECT_EQ(NumberAt(summary, "steady_curve.wheelsets.lead.lateral_m").value(), 0.5);
   EXPECT_EQ(OutputColumn("steady_curve.wheelsets.lead.lateral_m"), "lead_lateral_m");
+  EXPECT_EQ(OutputColumns({"bending.damping", "run.T_gamma_total_J", "shear.damping"}),
+            (std::vector<std::string>{"bending_damping", "T_gamma_total_J", "shear_damping"}));
   EXPECT_EQ(NumberAt(summary, "run.max_sum_Y_N").value(), 7);
   const auto wrong = NumberAt(summary, "steady_curve.wheelsets.led.lateral_m");
   ASSERT_FALSE(wrong.ok());

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <string>
 
@@ -17,6 +18,8 @@ using testing::HasSubstr;
 class SweepProgram : public SweepFolder {
  protected:
   SweepProgram() {
+    std::ofstream(dir_.File("track_text"))
+        << "gauge_m: 1.067\ngauge_height_m: 0.014\nsegments:\n  - {kind: tangent, length_m: 100}\n";
     std::ofstream(dir_.File("short.yaml")) << "track: straight\nbogie: phs\nspeed_km_h: 60\n"
                                               "duration_s: 0.1\n";
     Study("short.yaml", "  - {key: scenario.speed_km_h, from: 40, to: 73, count: 12}\n");
@@ -24,8 +27,8 @@ class SweepProgram : public SweepFolder {
   void Study(const std::string& scenario, const std::string& axes) {
     std::ofstream(dir_.File("study.yaml")) << "scenario: " << scenario << "\naxes:\n" << axes;
   }
-  static void ExpectOneLine(const Output& out, const std::string& words) {
-    EXPECT_EQ(out.code, 3) << out.text;
+  static void ExpectOneLine(const Output& out, const std::string& words, int code = 3) {
+    EXPECT_EQ(out.code, code) << out.text;
     EXPECT_THAT(out.text, HasSubstr(words));
     EXPECT_EQ(std::count(out.text.begin(), out.text.end(), '\n'), 1) << out.text;
   }
@@ -40,7 +43,8 @@ TEST_F(SweepProgram, SameTableForOneTwoAndFiveWorkers) {
   EXPECT_EQ(table, Table("two"));
   EXPECT_EQ(table, Table("five"));
   EXPECT_EQ(NamesIn(dir_.File("one")),
-            (std::vector<std::string>{"index.sqlite", "report.html", "study.yaml", "sweep.csv"}));
+            (std::vector<std::string>{".phs_result", "index.sqlite", "plan.txt", "report.html",
+                                      "study.yaml", "sweep.csv"}));
 }
 
 TEST_F(SweepProgram, KilledHalfWayAndResumedTheTableIsTheSame) {
@@ -64,14 +68,100 @@ TEST_F(SweepProgram, OneDirectoryServesOneSweepAtATime) {
 }
 
 TEST_F(SweepProgram, AnotherStudyIsNotMixedIn) {
-  std::ofstream(dir_.File("study.yaml"), std::ios::app) << "outputs: [run.max_sum_Y_Nn]\n";
-  const Output wrong = Sweep("mixed");
-  EXPECT_EQ(wrong.code, 1) << wrong.text;  // every run says that there is no such output
-  EXPECT_THAT(wrong.text, HasSubstr("did you mean 'run.max_sum_Y_N'?"));
-  ASSERT_EQ(Execute("mv " + dir_.File("mixed") + " " + dir_.File("old.unfinished")).code, 0);
+  std::filesystem::create_directory(dir_.File("old.unfinished"));
   ExpectOneLine(Sweep("old", "--resume"), "holds no unfinished sweep");
   std::ofstream(dir_.File("old.unfinished/plan.txt")) << "another\n";
   ExpectOneLine(Sweep("old", "--resume"), "belongs to another study");
+}
+
+TEST_F(SweepProgram, AMisspeltOutputEndsBeforeAnythingRuns) {
+  const auto with = [&](const std::string& output) {
+    Study("short.yaml", "  - {key: scenario.bogie, values: [rigid_link, phs]}\n");
+    std::ofstream(dir_.File("study.yaml"), std::ios::app) << "outputs: [" + output + "]\n";
+  };
+  with("run.max_sum_Y_Nn");
+  ExpectOneLine(Sweep("none"),
+                "outputs: run.max_sum_Y_Nn: is no number of the result; allowed: "
+                "paths of numbers in summary.json; did you mean 'run.max_sum_Y_N'?");
+  with("assessment.worst.sum_Y_max_Nn.value");
+  ExpectOneLine(Sweep("none"), "assessment.worst.sum_Y_max_Nn.value");
+  EXPECT_FALSE(std::filesystem::exists(dir_.File("none.unfinished")));
+  // Only the second bogie has cylinders; the short run has no arc, and nothing is assessed of it.
+  with("steady_curve.cylinders.1.force_N, assessment.gauge_m, assessment.nadal_Y_over_Q");
+  const Output mixed = Sweep("mixed", "--workers 1");
+  EXPECT_EQ(mixed.code, 1) << mixed.text;
+  EXPECT_THAT(Table("mixed"), HasSubstr("0,rigid_link,error,"));
+  EXPECT_THAT(Table("mixed"), HasSubstr("1,phs,ok,,1.067,"));
+}
+
+TEST_F(SweepProgram, ChangedInputsAreNotMixedIn) {
+  std::ofstream(dir_.File("bend.yaml")) << Text("track_text");
+  std::ofstream(dir_.File("short.yaml"))
+      << "track: " + dir_.File("bend.yaml") + "\nbogie: phs\nspeed_km_h: 60\nduration_s: 0.1\n";
+  EXPECT_EQ(SweepAndKill("changed", "--workers 1", 2).code, 137);
+  const std::string plan = Text("changed.unfinished/plan.txt");
+  for (const char* name : {"/bend.yaml\n", "/short.yaml\n", "/study.yaml\n", "/bogie_xml/phs.xml\n",
+                           "/bogie_xml/shared/", "/models/phs/", "/models/profiles/S1002.prw\n"}) {
+    EXPECT_THAT(plan, HasSubstr(name));
+  }
+  std::ofstream(dir_.File("bend.yaml"), std::ios::app) << "# another word\n";
+  ExpectOneLine(Sweep("changed", "--resume"),
+                "/bend.yaml: has changed since the sweep was begun: its runs would be mixed");
+  std::ofstream(dir_.File("bend.yaml")) << Text("track_text");
+  EXPECT_EQ(Sweep("changed", "--resume").code, 0);
+}
+
+TEST_F(SweepProgram, EndedWithTheResultInPlaceItIsFinished) {
+  ASSERT_EQ(Sweep("whole", "--workers 2").code, 0);
+  std::filesystem::create_directories(dir_.File("whole.unfinished/runs"));
+  std::filesystem::copy(dir_.File("whole/plan.txt"), dir_.File("whole.unfinished/plan.txt"));
+  const std::string table = Table("whole");
+  const Output again = Sweep("whole", "--resume");
+  EXPECT_EQ(again.code, 0) << again.text;
+  EXPECT_THAT(again.text, HasSubstr("was finished already"));
+  EXPECT_FALSE(std::filesystem::exists(dir_.File("whole.unfinished")));
+  EXPECT_EQ(Sweep("whole", "--resume").code, 0);
+  EXPECT_EQ(Table("whole"), table);
+}
+
+TEST_F(SweepProgram, ForceReplacesAFormerResultAlone) {
+  ASSERT_EQ(Sweep("whole", "--workers 2").code, 0);
+  const std::string table = Table("whole");
+  // Ended half-way, the old result is still there.
+  const Output killed = SweepAndKill("whole", "--force --workers 1", 2);
+  EXPECT_EQ(killed.code, 137) << killed.text;
+  EXPECT_EQ(Table("whole"), table);
+  EXPECT_EQ(Sweep("whole", "--force --workers 2").code, 0);
+  EXPECT_EQ(Table("whole"), table);
+  std::ofstream(dir_.File("whole/notes.txt")) << "mine";
+  ExpectOneLine(Sweep("whole", "--force"), "is no former result of phs: it holds 'notes.txt' too");
+  std::filesystem::create_directories(dir_.File("work.unfinished"));
+  std::ofstream(dir_.File("work.unfinished/thesis.tex")) << "mine";
+  ExpectOneLine(Sweep("work", "--force"), "is no working directory of a sweep");
+  EXPECT_EQ(Text("work.unfinished/thesis.tex") + Text("whole/notes.txt"), "minemine");
+}
+
+TEST_F(SweepProgram, AScratchThatFailsIsNoResultOfItsRun) {
+  ASSERT_EQ(Sweep("whole", "--workers 1").code, 0);
+  const Output killed = SweepAndKill("full", "--workers 1", 2);
+  EXPECT_EQ(killed.code, 137) << killed.text;
+  // A file where the folder of the runs' files belongs: no run can be laid out.
+  Execute("rm -rf " + dir_.File("full.unfinished/scratch"));
+  std::ofstream(dir_.File("full.unfinished/scratch")) << "in the way";
+  const Output stopped = Sweep("full", "--resume --workers 2");
+  EXPECT_EQ(stopped.code, 3) << stopped.text;
+  EXPECT_THAT(stopped.text, HasSubstr("what is finished is kept"));
+  Execute("rm " + dir_.File("full.unfinished/scratch"));
+  ASSERT_EQ(Sweep("full", "--resume").code, 0);
+  EXPECT_EQ(Table("whole"), Table("full"));
+}
+
+TEST_F(SweepProgram, CtrlCKeepsWhatIsFinished) {
+  const Output out = Execute(Command("cut", "--workers 1") + " & P=$!; " + UntilRecords("cut", 2) +
+                             "kill -TERM $P; wait $P");
+  EXPECT_EQ(out.code, 143) << out.text;
+  EXPECT_THAT(out.text, HasSubstr("of 12 runs are done; --resume continues"));
+  EXPECT_EQ(Sweep("cut", "--resume").code, 0);
 }
 
 TEST_F(SweepProgram, AWrongRunIsAnErrorInItsRow) {
@@ -86,9 +176,10 @@ TEST_F(SweepProgram, AWrongRunIsAnErrorInItsRow) {
 
 TEST_F(SweepProgram, AFullDiskLosesNothing) {
   ASSERT_EQ(Sweep("whole", "--workers 1").code, 0);
-  // Files may grow to 1 kB: records fit, the table does not.
-  ExpectOneLine(Execute("trap '' XFSZ; ulimit -f 1; " + Command("full", "--workers 1")),
-                "full.unfinished");
+  // Files may grow to some kB: plan and records fit, the report does not.
+  ExpectOneLine(Execute("trap '' XFSZ; ulimit -f 16; " + Command("full", "--workers 1")),
+                "no room left on the disk", 1);
+  EXPECT_FALSE(std::filesystem::exists(dir_.File("full")));
   ASSERT_EQ(Sweep("full", "--resume").code, 0);
   EXPECT_EQ(Table("whole"), Table("full"));
 }

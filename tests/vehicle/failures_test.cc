@@ -166,5 +166,26 @@ TEST(FailuresTest, APlaceBecomesATime) {
   EXPECT_DOUBLE_EQ(failures[0].at_s, 10);
 }
 
+TEST(FailuresTest, APlaceBeyondTheTrackIsNoPlace) {
+  effects::Failure burst{.kind = "line_burst", .line = "L1"};
+  burst.at_m = 1e6;
+  const auto beyond = Simulation::Create(Straight({burst}));
+  ASSERT_FALSE(beyond.ok());
+  EXPECT_THAT(beyond.error().Line(), HasSubstr("at_m: 1000000 m lies beyond the track straight"));
+  auto map = YamlMap::Parse("failures:\n  - {kind: line_burst, line: L1, at_m: -5}\n", "s.yaml");
+  effects::ReadFailures(&map.value(), 20, 1);
+  EXPECT_THAT(map.value().Finish().error().Line(), HasSubstr("at_m: -5 is out of range"));
+}
+
+TEST(StableStep, NoStepIsTooLongToBeJudged) {
+  Scenario scenario = Straight({});
+  for (const double step : {1.0, 0.06, 0.0, -1e-3}) {
+    scenario.timestep_s = step;
+    const auto simulation = Simulation::Create(scenario);
+    ASSERT_FALSE(simulation.ok()) << step;
+    EXPECT_THAT(simulation.error().Line(), HasSubstr("timestep_s: is ")) << step;
+  }
+}
+
 }  // namespace
 }  // namespace phs::vehicle

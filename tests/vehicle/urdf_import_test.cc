@@ -84,6 +84,32 @@ void ExpectSame(const RunOutcome& imported, const RunOutcome& own, const std::st
   }
 }
 
+TEST_F(UrdfImportTest, NestedOrChainedWithoutLimitIsRefused) {
+  std::string nested = "<robot name=\"r\">", chained = nested;
+  for (int i = 0; i < 50000; ++i) {
+    nested += "<link name=\"a\">";
+    const std::string own = std::to_string(i), next = std::to_string(i + 1);
+    chained += "<link name=\"l" + own + "\"/><joint name=\"j" + own +
+               "\" type=\"fixed\"><parent link=\"l" + own + "\"/><child link=\"l" + next +
+               "\"/></joint>";
+  }
+  EXPECT_THAT(ReadUrdf(Write("n.urdf", nested)).error().Line(),
+              HasSubstr("nests elements too deep"));
+  EXPECT_THAT(ReadUrdf(Write("c.urdf", chained + "</robot>")).error().Line(),
+              HasSubstr("has too many links"));
+  // Signs in remarks open nothing.
+  std::string remarks = urdf_;
+  for (int i = 0; i < 200; ++i) remarks.insert(remarks.find("<robot"), "<!-- <a> <b> -->");
+  EXPECT_TRUE(ReadUrdf(Write("r.urdf", remarks)).ok());
+}
+
+TEST_F(UrdfImportTest, ANameCannotLeadOutOfTheResult) {
+  for (const char* name : {"../evil", "a/b", ".hidden", "-o", "\"a b\""}) {
+    const std::string error = ErrorOf("name: bogie_19e_phs", std::string("name: ") + name);
+    EXPECT_THAT(error, HasSubstr("is no file name; allowed: letters, digits")) << name;
+  }
+}
+
 TEST_F(UrdfImportTest, TheImportedBogieRunsAsTheOneInMjcf) {
   for (const char* name : {"phs", "rigid_link"}) {
     mapping_ = ReadFile(kFolder + "bogie_19e_" + name + ".yaml").value();
