@@ -28,7 +28,7 @@ constexpr char kMarkTitle[] =
 
 /// What killed writers of `path` on this machine left behind is removed; a former result that was
 /// aside when its place was empty goes back.
-void RemoveAbandoned(const fs::path& path) {
+void RemoveLeftovers(const fs::path& path) {
   const fs::path parent = path.has_parent_path() ? path.parent_path() : fs::path(".");
   const std::string prefix = path.filename().string() + kPartial + HostName() + '.';
   std::error_code ignored;
@@ -163,7 +163,7 @@ Result<ResultDir> ResultDir::Create(const std::string& final_path, bool force) {
   }
   std::error_code fault;
   if (path.has_parent_path()) fs::create_directories(path.parent_path(), fault);
-  if (!fault) RemoveAbandoned(path);
+  if (!fault) RemoveLeftovers(path);
   std::error_code none;
   if (fs::exists(fs::symlink_status(path, none))) {
     if (!force) return ExistsAlready(path.string());
@@ -176,6 +176,12 @@ Result<ResultDir> ResultDir::Create(const std::string& final_path, bool force) {
   if (IsDiskFault(error)) return error;
   return Error{path.string(), "cannot be created (" + fault.message() + ")",
                "a place that can be written", ""};
+}
+
+void ResultDir::RemoveAbandoned(const std::string& final_path) {
+  fs::path path = fs::path(final_path).lexically_normal();
+  if (!path.has_filename()) path = path.parent_path();
+  if (!path.empty()) RemoveLeftovers(path);
 }
 
 ResultDir::ResultDir(ResultDir&& other) noexcept

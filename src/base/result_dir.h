@@ -32,6 +32,9 @@ class ResultDir {
   ResultDir& operator=(const ResultDir&) = delete;
   ~ResultDir();
 
+  /// Only the last of this: what killed writers of `final_path` left behind.
+  static void RemoveAbandoned(const std::string& final_path);
+
   /// Path of a file inside the directory being written.
   std::string File(const std::string& name) const;
   const std::string& final_path() const { return final_path_; }

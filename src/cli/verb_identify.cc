@@ -20,14 +20,16 @@ struct IdentifyOptions {
   identify::search::SearchOptions search;
 };
 
-/// The page is made from the saved files; a page that fails does not spoil the result.
-void WriteReport(const ResultDir& dir) {
+/// The page is made from the saved files; one that cannot be drawn does not spoil the result.
+Status WriteReport(const ResultDir& dir) {
   const Status s = report::WriteIdentifyReport({.result = dir.File("result.json"),
                                                 .measured = dir.File("measured.csv"),
                                                 .predicted = dir.File("predicted.csv"),
                                                 .baseline = dir.File("baseline.csv")},
                                                dir.File("report.html"));
-  if (!s.ok()) std::fprintf(stderr, "phs: report: %s\n", s.error().Line().c_str());
+  if (s.ok() || IsDiskFault(s.error())) return s;
+  std::fprintf(stderr, "phs: report: %s\n", s.error().Line().c_str());
+  return {};
 }
 
 /// A table of steps has no clock: its own search (docs/rig_table_b1.md).
@@ -58,7 +60,7 @@ int RunIdentifyVerb(const IdentifyOptions& options) {
   if (outcome.value().cancelled) {
     return Stopped("nothing written");
   }
-  WriteReport(dir.value());
+  if (Status s = WriteReport(dir.value()); !s.ok()) return BadInput(s.error());
   if (Status s = dir.value().Commit(); !s.ok()) return BadInput(s.error());
   if (options.common.format == "json") {
     fmt::print("{}\n", outcome.value().result.dump(1));

@@ -54,14 +54,25 @@ std::string UnitOf(const std::string& column) {
   return last == "N" || last == "J" || last == "m" || last == "s" || last == "K" ? last : "";
 }
 
+/// Why SQLite failed, as the fault of the disk that it mostly is.
+Error FaultOf(sqlite3* db, const std::string& path) {
+  const int code = sqlite3_errcode(db) & 0xff;
+  const int system = sqlite3_system_errno(db);
+  if (code == SQLITE_FULL) return WriteFault(path, ENOSPC);
+  if (code == SQLITE_IOERR || code == SQLITE_CANTOPEN) {
+    return WriteFault(path, system != 0 ? system : EIO);
+  }
+  return {path, sqlite3_errmsg(db), "", ""};
+}
+
 class Database {
  public:
   static Result<Database> Create(const std::string& path) {
     sqlite3* raw = nullptr;
     if (sqlite3_open(path.c_str(), &raw) != SQLITE_OK) {
-      const std::string what = raw != nullptr ? sqlite3_errmsg(raw) : "no memory";
+      const Error error = FaultOf(raw, path);
       sqlite3_close(raw);
-      return Error{path, what, "", ""};
+      return error;
     }
     return Database(raw, path);
   }
@@ -94,17 +105,7 @@ class Database {
 
  private:
   Database(sqlite3* raw, std::string path) : db_(raw, &sqlite3_close), path_(std::move(path)) {}
-  Status Fault() const {
-    switch (sqlite3_errcode(db_.get()) & 0xff) {
-      case SQLITE_FULL:
-        return WriteFault(path_, ENOSPC);
-      case SQLITE_IOERR:
-      case SQLITE_CANTOPEN:
-        return WriteFault(path_, errno == ENOSPC ? ENOSPC : EIO);
-      default:
-        return Error{path_, sqlite3_errmsg(db_.get()), "", ""};
-    }
-  }
+  Status Fault() const { return FaultOf(db_.get(), path_); }
   std::unique_ptr<sqlite3, decltype(&sqlite3_close)> db_;
   std::string path_;
 };

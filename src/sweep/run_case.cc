@@ -95,11 +95,17 @@ Status WriteRecord(const RunRecord& record, const std::string& directory) {
 std::optional<RunRecord> ReadRecord(const Study& study, const std::string& directory, int run) {
   const auto text = ReadFile(RecordPath(directory, run));
   if (!text.ok()) return std::nullopt;
-  const Json json = Json::parse(text.value(), nullptr, false);
-  if (json.is_discarded() || !json.is_object() || json.value("run", -1) != run) return std::nullopt;
-  RunRecord record{run, json.value("status", ""), json.value("reason", ""), {}};
-  for (const Json& value : json.value("outputs", Json::array())) {
-    record.outputs.push_back(value.is_number() ? value.get<double>() : kNoNumber);
+  RunRecord record{run, {}, {}, {}};
+  try {
+    const Json json = Json::parse(text.value());
+    if (json.at("run") != run) return std::nullopt;
+    record.status = json.at("status");
+    record.reason = json.at("reason");
+    for (const Json& value : json.at("outputs")) {
+      record.outputs.push_back(value.is_number() ? value.get<double>() : kNoNumber);
+    }
+  } catch (const Json::exception&) {  // of another form: it is made again
+    return std::nullopt;
   }
   if (record.status.empty() || record.outputs.size() != study.outputs.size()) return std::nullopt;
   return record;

@@ -223,6 +223,7 @@ bool IsFinished(const std::string& final_path, const Study& study) {
   if (!plan.ok() || plan.value() != PlanText(study) || !CheckFormerResult(final_path).ok()) {
     return false;
   }
+  ResultDir::RemoveAbandoned(final_path);
   const std::string path = UnfinishedPath(final_path);
   std::error_code ignored;
   if (!fs::is_directory(path, ignored)) return true;
