@@ -4,12 +4,14 @@ import datetime
 import importlib
 import subprocess
 import sys
+import threading
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 from docfigures import places
 from docfigures.runs import Phs, RunFailed
 
+WRITING = threading.Lock()
 HERE = Path(__file__).resolve().parent
 SOURCE = HERE.parent.parent
 
@@ -19,12 +21,16 @@ def all_lists():
             for path in sorted(HERE.glob("list_*.py"))]
 
 
-def is_nightly(a_list):
-    return getattr(a_list, "NIGHTLY", False)
+def is_slow(a_list):
+    return a_list.__name__.endswith("_nightly") or is_of_machine(a_list)
 
 
-def is_checked(a_list):
-    return getattr(a_list, "CHECKED", True)
+def is_of_machine(a_list):
+    return a_list.__name__.endswith("_machine")
+
+
+def prefix(a_list):
+    return places.MACHINE if is_of_machine(a_list) else places.NIGHTLY if is_slow(a_list) else ""
 
 
 def made():
@@ -36,10 +42,9 @@ def made():
 
 def computed(a_list, phs):
     figures = a_list.figures(phs)
-    if is_nightly(a_list):
-        figures = {places.NIGHTLY + name: text for name, text in figures.items()}
-        figures[places.NIGHTLY + "made"] = made()
-    return figures
+    if is_slow(a_list):
+        figures["made"] = made()
+    return {prefix(a_list) + name: text for name, text in figures.items()}
 
 
 def work(a_list, phs, check):
@@ -49,13 +54,13 @@ def work(a_list, phs, check):
         figures = computed(a_list, phs)
     except RunFailed as failed:
         return [str(failed)]
-    text = path.read_text()
-    if check:
-        return places.differences(text, figures, is_nightly(a_list))
-    lost = [line for line in places.differences(text, figures, is_nightly(a_list))
-            if "no such place" in line or "no list fills" in line]
-    path.write_text(places.filled(text, figures))
-    return lost
+    with WRITING:
+        text = path.read_text()
+        wrong = places.differences(text, figures, prefix(a_list))
+        if check:
+            return wrong
+        path.write_text(places.filled(text, figures))
+    return [line for line in wrong if "no such place" in line or "no list fills" in line]
 
 
 def options(arguments):
@@ -63,7 +68,8 @@ def options(arguments):
     parser.add_argument("documents", nargs="*", help="README.md, docs/curving.md …; all without")
     parser.add_argument("--check", action="store_true", help="compare, write nothing")
     parser.add_argument("--nightly", action="store_true", help="the slow lists")
-    parser.add_argument("--all", action="store_true", help="fast and slow lists")
+    parser.add_argument("--machine", action="store_true", help="times of this machine")
+    parser.add_argument("--all", action="store_true", help="fast and nightly lists")
     parser.add_argument("--phs", default=str(SOURCE / "build/release/src/cli/phs"))
     parser.add_argument("--keep", default=str(SOURCE / "build/figures"),
                         help="where answers of phs are kept")
@@ -71,18 +77,20 @@ def options(arguments):
     return parser.parse_args(arguments)
 
 
+def wanted(a_list, asked):
+    if is_of_machine(a_list):
+        return asked.machine and not asked.check
+    return asked.all or asked.nightly == is_slow(a_list) and not asked.machine
+
+
 def chosen(asked):
-    lists = [one for one in all_lists() if asked.all or is_nightly(one) == asked.nightly]
-    if asked.check:
-        lists = [one for one in lists if is_checked(one)]
-    if asked.documents:
-        known = {one.DOCUMENT for one in all_lists()}
-        for document in asked.documents:
-            if document not in known:
-                raise SystemExit(f"scripts/figures: {document}: no list fills it; "
-                                 f"known: {', '.join(sorted(known))}")
-        lists = [one for one in lists if one.DOCUMENT in asked.documents]
-    return lists
+    known = {one.DOCUMENT for one in all_lists()}
+    for document in asked.documents:
+        if document not in known:
+            raise SystemExit(f"scripts/figures: {document}: no list fills it; "
+                             f"known: {', '.join(sorted(known))}")
+    return [one for one in all_lists()
+            if wanted(one, asked) and (not asked.documents or one.DOCUMENT in asked.documents)]
 
 
 def main(arguments):

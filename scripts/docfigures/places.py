@@ -4,11 +4,13 @@ import re
 PLACE = re.compile(r"<!--=([\w.]+)-->(.*?)<!--/-->", re.DOTALL)
 NUMBER = re.compile(r"[-+−]?\d+(?:\.\d+)?(?:[eE][-+]?\d+)?")
 NIGHTLY = "nightly."
+MACHINE = "machine."
 
 
-def names(text, nightly):
-    """Names of the places of the fast lists, or of the nightly ones."""
-    return [m.group(1) for m in PLACE.finditer(text) if m.group(1).startswith(NIGHTLY) == nightly]
+def names(text, prefix):
+    """Names of the places whose list has this prefix ("" for the fast ones)."""
+    return [m.group(1) for m in PLACE.finditer(text)
+            if m.group(1).rpartition(".")[0] == prefix.rstrip(".")]
 
 
 def filled(text, figures):
@@ -45,10 +47,10 @@ def same(printed, now):
     return True
 
 
-def differences(text, figures, nightly):
+def differences(text, figures, prefix):
     """One line for each place that does not hold what `figures` says."""
     lines = []
-    found = names(text, nightly)
+    found = names(text, prefix)
     for name in found:
         if name not in figures:
             lines.append(f"{name}: no list fills this place")
@@ -57,7 +59,7 @@ def differences(text, figures, nightly):
             lines.append(f"{name}: the document has no such place")
     for match in PLACE.finditer(text):
         name, printed = match.group(1), match.group(2)
-        if name == NIGHTLY + "made":
+        if name == prefix + "made":
             continue
         if name in figures and not same(printed, figures[name]):
             lines.append(f"{name}: printed\n    {printed.strip()}\n  now\n    {figures[name].strip()}")

@@ -37,17 +37,17 @@ class Places(unittest.TestCase):
         self.assertEqual(places.filled(self.TEXT, {"x": "7"}), self.TEXT.replace(">1<", ">7<"))
 
     def test_fast_and_nightly_places_are_told_apart(self):
-        self.assertEqual(places.names(self.TEXT, False), ["x"])
-        self.assertEqual(places.names(self.TEXT, True), ["nightly.y", "nightly.made"])
+        self.assertEqual(places.names(self.TEXT, ""), ["x"])
+        self.assertEqual(places.names(self.TEXT, "nightly."), ["nightly.y", "nightly.made"])
 
     def test_every_difference_is_named(self):
-        wrong = places.differences(self.TEXT, {"x": "3", "z": "1"}, False)
+        wrong = places.differences(self.TEXT, {"x": "3", "z": "1"}, "")
         self.assertEqual(len(wrong), 2)
         self.assertIn("no such place", wrong[0])
         self.assertIn("printed", wrong[1])
-        self.assertIn("no list fills", places.differences(self.TEXT, {}, False)[0])
+        self.assertIn("no list fills", places.differences(self.TEXT, {}, "")[0])
         good = {"nightly.y": "2 4", "nightly.made": "another day"}
-        self.assertEqual(places.differences(self.TEXT, good, True), [])
+        self.assertEqual(places.differences(self.TEXT, good, "nightly."), [])
 
 
 class Form(unittest.TestCase):
