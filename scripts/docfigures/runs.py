@@ -61,28 +61,42 @@ class Phs:
 
     def result(self, command, name, codes=(0,)):
         """JSON of the file NAME in the result folder of `phs COMMAND`."""
+        return json.loads(self.result_text(command, name, codes))
+
+    def result_text(self, command, name, codes=(0,)):
+        """Text of that file."""
         kept = self._kept(command + " > " + name)
         if not kept.exists():
             with tempfile.TemporaryDirectory(dir=self.keep) as folder:
                 out = Path(folder) / "out"
                 self._run(shlex.split(command) + ["--quiet", "--out", str(out)], codes)
                 self._write(kept, (out / name).read_text())
-        return json.loads(kept.read_text())
+        return kept.read_text()
 
-    def table(self, command):
-        """Rows of the CSV file that `phs COMMAND --out FILE` writes, as dictionaries of text."""
-        kept = self._kept(command + " > csv")
+    def text(self, command):
+        """What `phs COMMAND --out FILE` prints, for verbs that write a file and say the rest."""
+        kept = self._kept(command + " > text")
         if not kept.exists():
             with tempfile.TemporaryDirectory(dir=self.keep) as folder:
-                out = Path(folder) / "out.csv"
-                self._run(shlex.split(command) + ["--out", str(out)], (0,))
-                self._write(kept, out.read_text())
-        with kept.open() as file:
-            return list(csv.DictReader(file))
+                words = shlex.split(command) + ["--out", str(Path(folder) / "out.csv")]
+                self._write(kept, self._run(words, (0,)))
+        return kept.read_text()
+
+    def columns(self, command, name, wanted):
+        """Columns of a CSV file in the result folder of `phs COMMAND`, as lists of numbers."""
+        kept = self._kept(command + " > " + name + " " + " ".join(wanted))
+        if not kept.exists():
+            with tempfile.TemporaryDirectory(dir=self.keep) as folder:
+                out = Path(folder) / "out"
+                self._run(shlex.split(command) + ["--quiet", "--out", str(out)], (0,))
+                with (out / name).open() as file:
+                    rows = list(csv.DictReader(file))
+            self._write(kept, json.dumps({c: [float(row[c]) for row in rows] for c in wanted}))
+        return json.loads(kept.read_text())
 
     def file(self, content):
-        """Path of a file with that content (JSON, which is YAML too), named by its hash."""
-        text = json.dumps(content, indent=1, sort_keys=True) + "\n"
+        """Path of a file with that content, named by its hash: text, or data as JSON, which is YAML."""
+        text = content if isinstance(content, str) else json.dumps(content, indent=1) + "\n"
         path = self.keep / ("case_" + hashlib.sha256(text.encode()).hexdigest()[:16] + ".yaml")
         if not path.exists():
             self._write(path, text)
