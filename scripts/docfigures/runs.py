@@ -82,6 +82,13 @@ class Phs:
                 self._write(kept, self._run(words, (0,)))
         return kept.read_text()
 
+    def plain(self, command):
+        """What `phs COMMAND` prints as it stands, for --help."""
+        kept = self._kept(command + " > plain")
+        if not kept.exists():
+            self._write(kept, self._run(shlex.split(command), (0,)))
+        return kept.read_text()
+
     def columns(self, command, name, wanted):
         """Columns of a CSV file in the result folder of `phs COMMAND`, as lists of numbers."""
         kept = self._kept(command + " > " + name + " " + " ".join(wanted))
