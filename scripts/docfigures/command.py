@@ -9,7 +9,7 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 from docfigures import places
-from docfigures.runs import Phs, RunFailed
+from docfigures.runs import Phs, RunFailed, Skipped
 
 WRITING = threading.Lock()
 HERE = Path(__file__).resolve().parent
@@ -30,7 +30,9 @@ def is_of_machine(a_list):
 
 
 def prefix(a_list):
-    return places.MACHINE if is_of_machine(a_list) else places.NIGHTLY if is_slow(a_list) else ""
+    """Of the names of its places; PART tells two slow lists of one document apart."""
+    kind = places.MACHINE if is_of_machine(a_list) else places.NIGHTLY if is_slow(a_list) else ""
+    return kind + getattr(a_list, "PART", "")
 
 
 def made():
@@ -48,7 +50,7 @@ def computed(a_list, phs):
 
 
 def work(a_list, phs, check):
-    """Fills or checks one document; lines that say what is wrong."""
+    """Fills or checks one document; lines that say what is wrong. Raises Skipped."""
     path = SOURCE / a_list.DOCUMENT
     try:
         figures = computed(a_list, phs)
@@ -106,8 +108,12 @@ def main(arguments):
         # Two lists of one document take turns: each reads and writes the file at its end.
         waiting = [(one, pool.submit(work, one, phs, asked.check)) for one in lists]
         for one, done in waiting:
-            wrong = done.result()
             name = one.__name__.rpartition("list_")[2]
+            try:
+                wrong = done.result()
+            except Skipped as why:
+                print(f"{one.DOCUMENT} ({name}): skipped: {why}")
+                continue
             print(f"{one.DOCUMENT} ({name}): {'as printed' if asked.check else 'filled'}"
                   if not wrong else f"{one.DOCUMENT} ({name}):")
             for line in wrong:

@@ -13,6 +13,10 @@ class RunFailed(Exception):
     pass
 
 
+class Skipped(Exception):
+    """The list cannot be made here, and why (data that are not shipped, say)."""
+
+
 class Phs:
     """phs("compare curve_r550 …") gives the JSON that the command prints."""
 
