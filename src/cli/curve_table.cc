@@ -6,6 +6,8 @@
 #include <cmath>
 #include <functional>
 
+#include "base/axle_words.h"
+
 namespace phs::cli {
 namespace {
 
@@ -51,7 +53,14 @@ struct Row {
   double scale;
   bool ratio;
   std::function<double(const Json&)> value;
+  bool attack = false;  ///< an angle of attack: its magnitude and where the axle points
 };
+
+/// +1 in a left-hand curve, -1 in a right-hand one, 0 without.
+int Hand(const Json& summary) {
+  const double radius = At(summary, "/steady_curve/radius_m");
+  return std::isfinite(radius) ? (radius > 0 ? 1 : -1) : 0;
+}
 
 std::vector<Row> Rows() {
   const auto wheelset = [](const char* key, bool last) {
@@ -68,8 +77,8 @@ std::vector<Row> Rows() {
     return [key](const Json& s) { return At(s, std::string("/run/") + key); };
   };
   return {
-      {"angle of attack, lead", "mrad", 3, 1e3, true, wheelset("angle_of_attack_rad", false)},
-      {"angle of attack, trail", "mrad", 3, 1e3, true, wheelset("angle_of_attack_rad", true)},
+      {"angle of attack, lead", "mrad", 3, 1e3, true, wheelset("angle_of_attack_rad", false), true},
+      {"angle of attack, trail", "mrad", 3, 1e3, true, wheelset("angle_of_attack_rad", true), true},
       {"lateral position, lead", "mm", 2, 1e3, false, wheelset("lateral_m", false)},
       {"lateral position, trail", "mm", 2, 1e3, false, wheelset("lateral_m", true)},
       {"Y, lead outer wheel", "kN", 2, 1e-3, true, wheel("_outer", "Y_N")},
@@ -97,6 +106,18 @@ std::string Cell(double value, int decimals) {
   return std::isfinite(value) ? fmt::format("{:.{}f}", value, decimals) : std::string("-");
 }
 
+std::string CellOf(const Row& row, const Json& summary) {
+  const double value = row.value(summary) * row.scale;
+  if (!row.attack || !std::isfinite(value)) return Cell(value, row.decimals);
+  return Cell(std::abs(value), row.decimals) + " " + RailPointedTo(value, Hand(summary));
+}
+
+/// How many times the number of the first bogie is that of another; angles by their magnitudes.
+double Times(const Row& row, const Json& first, const Json& other) {
+  const double ratio = row.value(first) / row.value(other);
+  return row.attack ? std::abs(ratio) : ratio;
+}
+
 /// Of a column headed by the names, at least `least`.
 size_t Width(const NamedSummaries& summaries, size_t least) {
   for (const auto& [name, summary] : summaries) least = std::max(least, name.size() + 2);
@@ -116,12 +137,11 @@ std::string CurveTable(const NamedSummaries& summaries) {
       '\n' + std::string(36 + wide * summaries.size() + ratio * (summaries.size() - 1), '-') + '\n';
   for (const Row& row : Rows()) {
     text += fmt::format("{:<30}{:>6}", row.label, row.unit);
-    const double first = row.value(summaries[0].second) * row.scale;
     for (const auto& [name, summary] : summaries) {
-      text += fmt::format("{:>{}}", Cell(row.value(summary) * row.scale, row.decimals), wide);
+      text += fmt::format("{:>{}}", CellOf(row, summary), wide);
     }
     for (size_t i = 1; i < summaries.size() && row.ratio; ++i) {
-      text += fmt::format("{:>{}}", Cell(first / (row.value(summaries[i].second) * row.scale), 3),
+      text += fmt::format("{:>{}}", Cell(Times(row, summaries[0].second, summaries[i].second), 3),
                           ratio);
     }
     text += '\n';

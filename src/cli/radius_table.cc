@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "base/axle_words.h"
+
 namespace phs::cli {
 namespace {
 
@@ -16,10 +18,21 @@ std::string Cell(const Json& row, const char* key, double scale, int decimals) {
   return fmt::format("{:.{}f}", row[key].get<double>() * scale, decimals);
 }
 
+/// "4.61 outer": magnitude and the rail that the axle points to.
+std::string Attack(const Json& row, const char* key) {
+  if (!row.contains(key) || !row[key].is_number()) return "-";
+  const std::string hand = row["hand"].get<std::string>();
+  const double angle = row[key].get<double>();
+  return fmt::format("{:.2f} {}", 1e3 * std::abs(angle),
+                     RailPointedTo(angle, hand == "left"    ? 1
+                                          : hand == "right" ? -1
+                                                            : 0));
+}
+
 std::string Line(const Json& row) {
   return fmt::format(
-      "  {:<19}{:>9}{:>9}{:>11}{:>11}{:>9}{:>10}{:>10}{:>9}\n", row["bogie"].get<std::string>(),
-      Cell(row, "angle_of_attack_lead_rad", 1e3, 2), Cell(row, "angle_of_attack_trail_rad", 1e3, 2),
+      "  {:<19}{:>13}{:>13}{:>11}{:>11}{:>9}{:>10}{:>10}{:>9}\n", row["bogie"].get<std::string>(),
+      Attack(row, "angle_of_attack_lead_rad"), Attack(row, "angle_of_attack_trail_rad"),
       Cell(row, "T_gamma_N", 1, 1), Cell(row, "T_gamma_total_J", 1e-3, 1),
       Cell(row, "wear_yardstick_over_own_run", 1, 2), Cell(row, "sum_Y_lead_N", 1e-3, 2),
       Cell(row, "max_sum_Y_N", 1e-3, 1), Cell(row, "max_Y_over_Q", 1, 3));
@@ -45,11 +58,11 @@ std::string SpeedLines(const Json& speeds) {
 
 std::string RadiusTable(const Json& described) {
   std::string text =
-      fmt::format("{:<21}{:>9}{:>9}{:>11}{:>11}{:>9}{:>10}{:>10}{:>9}\n", "", "lead", "trail",
+      fmt::format("{:<21}{:>13}{:>13}{:>11}{:>11}{:>9}{:>10}{:>10}{:>9}\n", "", "lead", "trail",
                   "T-gamma,", "T-gamma,", "wear,", "sum Y,", "largest", "largest");
-  text += fmt::format("{:<21}{:>9}{:>9}{:>11}{:>11}{:>9}{:>10}{:>10}{:>9}\n", "", "angle", "angle",
-                      "steady", "run", "rigid", "lead", "sum Y", "Y/Q");
-  text += fmt::format("{:<21}{:>9}{:>9}{:>11}{:>11}{:>9}{:>10}{:>10}{:>9}\n", "bogie", "mrad",
+  text += fmt::format("{:<21}{:>13}{:>13}{:>11}{:>11}{:>9}{:>10}{:>10}{:>9}\n", "", "angle",
+                      "angle", "steady", "run", "rigid", "lead", "sum Y", "Y/Q");
+  text += fmt::format("{:<21}{:>13}{:>13}{:>11}{:>11}{:>9}{:>10}{:>10}{:>9}\n", "bogie", "mrad",
                       "mrad", "N", "kJ", "/own", "kN", "kN", "-");
   std::string block;
   for (const Json& row : described["rows"]) {

@@ -9,6 +9,7 @@
 
 #include "analysis/curve_family.h"
 #include "analysis/steady_curve.h"
+#include "base/axle_words.h"
 #include "base/result_dir.h"
 #include "cli/verbs.h"
 #include "report/analysis_report.h"
@@ -118,11 +119,19 @@ std::string Cell(const Json& row, const char* key, double scale, int decimals) {
   return fmt::format("{:.{}f}", scale * row[key].get<double>(), decimals);
 }
 
+/// "4.609 outer": the curves of the family are left-hand.
+std::string Attack(const Json& row) {
+  const char* key = "angle_of_attack_lead_rad";
+  if (!row.contains(key) || !row[key].is_number()) return "-";
+  const double angle = row[key].get<double>();
+  return fmt::format("{:.3f} {}", 1e3 * std::abs(angle), RailPointedTo(angle, 1));
+}
+
 void PrintRow(const Json& row) {
-  fmt::print("{:>8.0f}{:>8.1f}{:>7.0f}{:>12}{:>11}{:>11}{:>11}", row["radius_m"].get<double>(),
-             3.6 * row["speed_m_s"].get<double>(), 1e3 * row["cant_m"].get<double>(),
-             Cell(row, "angle_of_attack_lead_rad", 1e3, 3), Cell(row, "largest_Y_N", 1e-3, 2),
-             Cell(row, "sum_Y_lead_N", 1e-3, 2), Cell(row, "T_gamma_N", 1, 1));
+  fmt::print("{:>8.0f}{:>8.1f}{:>7.0f}{:>14}{:>11}{:>11}{:>11}", row["radius_m"].get<double>(),
+             3.6 * row["speed_m_s"].get<double>(), 1e3 * row["cant_m"].get<double>(), Attack(row),
+             Cell(row, "largest_Y_N", 1e-3, 2), Cell(row, "sum_Y_lead_N", 1e-3, 2),
+             Cell(row, "T_gamma_N", 1, 1));
   if (row.contains("time_run")) {
     const Json& check = row["time_run"];
     fmt::print("{:>11}{:>9}", Cell(check, "largest_difference", 100, 2),
@@ -135,7 +144,7 @@ void PrintRow(const Json& row) {
 
 void PrintHead(const std::string& bogie, bool check) {
   fmt::print(
-      "{}\n{:>8}{:>8}{:>7}{:>12}{:>11}{:>11}{:>11}{}\n{:>8}{:>8}{:>7}{:>12}{:>11}{:>11}{:>11}{}\n",
+      "{}\n{:>8}{:>8}{:>7}{:>14}{:>11}{:>11}{:>11}{}\n{:>8}{:>8}{:>7}{:>14}{:>11}{:>11}{:>11}{}\n",
       bogie, "R", "speed", "cant", "attack", "largest Y", "sum Y", "T-gamma",
       check ? fmt::format("{:>11}{:>9}", "off time", "faster") : "", "m", "km/h", "mm",
       "lead, mrad", "kN", "lead, kN", "all, N",

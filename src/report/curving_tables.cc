@@ -6,6 +6,7 @@
 #include <functional>
 #include <limits>
 
+#include "base/axle_words.h"
 #include "report/curving_parts.h"
 
 namespace phs::report {
@@ -22,16 +23,28 @@ struct Metric {
   std::string label;  ///< with unit
   double floor;       ///< smallest size for which a ratio means anything, in that unit
   std::function<double(const BogieRun&)> value;
+  /// Angle of attack, > 0 to the outer rail: shown as its magnitude and the rail pointed to.
+  bool attack = false;
 };
+
+/// "4.61 outer"; on straight track "left" or "right".
+std::string AttackText(double to_outer, const CurvingResults& results) {
+  if (!std::isfinite(to_outer)) return FormatNumber(to_outer);
+  const int hand = results.hand;
+  return FormatNumber(std::abs(to_outer)) + " " +
+         RailPointedTo(hand == 0 ? to_outer : -hand * to_outer, hand);
+}
 
 double Larger(double a, double b) {
   if (!std::isfinite(a)) return b;
   return std::isfinite(b) ? std::max(a, b) : a;
 }
 
-/// Angle of attack with the sign that the arc gives it: positive = pointing to the outer rail.
+/// Angle of attack with the sign that the arc gives it: positive = pointing to the outer rail; on
+/// straight track to the left.
 double AttackOutward(const BogieRun& run, const CurvingResults& results, const std::string& axle) {
-  return -results.hand * run.Steady("wheelsets", axle, "angle_of_attack_rad");
+  const double angle = run.Steady("wheelsets", axle, "angle_of_attack_rad");
+  return results.hand == 0 ? angle : -results.hand * angle;
 }
 
 /// Greatest cylinder force of a bogie in the steady curve [N]; NaN without cylinders.
@@ -65,13 +78,13 @@ void AddSteadyMetrics(const CurvingResults& results, const std::string& prefix,
         [&results, axle](const BogieRun& run) { return 1e3 * AttackOutward(run, results, axle); };
   };
   *metrics = {
-      {"Angle of attack, leading axle [mrad]", 0.1, attack(lead)},
+      {"Angle of attack, leading axle [mrad]", 0.1, attack(lead), true},
       {"– its swing (standard deviation) [mrad]", 0.1,
        [&results, lead](const BogieRun& run) {
          return 1e3 * run.Deviation(lead + "_angle_of_attack_rad", results.steady_begin,
                                     results.steady_end);
        }},
-      {"Angle of attack, trailing axle [mrad]", 0.1, attack(trail)},
+      {"Angle of attack, trailing axle [mrad]", 0.1, attack(trail), true},
       {"Lateral position, leading axle [mm]", 0.1, wheelset(lead, "lateral_m", 1e3)},
       {"Lateral position, trailing axle [mm]", 0.1, wheelset(trail, "lateral_m", 1e3)},
       {"Track-shifting force ΣY, leading axle [kN]", 0.5, wheelset(lead, "sum_Y_N", 1e-3)},
@@ -90,7 +103,7 @@ void AddSteadyMetrics(const CurvingResults& results, const std::string& prefix,
        [prefix](const BogieRun& run) { return 1e-3 * GreatestCylinderForce(run, prefix); }},
   };
   if (results.Axles(prefix).size() < 3) return;
-  metrics->push_back({"Angle of attack, middle axle [mrad]", 0.1, attack(prefix + "mid")});
+  metrics->push_back({"Angle of attack, middle axle [mrad]", 0.1, attack(prefix + "mid"), true});
   metrics->push_back({"Track-shifting force ΣY, middle axle [kN]", 0.5,
                       wheelset(prefix + "mid", "sum_Y_N", 1e-3)});
 }
@@ -123,7 +136,8 @@ void AddRows(const CurvingResults& results, const std::vector<Metric>& metrics, 
     for (const BogieRun& run : results.runs) {
       const double value = metric.value(run);
       any = any || std::isfinite(value);
-      row.emplace_back(FormatNumber(value), &run == &results.reference());
+      row.emplace_back(metric.attack ? AttackText(value, results) : FormatNumber(value),
+                       &run == &results.reference());
     }
     for (std::size_t i = 1; i < results.runs.size(); ++i) {
       row.emplace_back(RatioText(metric.value(results.runs[i]), own, metric.floor));
@@ -168,6 +182,7 @@ void AddKeyFigures(const CurvingResults& results, ReportPage* page) {
     std::string unit;
     double floor;
     std::function<double(const BogieRun&)> value;
+    std::function<double(const BogieRun&)> attack = {};  ///< > 0 to the outer rail [mrad]
   };
   // Of a locomotive the bogie that does worse, and the wear of all its wheels.
   const std::string of = results.prefixes.size() > 1 ? " of the worse bogie" : "";
@@ -181,6 +196,11 @@ void AddKeyFigures(const CurvingResults& results, ReportPage* page) {
       {"Angle of attack, leading axle" + of, "mrad", 0.1,
        [&](const BogieRun& run) {
          return worst(run, "wheelsets", "lead", "angle_of_attack_rad", 1e3);
+       },
+       [&](const BogieRun& run) {
+         return Worst(results, [&](const std::string& prefix) {
+           return 1e3 * AttackOutward(run, results, prefix + "lead");
+         });
        }},
       {"Guiding force Y, leading outer wheel" + of, "kN", 0.5,
        [&](const BogieRun& run) { return worst(run, "wheels", "lead_outer", "Y_N", 1e-3); }},
@@ -188,6 +208,13 @@ void AddKeyFigures(const CurvingResults& results, ReportPage* page) {
        [&](const BogieRun& run) { return worst(run, "wheels", "lead_outer", "Y_over_Q", 1); }},
       {"Wear number Tγ, all wheels", "N", 1,
        [&](const BogieRun& run) { return CurvingResults::SteadyWear(run, ""); }},
+  };
+  const auto where = [&results](const Key& key, const BogieRun& run) -> std::string {
+    if (!key.attack) return "";
+    const double to_outer = key.attack(run);
+    const int hand = results.hand;
+    const std::string side = RailPointedTo(hand == 0 ? to_outer : -hand * to_outer, hand);
+    return side.empty() ? "" : hand == 0 ? " to the " + side : " to the " + side + " rail";
   };
   std::vector<KeyFigure> figures;
   for (const Key& key : keys) {
@@ -198,12 +225,12 @@ void AddKeyFigures(const CurvingResults& results, ReportPage* page) {
       const double other = key.value(results.runs[i]);
       if (!std::isfinite(other)) continue;
       const std::string ratio = RatioText(other, own, key.floor);
-      remark += fmt::format("{}{}: {}{}{}", remark.empty() ? "" : "; ", results.runs[i].label,
+      remark += fmt::format("{}{}: {}{}{}{}", remark.empty() ? "" : "; ", results.runs[i].label,
                             FormatNumber(other), key.unit.empty() ? "" : " " + key.unit,
-                            ratio == "–" ? "" : " (" + ratio + ")");
+                            where(key, results.runs[i]), ratio == "–" ? "" : " (" + ratio + ")");
     }
     figures.push_back({.value = FormatNumber(own),
-                       .unit = key.unit,
+                       .unit = key.unit + where(key, results.reference()),
                        .label = key.label + ", " + results.reference().label,
                        .remark = remark});
   }
@@ -229,8 +256,8 @@ void AddHeadlineTable(const CurvingResults& results, ReportPage* page) {
   AddRows(results, RunMetrics(), &table);
   page->Add(table);
   page->Note(
-      "Angle of attack: yaw of the axle against the radial direction of the track under it, here "
-      "positive when the axle points to the outer (high) rail. Lateral position: positive to the "
+      "Angle of attack: yaw of the axle against the radial direction of the track under it, with "
+      "the rail that the axle points to (outer: the high rail). Lateral position: positive to the "
       "left. Tγ = |Tx ξ| + |Ty η| without the spin term. The last columns are ratios of "
       "magnitudes; where the "
       "number compared with is too small to be resolved they give only a bound.");
@@ -249,7 +276,8 @@ void AddComparisonBars(const CurvingResults& results, ReportPage* page) {
       BarChart chart{.title = metrics[index].label + whose, .categories = {""}};
       bool any = false;
       for (const BogieRun& run : results.runs) {
-        const double value = metrics[index].value(run);
+        double value = metrics[index].value(run);
+        if (metrics[index].attack) value = std::abs(value);
         any = any || std::isfinite(value);
         chart.bars.push_back({run.label, run.colour, {value}});
       }

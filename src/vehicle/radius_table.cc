@@ -32,6 +32,7 @@ Result<RadiusRow> RunOne(const RadiusCase& asked) {
   const Json::json_pointer radius("/steady_curve/radius_m");
   if (row.summary.contains(radius) && row.summary[radius].is_number()) {
     row.radius_m = std::abs(row.summary[radius].get<double>());
+    row.hand = row.summary[radius].get<double>() > 0 ? 1 : -1;
   }
   return row;
 }
@@ -77,6 +78,9 @@ const RadiusRow* YardstickRow(const std::vector<RadiusRow>& rows, const RadiusRo
 
 Json DescribeRow(const std::vector<RadiusRow>& rows, const RadiusRow& row) {
   Json out = {{"radius_m", row.radius_m},
+              {"hand", row.hand > 0   ? "left"
+                       : row.hand < 0 ? "right"
+                                      : ""},
               {"speed_m_s", row.speed_m_s},
               {"bogie", row.bogie},
               {"yardstick", row.yardstick},

@@ -13,6 +13,7 @@ namespace phs::vehicle {
 /// One bogie in one curve.
 struct RadiusRow {
   double radius_m = 0;
+  int hand = 0;  ///< +1 the curve is left-hand, -1 right-hand, 0 there is none
   double speed_m_s = 0;
   std::string bogie;
   std::string yardstick;  ///< "" if the bogie names none

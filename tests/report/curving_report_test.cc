@@ -40,7 +40,8 @@ class CurvingReport : public ::testing::Test {
 TEST_F(CurvingReport, ShowsTheNumbersOfTheResult) {
   const std::string html = Make({});
   // Of the example at s = 430 m: 0.3, 1 and 0.6 times a/R, a = 1.55 m, and 0.2 mrad each.
-  EXPECT_TRUE(Holds(html, "<td class=\"strong\">1.04</td><td>3.01</td><td>1.89</td>"));
+  EXPECT_TRUE(
+      Holds(html, "<td class=\"strong\">1.04 outer</td><td>3.01 outer</td><td>1.89 outer</td>"));
   EXPECT_TRUE(Holds(html, "R = 550 m to the left"));
   EXPECT_TRUE(Holds(html, "rigid link / PHS"));
 }
@@ -71,6 +72,12 @@ TEST_F(CurvingReport, LeftAndRightCurvesReadTheSame) {
        {"points 1.04 mrad to the outer rail", "turned by the creep forces between"}) {
     EXPECT_TRUE(Holds(left, words));
     EXPECT_TRUE(Holds(right, words));
+  }
+  // Table and cards: magnitude and rail, no sign.
+  for (const std::string& html : {left, right}) {
+    EXPECT_TRUE(Holds(html, ">1.04 outer</td>"));
+    EXPECT_TRUE(Holds(html, "mrad to the outer rail"));
+    EXPECT_TRUE(Lacks(html, "positive when the axle points"));
   }
   EXPECT_TRUE(Holds(left, "leading right wheel (outer)"));
   EXPECT_TRUE(Holds(right, "leading left wheel (outer)"));

@@ -15,7 +15,7 @@ using testing::Holds;
 
 const char kBogies[] = R"({"scenario": {"wheel": "S1002", "rail": "UIC60", "friction": 0.35},
  "rows": [
-  {"radius_m": 300, "speed_m_s": 15, "bogie": "rigid_link", "yardstick": "rigid_link", "status": "ok",
+  {"radius_m": 300, "hand": "left", "speed_m_s": 15, "bogie": "rigid_link", "yardstick": "rigid_link", "status": "ok",
    "reason": "", "angle_of_attack_lead_rad": -0.0089, "angle_of_attack_trail_rad": 0.0006,
    "T_gamma_N": 1331, "T_gamma_total_J": 348000, "sum_Y_lead_N": 19000, "max_sum_Y_N": 40000,
    "max_Y_over_Q": 1.4, "wear_yardstick_over_own_run": 1},
@@ -32,7 +32,8 @@ TEST(RadiusReport, ShowsRunsCurvesAndWhatDerailed) {
   ASSERT_TRUE(status.ok()) << status.error().Line();
   const std::string html = ReadFile(out).value();
   EXPECT_TRUE(Holds(html, "R = 300 m, 54 km/h"));
-  EXPECT_TRUE(Holds(html, "<td>-8.90</td>") || Holds(html, "<td>−8.90</td>"));
+  EXPECT_TRUE(Holds(html, "<td>8.90 outer</td>"));
+  EXPECT_TRUE(Holds(html, "<td>0.600 inner</td>"));
   EXPECT_TRUE(Holds(html, "derailed: a wheel runs on the tip of its flange"));
   EXPECT_TRUE(Holds(html, "Critical speed on straight track"));
   EXPECT_TRUE(Holds(html, "hunting lives from"));

@@ -1,0 +1,34 @@
+"""README.md: wear on rough track and of the locomotive; running straight."""
+from docfigures.form import kmh, number, short
+
+DOCUMENT = "README.md"
+
+SCENARIOS = {"rough": "curve_r550_rough", "pull_rough": "traction_r550_rough",
+             "loco_smooth": "locomotive_r550", "loco_rough": "locomotive_r550_rough",
+             "loco_pull": "locomotive_traction_r550",
+             "loco_pull_rough": "locomotive_traction_r550_rough",
+             "loco_dampers": "locomotive_yaw_dampers"}
+
+
+def lives_from(speeds):
+    """From which speed on hunting lives, in words [km/h]."""
+    if speeds["hunting"] == "dies":
+        return kmh(speeds["nonlinear_m_s"])
+    if speeds["hunting"] == "lives":
+        return "below " + kmh(speeds["ramp_to_m_s"])
+    return speeds["hunting"]
+
+
+def figures(phs):
+    out = {}
+    for name, scenario in SCENARIOS.items():
+        ratio = phs(f"compare {scenario} --bogies phs,rigid_link")["ratios"]["rigid_link_over_phs"]
+        out["T_" + name] = short(ratio["run"]["T_gamma_total_J"])
+        out["W_" + name] = short(ratio["run"]["lost_creep_J"])
+    for name, scenario in (("plain", "locomotive_r550"), ("damped", "locomotive_yaw_dampers")):
+        speeds = phs(f"compare {scenario} --bogies phs,rigid_link --radii 550 --stability")
+        for bogie, of in speeds["critical_speeds"].items():
+            out[f"linear_{name}_{bogie}"] = number(3.6 * of["linear_m_s"]) \
+                if of["linear_m_s"] is not None else "stable"
+            out[f"hunts_{name}_{bogie}"] = lives_from(of)
+    return out

@@ -1,0 +1,12 @@
+// Where an axle points, in the words of every table, card and sentence: no sign can be mistaken.
+#pragma once
+
+namespace phs {
+
+/// "outer" or "inner" (rail of the curve), "left" or "right" on straight track; "" if the angle is
+/// no number.
+/// @param angle_of_attack yaw against the radial direction [rad], > 0 to the left
+/// @param hand +1 a left-hand curve, -1 a right-hand one, 0 no curve
+const char* RailPointedTo(double angle_of_attack, int hand);
+
+}  // namespace phs
