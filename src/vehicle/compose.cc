@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cstring>
+#include <filesystem>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/data_path.h"
@@ -173,12 +175,26 @@ Result<int> CountStates(const Scenario& scenario, const std::string& name, int a
   return system.value().num_states();
 }
 
+/// What an actuator acts on: {"tendon", its name} or {"joint", its name}; empty if neither.
+using Transmission = std::pair<std::string, std::string>;
+Transmission TransmissionOf(XMLElement* root, const std::string& name) {
+  Transmission found;
+  ForEach(root, "actuator", "general", [&](XMLElement* actuator) {
+    if (AttributeOf(*actuator, "name") != name) return;
+    for (const char* kind : {"tendon", "joint"}) {
+      const std::string target = AttributeOf(*actuator, kind);
+      if (!target.empty()) found = {kind, target};
+    }
+  });
+  return found;
+}
+
 /// Appends one force-free actuator with a state to the document and to the PHS tuple.
-void AddCarrier(const std::string& name, const std::string& tendon, XMLElement* carriers,
+void AddCarrier(const std::string& name, const Transmission& on, XMLElement* carriers,
                 XMLElement* tuple) {
   XMLElement* actuator = carriers->InsertNewChildElement("general");
   actuator->SetAttribute("name", name.c_str());
-  actuator->SetAttribute("tendon", tendon.c_str());
+  actuator->SetAttribute(on.first.c_str(), on.second.c_str());
   actuator->SetAttribute("dyntype", "user");
   actuator->SetAttribute("gaintype", "fixed");
   actuator->SetAttribute("gainprm", "0");
@@ -189,8 +205,9 @@ void AddCarrier(const std::string& name, const std::string& tendon, XMLElement* 
 }
 
 /// One force-free user actuator per state beyond those the file carries. True if any was added.
+/// `values` grows by the numbers of cylinders and states.
 Result<bool> AddStateCarriers(const Scenario& scenario, const std::string& bogie_path,
-                              XMLElement* root) {
+                              XMLElement* root, int* values) {
   std::vector<XMLElement*> tuples;
   ForEach(root, "custom", "tuple", [&](XMLElement* tuple) {
     if (AttributeOf(*tuple, "name").starts_with("phs:")) tuples.push_back(tuple);
@@ -205,28 +222,103 @@ Result<bool> AddStateCarriers(const Scenario& scenario, const std::string& bogie
       if (listed++ == 0) first = AttributeOf(*e, "objname");
     }
     // Any transmission serves, since gain and bias are zero: the first cylinder's is at hand.
-    std::string tendon;
-    ForEach(root, "actuator", "general", [&](XMLElement* actuator) {
-      if (AttributeOf(*actuator, "name") == first) tendon = AttributeOf(*actuator, "tendon");
-    });
-    if (tendon.empty()) {
-      return Error{bogie_path + ": tuple '" + name + "'", "names no cylinder on a tendon",
-                   "one general actuator on a tendon per cylinder", ""};
+    const Transmission on = TransmissionOf(root, first);
+    if (on.second.empty()) {
+      return Error{bogie_path + ": tuple '" + name + "'", "names no cylinder",
+                   "one general actuator on a tendon or a slide joint per cylinder", ""};
     }
     auto states = CountStates(scenario, name, listed, root);
     if (!states.ok()) return states.error();
+    *values += listed + states.value();
     for (int i = listed; i < states.value(); ++i) {
       if (carriers == nullptr) carriers = root->InsertNewChildElement("actuator");
-      AddCarrier(name.substr(4) + "_state_" + std::to_string(i + 1), tendon, carriers, tuple);
+      AddCarrier(name.substr(4) + "_state_" + std::to_string(i + 1), on, carriers, tuple);
     }
   }
   return carriers != nullptr;
 }
 
-/// userdata large enough for every PHS.
-void EnlargeUserData(int values, XMLElement* root) {
-  XMLElement* size = root->InsertNewChildElement("size");
-  size->SetAttribute("nuserdata", values);
+/// userdata large enough for `values`. True if the file's own was too small.
+bool EnlargeUserData(int values, XMLElement* root) {
+  int own = 0;
+  for (const XMLElement* size = root->FirstChildElement("size"); size != nullptr;
+       size = size->NextSiblingElement("size")) {
+    own = size->IntAttribute("nuserdata", own);
+  }
+  if (own >= values) return false;
+  root->InsertNewChildElement("size")->SetAttribute("nuserdata", values);
+  return true;
+}
+
+/// The key that the plugin fills with the settled start. True if it was missing.
+bool AddStartKey(XMLElement* root) {
+  bool there = false;
+  ForEach(root, "keyframe", "key",
+          [&](XMLElement* key) { there = there || AttributeOf(*key, "name") == "test"; });
+  if (there) return false;
+  root->InsertNewChildElement("keyframe")
+      ->InsertNewChildElement("key")
+      ->SetAttribute("name", "test");
+  return true;
+}
+
+/// Tracks, profiles and PHS models that lie beside the bogie's file. True if any was found there.
+bool FindBeside(const std::string& bogie_path, XMLElement* root) {
+  bool found = false;
+  ForEach(root, "custom", "text", [&](XMLElement* text) {
+    const std::string name = AttributeOf(*text, "name");
+    const bool path = name == "phs_track" || name == "phs_wheel" || name == "phs_rail" ||
+                      name.starts_with("phs:");
+    if (!path) return;
+    const std::string data = AttributeOf(*text, "data");
+    const std::string beside = BesideFile(bogie_path, data);
+    if (beside == data) return;
+    text->SetAttribute("data", Anywhere(beside).c_str());
+    found = true;
+  });
+  return found;
+}
+
+/// Meshes and textures of a model that is compiled from memory: still looked for beside its file.
+void KeepAssetFolders(const std::string& bogie_path, XMLElement* root) {
+  if (root->FirstChildElement("asset") == nullptr) return;
+  const auto folder = std::filesystem::absolute(bogie_path).parent_path();
+  XMLElement* last = root->InsertNewChildElement("compiler");
+  for (const char* kind : {"meshdir", "texturedir"}) {
+    std::string own;
+    for (const XMLElement* compiler = root->FirstChildElement("compiler"); compiler != nullptr;
+         compiler = compiler->NextSiblingElement("compiler")) {
+      if (compiler->Attribute(kind) != nullptr) own = compiler->Attribute(kind);
+    }
+    last->SetAttribute(kind, (folder / own / "").lexically_normal().c_str());
+  }
+}
+
+bool SaysStep(const XMLElement* root) {
+  bool says = false;
+  for (const XMLElement* option = root->FirstChildElement("option"); option != nullptr;
+       option = option->NextSiblingElement("option")) {
+    says = says || option->Attribute("timestep") != nullptr;
+  }
+  return says;
+}
+
+/// Joints in `parent` and below.
+int CountJoints(const XMLElement* parent) {
+  int count = 0;
+  for (const XMLElement* child = parent->FirstChildElement(); child != nullptr;
+       child = child->NextSiblingElement()) {
+    const std::string tag = child->Name();
+    if (tag == "joint" || tag == "freejoint") ++count;
+    if (tag == "body" || tag == "worldbody") count += CountJoints(child);
+  }
+  return count;
+}
+
+/// Room in userdata that is enough for the plugin whatever its layout; it says itself what it
+/// needs.
+int RoomFor(const XMLElement* root, int cylinders_and_states) {
+  return 64 + 6 * CountJoints(root) + 4 * cylinders_and_states;
 }
 
 }  // namespace
@@ -241,13 +333,18 @@ Result<ModelPtr> ComposeVehicle(const Scenario& scenario) {
   if (locomotive) {
     if (Status s = PutBogiesUnderBody(path.value(), root); !s.ok()) return s.error();
   }
-  auto added = AddStateCarriers(scenario, path.value(), root);
+  bool changed = FindBeside(path.value(), root) || locomotive;
+  int values = 0;
+  auto added = AddStateCarriers(scenario, path.value(), root, &values);
   if (!added.ok()) return added.error();
+  if (locomotive || added.value()) MoveStatefulActuatorsLast(root);
+  changed = EnlargeUserData(RoomFor(root, values), root) || changed || added.value();
+  changed = AddStartKey(root) || changed;
+  if (changed) KeepAssetFolders(path.value(), root);
   // Nothing to add: the file as it stands, as any MuJoCo program loads it.
-  if (!locomotive && !added.value()) return LoadMjcf(path.value());
-  MoveStatefulActuatorsLast(root);
-  EnlargeUserData(4096, root);
-  return CompileMjcf(*document.value(), path.value());
+  auto model = changed ? CompileMjcf(*document.value(), path.value()) : LoadMjcf(path.value());
+  if (model.ok() && !SaysStep(root)) model.value()->opt.timestep = kDefaultStep_s;
+  return model;
 }
 
 std::vector<ComparedBogie> ListComparedBogies() {
@@ -272,6 +369,14 @@ std::string YardstickOf(const std::string& bogie) {
   return document.ok() ? TextOf(document.value()->RootElement(), "phs_yardstick") : "";
 }
 
+std::string TrackOf(const std::string& bogie) {
+  auto path = FindData("bogie", "bogie_xml", bogie, {".xml"});
+  if (!path.ok()) return "";
+  auto document = ReadMjcf(path.value());
+  if (!document.ok()) return "";
+  return BesideFile(path.value(), TextOf(document.value()->RootElement(), "phs_track"));
+}
+
 std::string PhsModelOf(const std::string& bogie) {
   auto path = FindData("bogie", "bogie_xml", bogie, {".xml"});
   if (!path.ok()) return "";
@@ -280,7 +385,7 @@ std::string PhsModelOf(const std::string& bogie) {
   std::string model;
   ForEach(document.value()->RootElement(), "custom", "text", [&](XMLElement* text) {
     if (model.empty() && AttributeOf(*text, "name").starts_with("phs:")) {
-      model = AttributeOf(*text, "data");
+      model = BesideFile(path.value(), AttributeOf(*text, "data"));
     }
   });
   return model;

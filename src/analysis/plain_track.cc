@@ -1,0 +1,91 @@
+#include "analysis/plain_track.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "base/data_path.h"
+#include "rail/track.h"
+#include "vehicle/compose.h"
+
+namespace phs::analysis {
+namespace {
+
+constexpr double kSame = 1e-9;  ///< [m]
+
+}  // namespace
+
+Result<TrackBase> ReadTrackBase(const std::string& name_or_path) {
+  auto path = FindData("track", "models/tracks", name_or_path, {".yaml"});
+  if (!path.ok()) return path.error();
+  auto track = rail::Track::Load(path.value());
+  if (!track.ok()) return track.error();
+  const rail::Track& t = track.value();
+  return TrackBase{t.gauge(), t.gauge_height(), t.cant_base(), t.friction()};
+}
+
+Result<TemporaryTrack> TemporaryTrack::Straight(const TrackBase& base) {
+  return Write(fmt::format("straight on {:g} mm", 1e3 * base.gauge_m), base,
+               "  - {kind: tangent, length_m: 600}\n");
+}
+
+Result<TemporaryTrack> TemporaryTrack::Curve(const TrackBase& base, const PlainCurve& c) {
+  return Write(
+      fmt::format("arc_r{:g}", c.radius_m), base,
+      fmt::format("  - {{kind: tangent, length_m: 40}}\n  - {{kind: transition, length_m: {0}}}\n"
+                  "  - {{kind: curve, hand: left, radius_m: {1}, length_m: {2}, cant_m: {3}}}\n"
+                  "  - {{kind: transition, length_m: {0}}}\n  - {{kind: tangent, length_m: 20}}\n",
+                  c.transition_m, c.radius_m, c.arc_length_m, c.cant_m));
+}
+
+Result<TemporaryTrack> TemporaryTrack::Write(const std::string& name, const TrackBase& base,
+                                             const std::string& segments) {
+  std::string text = fmt::format(
+      "name: {}\ngauge_m: {}\ngauge_height_m: {}\ncant_pivot: low_rail\ncant_base_m: {}\n", name,
+      base.gauge_m, base.gauge_height_m, base.cant_base_m);
+  if (std::isfinite(base.friction)) text += fmt::format("friction: {}\n", base.friction);
+  text += "segments:\n" + segments;
+  TemporaryTrack track;
+  track.path_ = (std::filesystem::temp_directory_path() / "phs_track_XXXXXX.yaml").string();
+  const int file = mkstemps(track.path_.data(), 5);
+  if (file < 0) {
+    const std::string folder = std::filesystem::temp_directory_path().string();
+    track.path_.clear();
+    return Error{folder, "cannot be written", "", "set TMPDIR"};
+  }
+  const bool written = write(file, text.data(), text.size()) == static_cast<ssize_t>(text.size());
+  close(file);
+  if (!written) return Error{track.path_, "cannot be written", "", "make room, or set TMPDIR"};
+  return track;
+}
+
+TemporaryTrack::~TemporaryTrack() {
+  if (path_.empty()) return;
+  std::error_code ignored;
+  std::filesystem::remove(path_, ignored);
+}
+
+Result<StraightTrack> StraightTrack::For(const std::string& bogie, const std::string& asked) {
+  if (asked.empty()) return Like(vehicle::TrackOf(bogie));
+  StraightTrack track;
+  track.name_ = asked;
+  return track;
+}
+
+Result<StraightTrack> StraightTrack::Like(const std::string& like) {
+  StraightTrack track;
+  const auto base = like.empty() ? Result<TrackBase>(TrackBase{}) : ReadTrackBase(like);
+  if (!base.ok()) return base.error();
+  const TrackBase usual;
+  const bool same = std::abs(base.value().gauge_m - usual.gauge_m) < kSame &&
+                    std::abs(base.value().gauge_height_m - usual.gauge_height_m) < kSame;
+  if (same) return track;
+  auto file = TemporaryTrack::Straight(base.value());
+  if (!file.ok()) return file.error();
+  track.file_.emplace(std::move(file).value());
+  return track;
+}
+
+}  // namespace phs::analysis
