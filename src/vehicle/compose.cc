@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstring>
-#include <filesystem>
 #include <set>
 #include <string>
 #include <utility>
@@ -11,6 +10,7 @@
 #include "base/data_path.h"
 #include "effects/failures.h"
 #include "plugin/model_text.h"
+#include "vehicle/mjcf_additions.h"
 #include "vehicle/mjcf_document.h"
 
 namespace phs::vehicle {
@@ -144,22 +144,6 @@ void MoveStatefulActuatorsLast(XMLElement* root) {
   }
 }
 
-/// Calls `visit` for every element `tag` in every top-level `section` until it returns true.
-template <typename Visit>
-void ForEach(XMLElement* root, const char* section, const char* tag, Visit visit) {
-  for (XMLElement* s = root->FirstChildElement(section); s != nullptr;
-       s = s->NextSiblingElement(section)) {
-    for (XMLElement* e = s->FirstChildElement(tag); e != nullptr; e = e->NextSiblingElement(tag)) {
-      visit(e);
-    }
-  }
-}
-
-std::string AttributeOf(const XMLElement& element, const char* name) {
-  const char* value = element.Attribute(name);
-  return value == nullptr ? std::string() : std::string(value);
-}
-
 /// States of the PHS that the tuple `name` stands for: the scenario's model or the file's.
 Result<int> CountStates(const Scenario& scenario, const std::string& name, int actuators,
                         XMLElement* root) {
@@ -238,89 +222,6 @@ Result<bool> AddStateCarriers(const Scenario& scenario, const std::string& bogie
   return carriers != nullptr;
 }
 
-/// userdata large enough for `values`. True if the file's own was too small.
-bool EnlargeUserData(int values, XMLElement* root) {
-  int own = 0;
-  for (const XMLElement* size = root->FirstChildElement("size"); size != nullptr;
-       size = size->NextSiblingElement("size")) {
-    own = size->IntAttribute("nuserdata", own);
-  }
-  if (own >= values) return false;
-  root->InsertNewChildElement("size")->SetAttribute("nuserdata", values);
-  return true;
-}
-
-/// The key that the plugin fills with the settled start. True if it was missing.
-bool AddStartKey(XMLElement* root) {
-  bool there = false;
-  ForEach(root, "keyframe", "key",
-          [&](XMLElement* key) { there = there || AttributeOf(*key, "name") == "test"; });
-  if (there) return false;
-  root->InsertNewChildElement("keyframe")
-      ->InsertNewChildElement("key")
-      ->SetAttribute("name", "test");
-  return true;
-}
-
-/// Tracks, profiles and PHS models that lie beside the bogie's file. True if any was found there.
-bool FindBeside(const std::string& bogie_path, XMLElement* root) {
-  bool found = false;
-  ForEach(root, "custom", "text", [&](XMLElement* text) {
-    const std::string name = AttributeOf(*text, "name");
-    const bool path = name == "phs_track" || name == "phs_wheel" || name == "phs_rail" ||
-                      name.starts_with("phs:");
-    if (!path) return;
-    const std::string data = AttributeOf(*text, "data");
-    const std::string beside = BesideFile(bogie_path, data);
-    if (beside == data) return;
-    text->SetAttribute("data", Anywhere(beside).c_str());
-    found = true;
-  });
-  return found;
-}
-
-/// Meshes and textures of a model that is compiled from memory: still looked for beside its file.
-void KeepAssetFolders(const std::string& bogie_path, XMLElement* root) {
-  if (root->FirstChildElement("asset") == nullptr) return;
-  const auto folder = std::filesystem::absolute(bogie_path).parent_path();
-  XMLElement* last = root->InsertNewChildElement("compiler");
-  for (const char* kind : {"meshdir", "texturedir"}) {
-    std::string own;
-    for (const XMLElement* compiler = root->FirstChildElement("compiler"); compiler != nullptr;
-         compiler = compiler->NextSiblingElement("compiler")) {
-      if (compiler->Attribute(kind) != nullptr) own = compiler->Attribute(kind);
-    }
-    last->SetAttribute(kind, (folder / own / "").lexically_normal().c_str());
-  }
-}
-
-bool SaysStep(const XMLElement* root) {
-  bool says = false;
-  for (const XMLElement* option = root->FirstChildElement("option"); option != nullptr;
-       option = option->NextSiblingElement("option")) {
-    says = says || option->Attribute("timestep") != nullptr;
-  }
-  return says;
-}
-
-/// Joints in `parent` and below.
-int CountJoints(const XMLElement* parent) {
-  int count = 0;
-  for (const XMLElement* child = parent->FirstChildElement(); child != nullptr;
-       child = child->NextSiblingElement()) {
-    const std::string tag = child->Name();
-    if (tag == "joint" || tag == "freejoint") ++count;
-    if (tag == "body" || tag == "worldbody") count += CountJoints(child);
-  }
-  return count;
-}
-
-/// Room in userdata that is enough for the plugin whatever its layout; it says itself what it
-/// needs.
-int RoomFor(const XMLElement* root, int cylinders_and_states) {
-  return 64 + 6 * CountJoints(root) + 4 * cylinders_and_states;
-}
-
 }  // namespace
 
 Result<ModelPtr> ComposeVehicle(const Scenario& scenario) {
@@ -338,7 +239,7 @@ Result<ModelPtr> ComposeVehicle(const Scenario& scenario) {
   auto added = AddStateCarriers(scenario, path.value(), root, &values);
   if (!added.ok()) return added.error();
   if (locomotive || added.value()) MoveStatefulActuatorsLast(root);
-  changed = EnlargeUserData(RoomFor(root, values), root) || changed || added.value();
+  changed = EnlargeUserData(values, root) || changed || added.value();
   changed = AddStartKey(root) || changed;
   if (changed) KeepAssetFolders(path.value(), root);
   // Nothing to add: the file as it stands, as any MuJoCo program loads it.
