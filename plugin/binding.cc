@@ -5,6 +5,7 @@
 
 #include "base/data_path.h"
 #include "effects/catalogue.h"
+#include "plugin/model_checks.h"
 #include "plugin/model_text.h"
 
 namespace phs::plugin {
@@ -92,6 +93,7 @@ Result<std::unique_ptr<Binding>> Binding::Create(mjModel* m, const AttachOptions
     return Error{"MJCF <flag>", "switches passive forces or actuation off",
                  "passive=\"enable\" actuation=\"enable\"", ""};
   }
+  if (Status s = CheckModel(m, options); !s.ok()) return s.error();
   auto binding = std::make_unique<Binding>();
   if (Status s = binding->BindWheelsets(m); !s.ok()) return s.error();
   if (!binding->wheelsets_.empty()) {
@@ -106,7 +108,9 @@ Status Binding::LoadRail(mjModel* m, const AttachOptions& options) {
   auto track_path = FindData("track", "models/tracks",
                              Chosen(options.track, m, "phs_track", "straight"), {".yaml"});
   if (!track_path.ok()) return track_path.error();
-  auto track = rail::Track::Load(track_path.value(), false, options.track_errors);
+  target_speed_ = CustomNumber(m, "phs_speed_m_s").value_or(0);
+  if (options.speed_m_s != AttachOptions::kUnset) target_speed_ = options.speed_m_s;
+  auto track = rail::Track::Load(track_path.value(), false, options.track_errors, target_speed_);
   if (!track.ok()) return track.error();
   track_ = std::make_unique<rail::Track>(std::move(track).value());
 
@@ -144,8 +148,6 @@ Status Binding::LoadRail(mjModel* m, const AttachOptions& options) {
   if (!wheel_rail.ok()) return wheel_rail.error();
   wheel_rail_ = std::make_unique<rail::WheelRail>(std::move(wheel_rail).value());
 
-  target_speed_ = CustomNumber(m, "phs_speed_m_s").value_or(0);
-  if (options.speed_m_s != AttachOptions::kUnset) target_speed_ = options.speed_m_s;
   start_s_ = options.start_s_m == AttachOptions::kUnset ? 1.0 : options.start_s_m;
   const int driven = static_cast<int>(std::count_if(
       wheelsets_.begin(), wheelsets_.end(), [](const auto& w) { return w.drive_actuator >= 0; }));
@@ -234,9 +236,9 @@ Status Binding::BindPhs(mjModel* m, const AttachOptions& options) {
     for (int i = 0; i < num_cylinders; ++i) {
       const int a = ids[i];
       const std::string name = ObjectName(m, mjOBJ_ACTUATOR, a);
-      if (m->actuator_biastype[a] != mjBIAS_USER || m->actuator_trntype[a] != mjTRN_TENDON) {
+      if (!IsCylinder(m, a)) {
         return Error{"MJCF actuator '" + name + "'", "is no PHS cylinder",
-                     "a general actuator on a tendon with biastype=\"user\"", ""};
+                     "a general actuator on a tendon or slide joint with biastype=\"user\"", ""};
       }
       p.cylinder.push_back(a);
       p.length0.push_back(m->actuator_length0[a]);

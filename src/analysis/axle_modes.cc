@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "analysis/axle_pattern.h"
+#include "plugin/model_text.h"
 #include "plugin/observer.h"
 
 namespace phs::analysis {
@@ -18,6 +19,17 @@ void LiftOff(const mjModel* m, mjData* d) {
     if (m->jnt_type[j] == mjJNT_FREE) d->qpos[m->jnt_qposadr[j] + 2] += kLift;
   }
   mj_forward(m, d);
+}
+
+/// Wheels on their rails would be felt with the springs.
+Status CheckLiftable(const vehicle::Simulation& simulation) {
+  const mjModel* m = simulation.model();
+  for (int j = 0; j < m->njnt; ++j) {
+    if (m->jnt_type[j] == mjJNT_FREE) return {};
+  }
+  return Error{"bogie '" + simulation.scenario().bogie + "'",
+               "has no free joint: it cannot be lifted off its rails", "a <freejoint/> at the root",
+               ""};
 }
 
 void NotePhs(const plugin::Binding& binding, const mjModel* m, const mjData* d, AxleMode* mode) {
@@ -82,10 +94,25 @@ AxleMode Measure(const plugin::Binding& binding, const mjModel* m, mjData* d,
   return mode;
 }
 
-/// Ends of a tendon through two sites.
+/// A slide joint has no pins: drawn from its place on the box, as long as a usual cylinder.
+void FindSlideEnds(const mjModel* m, const mjData* d, int actuator, const double* origin,
+                   BogiePlan::Cylinder* cylinder) {
+  constexpr double kDrawn = 0.4;  // [m]
+  const int joint = m->actuator_trnid[2 * actuator];
+  const double extends = m->actuator_gear[6 * actuator] < 0 ? -1 : 1;
+  for (int k = 0; k < 2; ++k) {
+    cylinder->to[k] = d->xanchor[3 * joint + k] - origin[k];
+    cylinder->from[k] = cylinder->to[k] - extends * kDrawn * d->xaxis[3 * joint + k];
+  }
+}
+
+/// Ends of a tendon through two sites, or of a cylinder on a slide joint.
 bool FindEnds(const mjModel* m, const mjData* d, int actuator, const double* origin,
               BogiePlan::Cylinder* cylinder) {
-  if (m->actuator_trntype[actuator] != mjTRN_TENDON) return false;
+  if (m->actuator_trntype[actuator] == mjTRN_JOINT) {
+    FindSlideEnds(m, d, actuator, origin, cylinder);
+    return true;
+  }
   const int tendon = m->actuator_trnid[2 * actuator];
   const int first = m->tendon_adr[tendon];
   if (m->tendon_num[tendon] != 2 || m->wrap_type[first] != mjWRAP_SITE ||
@@ -119,6 +146,11 @@ BogiePlan MakePlan(const plugin::Binding& binding, const plugin::BogiePair& bogi
 
 }  // namespace
 
+double BoxLever(const mjModel* m) {
+  constexpr double kUsual = 0.9;
+  return plugin::CustomNumber(m, "phs_box_lever_m").value_or(kUsual);
+}
+
 Result<PatternJoints> FindPatternJoints(const mjModel* m, const std::string& prefix,
                                         const AxlePattern& pattern) {
   PatternJoints joints{};
@@ -145,16 +177,18 @@ Result<AxleModes> MeasureAxleModes(const vehicle::Simulation& simulation,
     return Error{"bogie '" + simulation.scenario().bogie + "'", "has no pair of wheelsets",
                  "wheelsets named lead and trail", ""};
   }
+  if (Status s = CheckLiftable(simulation); !s.ok()) return s.error();
   const vehicle::DataPtr data(mj_makeData(m));
   AxleModes modes;
   const plugin::Binding& binding = simulation.binding();
   const plugin::InstantForces instant = simulation.Instant();
   LiftOff(m, data.get());
+  modes.lever_m = BoxLever(m);
   modes.plan = MakePlan(binding, bogies[0], m, data.get());
   for (const AxlePattern& pattern : kAxlePatterns) {
     auto joints = FindPatternJoints(m, bogies[0].prefix, pattern);
     if (!joints.ok()) return joints.error();
-    const double lever = pattern.rotation ? options.lever_m : 1.0;
+    const double lever = pattern.rotation ? modes.lever_m : 1.0;
     modes.small.push_back(Measure(binding, m, data.get(), pattern, joints.value(),
                                   options.small_displacement_m / lever, options));
     modes.large.push_back(Measure(binding, m, data.get(), pattern, joints.value(),

@@ -61,15 +61,15 @@ struct BogiePlan {
 
 struct AxleModeOptions {
   double frequency_Hz = 0.5;
-  double small_displacement_m = 2e-5;  ///< at the cylinders; yaw = displacement / lever
+  double small_displacement_m = 2e-5;  ///< at the cylinders; yaw = displacement / BoxLever
   double large_displacement_m = 2e-3;
-  double lever_m = 0.9;  ///< half distance of the axle boxes
 };
 
 struct AxleModes {
   std::vector<AxleMode> small;  ///< in the order of the names above
   std::vector<AxleMode> large;
   BogiePlan plan;
+  double lever_m = 0;  ///< BoxLever
 };
 
 /// Measures on the first bogie (lead and trail) of a simulation, lifted off its rails.

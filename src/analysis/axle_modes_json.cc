@@ -66,7 +66,7 @@ Json AxleModesJson(const std::string& bogie, const AxleModes& modes,
   }
   json["bogie"] = bogie;
   json["frequency_Hz"] = options.frequency_Hz;
-  json["lever_m"] = options.lever_m;
+  json["lever_m"] = modes.lever_m;
   json["plan"] = PlanJson(modes.plan);
   return json;
 }

@@ -27,6 +27,9 @@ struct PatternJoints {
   int dof[2];
 };
 
+/// Half the distance of the axle boxes: <numeric name="phs_box_lever_m"/> of the bogie, or 0.9 [m].
+double BoxLever(const mjModel* m);
+
 /// Error: the bogie has no joint "lead_yaw" or the like (with its prefix).
 Result<PatternJoints> FindPatternJoints(const mjModel* m, const std::string& prefix,
                                         const AxlePattern& pattern);

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include "analysis/plain_track.h"
+
 namespace phs::analysis {
 namespace {
 
@@ -26,7 +28,6 @@ std::string HuntingOf(const LimitCycle& cycle) {
 }
 
 vehicle::Scenario RunningFree(vehicle::Scenario scenario) {
-  scenario.track = "straight";
   scenario.speed_m_s = kScanned_m_s;
   scenario.timestep_s = kLinearStep;
   scenario.start_s_m = vehicle::Scenario().start_s_m;
@@ -55,7 +56,10 @@ Result<vehicle::Simulation> CreateForRamps(vehicle::Scenario scenario, double la
 
 Result<CriticalSpeeds> FindCriticalSpeeds(const vehicle::Scenario& scenario,
                                           const vehicle::Progress& progress) {
-  const vehicle::Scenario free = RunningFree(scenario);
+  vehicle::Scenario free = RunningFree(scenario);
+  const auto track = StraightTrack::Like(scenario.track);
+  if (!track.ok()) return track.error();
+  free.track = track.value().name();
   auto simulation = vehicle::Simulation::Create(free);
   if (!simulation.ok()) return simulation.error();
   const auto part = [&](double from, double share) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/axle_pattern.h"
 #include "plugin/observer.h"
 
 namespace phs::analysis {
@@ -17,7 +18,6 @@ constexpr int kSteps = 200;         ///< load steps to the end of a case
 constexpr double kProbe = 1e-7;     ///< of finite differences [m, rad]
 constexpr double kTolerance = 1.0;  ///< of the equilibrium [N, N m]
 constexpr int kMaxIterations = 60;
-constexpr double kBoxLever = 0.9;  ///< half distance of the axle boxes [m]
 
 using Vector = Eigen::Vector4d;  ///< lead x, lead yaw, trail x, trail yaw
 
@@ -94,11 +94,11 @@ class HeldBogie {
   Vector zero_ = Vector::Zero();
 };
 
-/// Generalised load of a pattern per unit of P.
-Vector PatternLoad(const std::string& pattern) {
+/// Generalised load of a pattern per unit of P; boxes at +-`lever`.
+Vector PatternLoad(const std::string& pattern, double lever) {
   if (pattern == "traction") return {2, 0, 2, 0};
   if (pattern == "braking") return {-2, 0, -2, 0};
-  return {0, 2 * kBoxLever, 0, 2 * kBoxLever};
+  return {0, 2 * lever, 0, 2 * lever};
 }
 
 /// Newton with step halving from `u`; false if it does not settle.
@@ -213,13 +213,14 @@ Result<std::vector<LoadResult>> CalcLoadCases(const vehicle::Simulation& simulat
   const plugin::InstantForces instant = simulation.Instant();
   auto bogie = HeldBogie::Create(simulation);
   if (!bogie.ok()) return bogie.error();
+  const double lever = BoxLever(simulation.model());
   std::vector<LoadResult> results;
   for (const LoadCase& load_case : cases) {
     LoadResult result{load_case, {}, {}};
     Vector u = Vector::Zero();
     for (int i = 1; i <= kSteps; ++i) {
       const double load = load_case.load_N * i / kSteps;
-      if (!Balance(&bogie.value(), load * PatternLoad(load_case.pattern), &u)) {
+      if (!Balance(&bogie.value(), load * PatternLoad(load_case.pattern, lever), &u)) {
         return Error{"load case '" + load_case.name + "'",
                      fmt::format("finds no equilibrium at {:.1f} kN per box", load / 1e3), "", ""};
       }

@@ -52,12 +52,9 @@ nlohmann::ordered_json Describe(const vehicle::Simulation& simulation, const mjD
   return vehicle::Summarise(simulation, run)["steady_curve"];
 }
 
-}  // namespace
-
-Result<SteadyCurve> SolveSteadyCurve(vehicle::Simulation* simulation,
-                                     const SteadyCurveOptions& options) {
-  const mjModel* m = simulation->model();
-  const plugin::Binding& binding = simulation->binding();
+/// The free joint of a vehicle with one root that stands on the track by itself, at speed.
+Result<int> FreeRoot(const vehicle::Simulation& simulation) {
+  const mjModel* m = simulation.model();
   int root = -1;
   int roots = 0;
   for (int j = 0; j < m->njnt; ++j) {
@@ -65,14 +62,28 @@ Result<SteadyCurve> SolveSteadyCurve(vehicle::Simulation* simulation,
     root = j;
     ++roots;
   }
-  bool driven = binding.target_speed() > 0;
-  for (const auto& w : binding.wheelsets()) driven = driven && w.drive_actuator >= 0;
-  if (roots != 1 || !driven) {
-    return Error{simulation->scenario().bogie, "has no steady state to solve for",
-                 "one free root and a drive on every wheelset", "run it in time: phs simulate"};
+  const std::string mend = "run it in time: phs simulate";
+  if (roots != 1) {
+    return Error{simulation.scenario().bogie,
+                 roots == 0 ? "has no free joint at its root: it cannot turn with a curve"
+                            : "has " + std::to_string(roots) + " free roots",
+                 "one <freejoint/>, at the root", mend};
   }
+  if (!(simulation.binding().target_speed() > 0)) {
+    return Error{simulation.scenario().bogie, "stands still", "a speed above 0", mend};
+  }
+  return root;
+}
+
+}  // namespace
+
+Result<SteadyCurve> SolveSteadyCurve(vehicle::Simulation* simulation,
+                                     const SteadyCurveOptions& options) {
+  const plugin::Binding& binding = simulation->binding();
+  const auto root = FreeRoot(*simulation);
+  if (!root.ok()) return root.error();
   const double begin = ThreadSeconds();
-  SteadyProblem problem(simulation, root);
+  SteadyProblem problem(simulation, root.value());
   SteadyCurve result;
   const std::vector<double> places = Places(binding.track(), problem.s(), options);
   for (const double place : places) {
@@ -90,6 +101,7 @@ Result<SteadyCurve> SolveSteadyCurve(vehicle::Simulation* simulation,
   }
   result.processor_s = ThreadSeconds() - begin;
   result.speed_m_s = problem.speed();
+  result.coasting_m_s2 = problem.coasting();
   result.evaluations = problem.evaluations();
   result.steady = Describe(*simulation, problem.data());
   return result;

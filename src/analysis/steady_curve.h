@@ -4,8 +4,9 @@
 // body: every coordinate of the suspension stands still, wheelsets spin steadily. So the unknowns
 // are positions (not the spin angles, not the place along the track), spin speeds and the forward
 // speed that the drives hold; the equations, qacc = that of a point fixed to the track frame
-// (root), 0 (everything else). Newton with a finite-difference Jacobian, step halving, Broyden's
-// updates between.
+// (root), 0 (everything else). An axle without a drive settles at the spin that leaves it no
+// moment; a vehicle without any drive coasts: its speed is given and its deceleration is the
+// unknown. Newton with a finite-difference Jacobian, step halving, Broyden's updates between.
 //
 // Sliding seals and other hydraulic states remember the way into the curve. So the solution is
 // followed along the track: at each of a few places the quasi-static state is solved with the
@@ -35,12 +36,13 @@ struct SteadyCurve {
   nlohmann::ordered_json steady;  ///< as "steady_curve" of summary.json
   double residual = 0;            ///< largest acceleration left [m/s^2, rad/s^2]
   double speed_m_s = 0;
+  double coasting_m_s2 = 0;  ///< of a vehicle without drives, < 0: it slows down
   int places = 0;
   long evaluations = 0;    ///< of mj_forward
   double processor_s = 0;  ///< of one core
 };
 
-/// In the first arc of the simulation's track; the vehicle must be driven. Errors: no arc; no
+/// In the first arc of the simulation's track. Errors: not one free root; no speed; no arc; no
 /// steady state found (with the acceleration left).
 Result<SteadyCurve> SolveSteadyCurve(vehicle::Simulation* simulation,
                                      const SteadyCurveOptions& options = {});

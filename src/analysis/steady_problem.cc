@@ -38,6 +38,7 @@ SteadyProblem::SteadyProblem(vehicle::Simulation* simulation, int joint)
   for (const plugin::WheelsetBinding& w : binding_.wheelsets()) {
     solved[static_cast<size_t>(w.spin_dof)] = 0;
     spins_.push_back(w.spin_dof);
+    driven_ = driven_ || w.drive_actuator >= 0;
   }
   for (int i = 0; i < m_->nv; ++i) {
     if (solved[static_cast<size_t>(i)]) positions_.push_back(i);
@@ -79,8 +80,13 @@ double SteadyProblem::SolveAt(double s, double tolerance) {
 }
 
 SteadyProblem::Saved SteadyProblem::Save() const {
-  return {
-      {data_->qpos, data_->qpos + m_->nq}, states_, spin_speed_, lengths_, follower_.s(), speed_};
+  return {{data_->qpos, data_->qpos + m_->nq},
+          states_,
+          spin_speed_,
+          lengths_,
+          follower_.s(),
+          speed_,
+          coasting_};
 }
 
 void SteadyProblem::Restore(const Saved& saved) {
@@ -89,6 +95,7 @@ void SteadyProblem::Restore(const Saved& saved) {
   spin_speed_ = saved.spin_speed;
   lengths_ = saved.lengths;
   speed_ = saved.speed;
+  coasting_ = saved.coasting;
   mju_copy(data_->act, states_.data(), m_->na);
   follower_.Stand(saved.s);
   mj_kinematics(m_, data_.get());
@@ -106,7 +113,13 @@ VectorXd SteadyProblem::Evaluate(const VectorXd& move) {
     d->qvel[spins_[i]] = spin_speed_[i] + move[np + static_cast<int>(i)];
   }
   VectorXd expected = VectorXd::Zero(m_->nv);
-  follower_.Follow(speed_ + move[unknowns() - 1], d, &expected);
+  const double last = move[unknowns() - 1];
+  follower_.Follow(driven_ ? speed_ + last : speed_, d, &expected);
+  if (!driven_) {
+    const double slower = coasting_ + last;
+    expected.segment<3>(follower_.dof()) += slower * follower_.forward();
+    for (const int dof : spins_) expected[dof] += slower * d->qvel[dof] / speed_;
+  }
   AdvanceStates();
   mj_forward(m_, d);
   ++evaluations_;
@@ -213,7 +226,7 @@ void SteadyProblem::Accept(const VectorXd& move) {
   base_.assign(data_->qpos, data_->qpos + m_->nq);
   const int np = static_cast<int>(positions_.size());
   for (size_t i = 0; i < spins_.size(); ++i) spin_speed_[i] += move[np + static_cast<int>(i)];
-  speed_ += move[unknowns() - 1];
+  (driven_ ? speed_ : coasting_) += move[unknowns() - 1];
 }
 
 double SteadyProblem::Newton(double tolerance) {

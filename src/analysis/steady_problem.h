@@ -12,7 +12,9 @@ namespace phs::analysis {
 /// The quasi-static problem at one place of the track.
 class SteadyProblem {
  public:
-  /// At the start of the track; `joint`: the vehicle's only free joint.
+  /// At the start of the track; `joint`: the vehicle's only free joint. The last unknown is the
+  /// forward speed that the drives hold or, without any drive, the acceleration at the start's
+  /// speed (d'Alembert: all bodies share it, spins turn with it).
   SteadyProblem(vehicle::Simulation* simulation, int joint);
 
   /// Goes on to arc length s of the root, in shorter steps where one is too long for Newton;
@@ -22,6 +24,8 @@ class SteadyProblem {
   mjData* data() { return data_.get(); }
   double s() const { return follower_.s(); }
   double speed() const { return speed_; }
+  /// Along the track where nothing drives the vehicle, < 0: it slows down [m/s^2]; 0 if driven.
+  double coasting() const { return coasting_; }
   long evaluations() const { return evaluations_; }
 
  private:
@@ -32,7 +36,7 @@ class SteadyProblem {
   struct Saved {
     std::vector<mjtNum> position, states;
     std::vector<double> spin_speed, lengths;
-    double s = 0, speed = 0;
+    double s = 0, speed = 0, coasting = 0;
   };
   Saved Save() const;
   void Restore(const Saved& saved);
@@ -71,7 +75,9 @@ class SteadyProblem {
   std::vector<int> positions_;  ///< dofs whose position is solved for
   std::vector<int> spins_;      ///< dofs whose speed is solved for
   std::vector<double> spin_speed_;
+  bool driven_ = false;          ///< some axle has a drive
   double speed_ = 0;             ///< forward [m/s]
+  double coasting_ = 0;          ///< [m/s^2]
   double elapsed_ = 1;           ///< running time since the last place [s]
   std::vector<mjtNum> base_;     ///< position that moves start from
   std::vector<mjtNum> states_;   ///< activations at the last place

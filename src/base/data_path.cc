@@ -69,6 +69,21 @@ std::vector<std::string> ListData(const std::string& folder,
   return {names.begin(), names.end()};
 }
 
+std::string BesideFile(const std::string& naming, const std::string& name) {
+  const fs::path given(name);
+  const bool bare = !given.has_parent_path() && !given.has_extension();
+  if (bare || given.is_absolute()) return name;
+  const fs::path beside = fs::path(naming).parent_path() / given;
+  return IsFile(beside) ? beside.lexically_normal().string() : name;
+}
+
+std::string Anywhere(const std::string& name) {
+  const bool bare = !fs::path(name).has_parent_path() && !fs::path(name).has_extension();
+  if (bare || !IsFile(name)) return name;
+  std::error_code none;
+  return fs::absolute(name, none).lexically_normal().string();
+}
+
 Result<std::string> FindData(const std::string& kind, const std::string& folder,
                              const std::string& name, const std::vector<std::string>& extensions) {
   // A bare word is a name first: a program called phs beside one must not hide the bogie phs.

@@ -15,6 +15,12 @@ namespace phs {
 /// Example: FindData("bogie", "bogie_xml", "phs", {".xml"}).
 Result<std::string> FindData(const std::string& kind, const std::string& folder,
                              const std::string& name, const std::vector<std::string>& extensions);
+/// `name` as the file `naming` means it: the file of that name beside it if there is one (a path
+/// that begins in its folder), else `name` as it stands. Bare words stay: they are names of shipped
+/// data.
+std::string BesideFile(const std::string& naming, const std::string& name);
+/// A path that is there now made absolute, to be read from anywhere; a name stays.
+std::string Anywhere(const std::string& name);
 /// Names (without extension) available in a data folder.
 std::vector<std::string> ListData(const std::string& folder,
                                   const std::vector<std::string>& extensions);

@@ -16,11 +16,13 @@ struct CurveOptions {
   std::vector<std::string> bogies;  ///< BOGIE or BOGIE@PHS_MODEL
   std::string phs;                  ///< PHS model of every bogie that names none itself
   bool csv = false;
+  std::string track;  ///< instead of the scenario's
   double timestep_s = 0;
-  std::vector<int> radii_m;  ///< several curves instead of the scenario's own
-  bool stability = false;    ///< with radii: critical speeds on straight track too
-  std::string limits;        ///< file of limits to hold the result against
-  std::string junit;         ///< where to write them as JUnit XML
+  rail::FrictionSettings friction;  ///< instead of the scenario's
+  std::vector<int> radii_m;         ///< several curves instead of the scenario's own
+  bool stability = false;           ///< with radii: critical speeds on straight track too
+  std::string limits;               ///< file of limits to hold the result against
+  std::string junit;                ///< where to write them as JUnit XML
 };
 
 /// The scenario with the step and the PHS model asked for.

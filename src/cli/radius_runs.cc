@@ -40,6 +40,9 @@ int RunOverRadii(const CurveOptions& options) {
   if (!options.limits.empty() || !options.junit.empty()) {
     return BadInput({"--check, --junit", "are for one curve", "compare without --radii", ""});
   }
+  if (!options.track.empty()) {
+    return BadInput({"--track", "is for one curve", "compare without --radii", ""});
+  }
   auto loaded = LoadCurve(options);
   if (!loaded.ok()) return BadInput(loaded.error());
   const Scenario base = std::move(loaded).value();

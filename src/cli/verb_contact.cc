@@ -55,9 +55,16 @@ Status CheckOut(const ContactOptions& options) {
   return {};
 }
 
+/// The user's table, or one of the examples by name.
+Result<Table> ReadCases(const std::string& name) {
+  const auto path = FindData("table of cases", "models/contact", name, {".csv"});
+  if (!path.ok()) return path.error();
+  return ReadTable(path.value());
+}
+
 int RunCases(const ContactOptions& options) {
   const std::string method = options.method.empty() ? "kalker_table" : options.method;
-  const auto cases = ReadTable(options.cases);
+  const auto cases = ReadCases(options.cases);
   if (!cases.ok()) return BadInput(cases.error());
   const auto forces = rail::CalcCreepCases(cases.value(), method);
   if (!forces.ok()) return BadInput(forces.error());
@@ -121,7 +128,7 @@ Result<rail::WheelsetCases> ReadWheelset(const ContactOptions& options) {
     if (!read.ok()) return read.error();
     cases = std::move(read).value();
   } else {
-    auto table = ReadTable(options.wheelset);
+    auto table = ReadCases(options.wheelset);
     if (!table.ok()) return table.error();
     cases.wheel_rail = BenchmarkPair();
     cases.table = std::move(table).value();

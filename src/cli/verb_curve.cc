@@ -13,6 +13,7 @@
 #include "cli/assessment_table.h"
 #include "cli/curve_options.h"
 #include "cli/curve_table.h"
+#include "cli/run_options.h"
 #include "cli/verbs.h"
 #include "report/curving_report.h"
 #include "vehicle/compose.h"
@@ -166,6 +167,7 @@ int RunCurve(const CurveOptions& options, bool compare) {
   std::optional<ResultDir>& dir = asked.value();
   std::vector<CurveRun> runs;
   if (Status s = CreateRuns(chosen, scenario, &runs); !s.ok()) return BadInput(s.error());
+  if (!(scenario.timestep_s > 0)) scenario.timestep_s = runs[0].simulation->scenario().timestep_s;
   const auto all = RunAll(chosen, scenario, &runs);
   if (!all.ok()) return BadInput(all.error());
   if (!all.value()) return Stopped("nothing written");
@@ -223,8 +225,9 @@ void AddCurveOptions(CLI::App* verb, CurveOptions* options) {
                    "PHS model, instead of the bogie's: a name or a YAML file (the model.yaml of an "
                    "identification too)");
   verb->add_flag("--csv", options->csv, "Time series as CSV too");
-  verb->add_option("--timestep", options->timestep_s, "Step in seconds, instead of the scenario's")
-      ->check(CLI::PositiveNumber);
+  AddTrackOption(verb, &options->track, "Track, instead of the scenario's: a name or a YAML file");
+  AddTimestepOption(verb, &options->timestep_s);
+  AddFrictionOption(verb, &options->friction);
 }
 
 }  // namespace
@@ -235,6 +238,9 @@ Result<Scenario> LoadCurve(const CurveOptions& options) {
   Scenario scenario = std::move(loaded).value();
   if (options.timestep_s > 0) scenario.timestep_s = options.timestep_s;
   if (!options.phs.empty()) scenario.phs = options.phs;
+  if (!options.track.empty()) scenario.track = options.track;
+  const rail::FrictionSettings& friction = options.friction;
+  if (friction.tread >= 0 || !friction.condition.empty()) scenario.friction = friction;
   return scenario;
 }
 

@@ -11,8 +11,10 @@
 #include "analysis/steady_curve.h"
 #include "base/axle_words.h"
 #include "base/result_dir.h"
+#include "cli/run_options.h"
 #include "cli/verbs.h"
 #include "report/analysis_report.h"
+#include "vehicle/compose.h"
 #include "vehicle/summary.h"
 
 namespace phs::cli {
@@ -20,15 +22,41 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr double kDryRail = 0.35;  ///< where neither user nor track says
+
 struct CurvingVerb {
   CommonOptions common;
   vehicle::Scenario scenario;
-  analysis::CurveFamily family;
+  std::string track;  ///< gives gauge and friction, without radii its own arc
   std::vector<std::string> bogies;
   std::vector<double> radii;
   double speed_limit_km_h = 80;
+  double largest_cant_m = -1;  ///< < 0: the family's
+  double deficiency_m = std::numeric_limits<double>::quiet_NaN();
   bool check = false;
 };
+
+/// The curves for one bogie: on the gauge of the track asked for, else of the bogie's own.
+Result<analysis::CurveFamily> FamilyFor(const CurvingVerb& verb, const std::string& bogie) {
+  const std::string own = verb.track.empty() ? vehicle::TrackOf(bogie) : verb.track;
+  const auto base = own.empty() ? Result<analysis::TrackBase>(analysis::TrackBase{})
+                                : analysis::ReadTrackBase(own);
+  if (!base.ok()) return base.error();
+  analysis::CurveFamily family = analysis::FamilyOn(base.value());
+  if (!std::isfinite(family.base.friction)) family.base.friction = kDryRail;
+  family.speed_limit_m_s = verb.speed_limit_km_h / 3.6;
+  if (verb.largest_cant_m >= 0) family.largest_cant_m = verb.largest_cant_m;
+  if (std::isfinite(verb.deficiency_m)) family.deficiency_m = verb.deficiency_m;
+  return family;
+}
+
+/// The radii to solve for; without any asked for, 0 = the first arc of the track asked for.
+std::vector<double> RadiiOf(const CurvingVerb& verb) {
+  if (!verb.radii.empty()) return verb.radii;
+  if (!verb.track.empty() && analysis::FirstArc(analysis::CurveFamily(), verb.track).ok())
+    return {0};
+  return {150, 200, 250, 300, 350, 400, 500, 600, 800, 1000, 1500};
+}
 
 Json WheelsetOf(const Json& steady, size_t index, const char* key) {
   const Json sets = steady.value("wheelsets", Json::array());
@@ -71,20 +99,35 @@ Status AddCheck(vehicle::Simulation* simulation, double radius, double load, dou
   return {};
 }
 
-Result<Json> SolveOne(const CurvingVerb& verb, const std::string& bogie, double radius) {
-  auto curve = analysis::CurveOfRadius(verb.family, radius);
-  if (!curve.ok()) return curve.error();
-  auto track = analysis::TemporaryTrack::Write(verb.family, curve.value());
-  if (!track.ok()) return track.error();
+/// The vehicle on the curve; its track file is gone again.
+Result<vehicle::Simulation> OnCurve(const CurvingVerb& verb, const analysis::CurveFamily& family,
+                                    const std::string& bogie, bool own_arc,
+                                    const analysis::FamilyCurve& curve) {
   vehicle::Scenario scenario = verb.scenario;
   scenario.bogie = bogie;
+  scenario.speed_m_s = curve.speed_m_s;
+  scenario.track = verb.track;
+  if (own_arc) return vehicle::Simulation::Create(scenario);
+  const auto track = analysis::TrackOf(family, curve);
+  if (!track.ok()) return track.error();
   scenario.track = track.value().path();
-  scenario.speed_m_s = curve.value().speed_m_s;
-  auto simulation = vehicle::Simulation::Create(scenario);
+  return vehicle::Simulation::Create(scenario);
+}
+
+Result<Json> SolveOne(const CurvingVerb& verb, const std::string& bogie, double asked) {
+  const auto family = FamilyFor(verb, bogie);
+  if (!family.ok()) return family.error();
+  const bool own_arc = asked == 0;
+  const auto curve = own_arc ? analysis::FirstArc(family.value(), verb.track)
+                             : analysis::CurveOfRadius(family.value(), asked);
+  if (!curve.ok()) return curve.error();
+  const double radius = curve.value().radius_m;
+  auto simulation = OnCurve(verb, family.value(), bogie, own_arc, curve.value());
   if (!simulation.ok()) return simulation.error();
   Json row = {{"radius_m", radius},
               {"speed_m_s", curve.value().speed_m_s},
               {"cant_m", curve.value().cant_m},
+              {"gauge_m", family.value().base.gauge_m},
               {"status", "ok"},
               {"reason", ""}};
   auto solved = analysis::SolveSteadyCurve(&simulation.value());
@@ -100,6 +143,7 @@ Result<Json> SolveOne(const CurvingVerb& verb, const std::string& bogie, double 
   const Json totals = analysis::CurveTotals(steady);
   row["largest_Y_N"] = totals["largest_Y_N"];
   row["T_gamma_N"] = totals["T_gamma_N"];
+  row["coasting_m_s2"] = solved.value().coasting_m_s2;
   row["residual"] = solved.value().residual;
   row["evaluations"] = solved.value().evaluations;
   row["processor_s"] = solved.value().processor_s;
@@ -155,7 +199,7 @@ int RunCurving(CurvingVerb verb) {
   auto asked = OpenAskedDir(verb.common);
   if (!asked.ok()) return BadInput(asked.error());
   std::optional<ResultDir>& dir = asked.value();
-  verb.family.speed_limit_m_s = verb.speed_limit_km_h / 3.6;
+  const std::vector<double> radii = RadiiOf(verb);
   Json json = {{"bogies", Json::object()}};
   bool failed = false;
   for (const std::string& bogie : verb.bogies) {
@@ -164,7 +208,7 @@ int RunCurving(CurvingVerb verb) {
       PrintHead(bogie, verb.check);
     }
     Json& rows = json["bogies"][bogie] = Json::array();
-    for (const double radius : verb.radii) {
+    for (const double radius : radii) {
       auto row = SolveOne(verb, bogie, radius);
       if (!row.ok()) return BadInput(row.error());
       if (verb.common.format == "text") PrintRow(row.value());
@@ -191,20 +235,24 @@ void AddCurving(CLI::App* app, Action* action) {
       "curving", "Steady state in curves of many radii, found without running through time");
   auto o = std::make_shared<CurvingVerb>();
   o->scenario.name = "curving";
-  o->radii = {150, 200, 250, 300, 350, 400, 500, 600, 800, 1000, 1500};
   AddCommonOptions(verb, &o->common);
   verb->add_option("--bogies", o->bogies, "Bogies, separated by commas")
       ->delimiter(',')
       ->required();
-  verb->add_option("--radii", o->radii, "Radii in m, separated by commas")->delimiter(',');
+  verb->add_option("--radii", o->radii, "Radii in m, separated by commas; default 150 … 1500")
+      ->delimiter(',');
+  AddTrackOption(verb, &o->track,
+                 "Track that gives gauge and friction instead of the bogie's own; without --radii "
+                 "its first arc is solved");
   verb->add_option("--speed-limit", o->speed_limit_km_h, "km/h")->capture_default_str();
-  verb->add_option("--cant", o->family.largest_cant_m, "Largest cant, m")->capture_default_str();
-  verb->add_option("--deficiency", o->family.deficiency_m, "Cant deficiency, m")
-      ->capture_default_str();
-  o->scenario.friction.tread = 0.35;
-  verb->add_option("--friction", o->scenario.friction, "Wheel-rail friction coefficient")
-      ->check(CLI::Range(0.01, 1.0))
-      ->capture_default_str();
+  verb->add_option("--cant", o->largest_cant_m,
+                   "Largest cant, m; default 0.060 on 1067 mm, wider in proportion")
+      ->check(CLI::Range(0.0, 0.2));
+  verb->add_option("--deficiency", o->deficiency_m,
+                   "Cant deficiency, m; default 0.045 on 1067 mm, wider in proportion")
+      ->check(CLI::Range(-0.1, 0.2));
+  AddFrictionOption(verb, &o->scenario.friction);
+  AddTimestepOption(verb, &o->scenario.timestep_s);
   verb->add_option("--vehicle", o->scenario.vehicle, "bogie or locomotive")
       ->check(CLI::IsMember({"bogie", "locomotive"}));
   verb->add_flag("--check", o->check, "Run each curve in time too: difference and time saved");

@@ -5,7 +5,9 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "base/data_path.h"
 #include "base/result_dir.h"
+#include "cli/run_options.h"
 #include "cli/verbs.h"
 #include "vehicle/bogie_import.h"
 #include "vehicle/simulation.h"
@@ -17,14 +19,16 @@ struct ImportOptions {
   CommonOptions common;
   std::string urdf;
   std::string mapping;
+  std::string track;
+  double timestep_s = 0;
 };
 
-/// Stands the written bogie on straight track, so that what cannot run is refused here.
-Status TryOut(const std::string& file) {
+/// Stands the written bogie on its track, so that what cannot run is refused here.
+Status TryOut(const std::string& file, const std::string& track) {
   vehicle::Scenario scenario;
   scenario.name = "import";
   scenario.bogie = file;
-  scenario.track = "straight";
+  scenario.track = track;
   scenario.speed_m_s = 20;
   auto simulation = vehicle::Simulation::Create(scenario);
   return simulation.ok() ? Status() : Status(simulation.error());
@@ -35,6 +39,8 @@ int RunImport(const ImportOptions& options) {
   if (!urdf.ok()) return BadInput(urdf.error());
   auto mapping = vehicle::LoadBogieMapping(options.mapping);
   if (!mapping.ok()) return BadInput(mapping.error());
+  if (!options.track.empty()) mapping.value().track = Anywhere(options.track);
+  if (options.timestep_s > 0) mapping.value().timestep_s = options.timestep_s;
   auto text = vehicle::ImportBogie(urdf.value(), mapping.value());
   if (!text.ok()) return BadInput(text.error());
   auto dir = ResultDir::Create(options.common.out, options.common.force);
@@ -42,7 +48,7 @@ int RunImport(const ImportOptions& options) {
   const std::string name = mapping.value().name + ".xml";
   const std::string file = dir.value().File(name);
   if (Status s = WriteFileAtomically(file, text.value()); !s.ok()) return BadInput(s.error());
-  if (Status s = TryOut(file); !s.ok()) return BadInput(s.error());
+  if (Status s = TryOut(file, mapping.value().track); !s.ok()) return BadInput(s.error());
   if (Status s = dir.value().Commit(); !s.ok()) return BadInput(s.error());
   const std::string made = dir.value().final_path() + "/" + name;
   if (options.common.format == "json") {
@@ -52,10 +58,12 @@ int RunImport(const ImportOptions& options) {
                                          {"cylinders", mapping.value().cylinders.size()}};
     fmt::print("{}\n", json.dump());
   } else {
-    fmt::print("{}: {} links, {} axles, {} cylinders; stands on straight track\n", made,
+    fmt::print("{}: {} links, {} axles, {} cylinders; stands on track {}\n", made,
                urdf.value().links.size(), mapping.value().axles.size(),
-               mapping.value().cylinders.size());
-    fmt::print("next: phs compare curve_r550 --bogies {},rigid_link\n", made);
+               mapping.value().cylinders.size(), mapping.value().track);
+    const bool usual = mapping.value().track == "straight";
+    fmt::print("next: phs {}{}{}\n", usual ? "compare curve_r550 --bogies " : "modes --bogie ", made,
+               usual ? ",rigid_link" : "");
   }
   return kDone;
 }
@@ -71,6 +79,9 @@ void AddImport(CLI::App* app, Action* action) {
   verb->add_option("--mapping", options->mapping,
                    "YAML file: what the links are, springs, cylinders")
       ->required();
+  AddTrackOption(verb, &options->track,
+                 "Track it is written for and tried on, instead of the mapping's");
+  AddTimestepOption(verb, &options->timestep_s, "Step written into it");
   verb->callback([=] { *action = [=] { return RunImport(*options); }; });
 }
 

@@ -6,7 +6,9 @@
 #include <optional>
 
 #include "analysis/load_cases.h"
+#include "analysis/plain_track.h"
 #include "base/result_dir.h"
+#include "cli/run_options.h"
 #include "cli/verbs.h"
 #include "vehicle/simulation.h"
 
@@ -45,7 +47,11 @@ int RunLoads(const LoadsOptions& options) {
   auto asked = OpenAskedDir(options.common);
   if (!asked.ok()) return BadInput(asked.error());
   std::optional<ResultDir>& dir = asked.value();
-  auto simulation = vehicle::Simulation::Create(options.scenario);
+  vehicle::Scenario scenario = options.scenario;
+  const auto track = analysis::StraightTrack::For(scenario.bogie, scenario.track);
+  if (!track.ok()) return BadInput(track.error());
+  scenario.track = track.value().name();
+  auto simulation = vehicle::Simulation::Create(scenario);
   if (!simulation.ok()) return BadInput(simulation.error());
   auto results = analysis::CalcLoadCases(simulation.value(), analysis::StandardLoadCases());
   if (!results.ok()) return BadInput(results.error());
@@ -72,12 +78,14 @@ void AddLoads(CLI::App* app, Action* action) {
   CLI::App* verb =
       app->add_subcommand("loads", "Loads on the axle boxes and which part of the PHS gives first");
   auto options = std::make_shared<LoadsOptions>();
-  options->scenario.track = "straight";
   options->scenario.speed_m_s = 20;
   AddCommonOptions(verb, &options->common);
   verb->add_option("--bogie", options->scenario.bogie, "Bogie: a name or an MJCF file")
       ->capture_default_str();
   verb->add_option("--phs", options->scenario.phs, "PHS model, instead of the bogie's");
+  AddTrackOption(verb, &options->scenario.track,
+                 "Track that gives the gauge; default straight track as wide as the bogie's own");
+  AddTimestepOption(verb, &options->scenario.timestep_s);
   verb->callback([=] { *action = [=] { return RunLoads(*options); }; });
 }
 

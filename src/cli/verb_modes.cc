@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "analysis/axle_modes_json.h"
+#include "analysis/plain_track.h"
 #include "base/result_dir.h"
+#include "cli/run_options.h"
 #include "cli/verbs.h"
 #include "report/analysis_report.h"
 #include "vehicle/simulation.h"
@@ -65,6 +67,9 @@ Result<std::vector<Measured>> MeasureAll(const ModesOptions& options) {
     vehicle::Scenario scenario = options.scenario;
     scenario.bogie = bogie;
     if (!all.empty()) scenario.phs.clear();
+    const auto track = analysis::StraightTrack::For(bogie, options.scenario.track);
+    if (!track.ok()) return track.error();
+    scenario.track = track.value().name();
     auto simulation = vehicle::Simulation::Create(scenario);
     if (!simulation.ok()) return simulation.error();
     auto modes = analysis::MeasureAxleModes(simulation.value(), options.measure);
@@ -101,13 +106,15 @@ int RunModes(const ModesOptions& options) {
 void AddModes(CLI::App* app, Action* action) {
   CLI::App* verb = app->add_subcommand("modes", "Stiffness and damping of the axle modes");
   auto options = std::make_shared<ModesOptions>();
-  options->scenario.track = "straight";
   options->scenario.speed_m_s = 20;
   AddCommonOptions(verb, &options->common);
   verb->add_option("--bogie", options->scenario.bogie, "Bogie: a name or an MJCF file")->required();
   verb->add_option("--beside", options->beside, "Further bogies, shown beside it: a,b")
       ->delimiter(',');
   verb->add_option("--phs", options->scenario.phs, "PHS model, instead of the bogie's");
+  AddTrackOption(verb, &options->scenario.track,
+                 "Track that gives the gauge; default straight track as wide as the bogie's own");
+  AddTimestepOption(verb, &options->scenario.timestep_s);
   verb->add_option("--frequency", options->measure.frequency_Hz, "Hz")
       ->check(CLI::Range(0.01, 20.0));
   verb->callback([=] { *action = [=] { return RunModes(*options); }; });

@@ -8,8 +8,10 @@
 #include <optional>
 
 #include "analysis/critical_speeds.h"
+#include "analysis/plain_track.h"
 #include "analysis/stability_json.h"
 #include "base/result_dir.h"
+#include "cli/run_options.h"
 #include "cli/verbs.h"
 #include "report/analysis_report.h"
 
@@ -96,6 +98,9 @@ int RunStability(StabilityVerb verb) {
   if (!asked.ok()) return BadInput(asked.error());
   std::optional<ResultDir>& dir = asked.value();
   verb.scenario.speed_m_s = 20;
+  const auto track = analysis::StraightTrack::For(verb.scenario.bogie, verb.scenario.track);
+  if (!track.ok()) return BadInput(track.error());
+  verb.scenario.track = track.value().name();
   // The linear analysis takes no step; a small one passes the check of stiffness.
   verb.scenario.timestep_s = 1e-4;
   auto simulation = vehicle::Simulation::Create(verb.scenario);
@@ -137,7 +142,6 @@ void AddStability(CLI::App* app, Action* action) {
   CLI::App* verb = app->add_subcommand(
       "stability", "Eigenvalues over speed, critical speed, limit cycle on straight track");
   auto o = std::make_shared<StabilityVerb>();
-  o->scenario.track = "straight";
   AddCommonOptions(verb, &o->common);
   verb->add_option("--bogie", o->scenario.bogie, "Bogie: a name or an MJCF file")->required();
   verb->add_option("--vehicle", o->scenario.vehicle, "bogie, or locomotive: two under a body")
@@ -145,8 +149,9 @@ void AddStability(CLI::App* app, Action* action) {
   verb->add_option("--phs", o->scenario.phs, "PHS model, instead of the bogie's");
   verb->add_option("--wheel", o->scenario.wheel, "Wheel profile, instead of the bogie's");
   verb->add_option("--rail", o->scenario.rail, "Rail profile, instead of the bogie's");
-  verb->add_option("--friction", o->scenario.friction, "Wheel-rail friction coefficient")
-      ->check(CLI::Range(0.01, 1.0));
+  AddTrackOption(verb, &o->scenario.track,
+                 "Straight track; default one as wide as the bogie's own");
+  AddFrictionOption(verb, &o->scenario.friction);
   verb->add_option("--from", o->scan.min_speed_m_s, "Lowest speed, m/s")->capture_default_str();
   verb->add_option("--to", o->scan.max_speed_m_s, "Highest speed, m/s")->capture_default_str();
   verb->add_option("--speeds", o->scan.speeds, "Number of speeds")->capture_default_str();
@@ -155,8 +160,7 @@ void AddStability(CLI::App* app, Action* action) {
                    "Start of the down ramp, m/s; default 1.2 times the critical speed");
   verb->add_option("--ramp-to", o->cycle.low_speed_m_s,
                    "Its end at the latest, m/s; default a sixth of the critical speed");
-  verb->add_option("--timestep", o->timestep_s, "Step of the ramps in seconds; default chosen")
-      ->check(CLI::PositiveNumber);
+  AddTimestepOption(verb, &o->timestep_s, "Step of the ramps (default chosen)");
   verb->add_option("--ramp-rate", o->cycle.rate_m_s2, "m/s^2")->capture_default_str();
   verb->callback([=] { *action = [=] { return RunStability(*o); }; });
 }

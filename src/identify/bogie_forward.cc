@@ -62,9 +62,10 @@ Result<BogieModel> LoadBogieModel(const std::string& scenario, const std::vector
   }
   model.candidates = candidates;
   Scenario instant = s;
-  instant.duration_s = s.timestep_s;
+  instant.duration_s = 1e-6;  // one step
   auto simulation = Simulation::Create(instant);
   if (!simulation.ok()) return simulation.error();
+  s.timestep_s = simulation.value().scenario().timestep_s;
   auto run = simulation.value().Run();
   if (!run.ok()) return run.error();
   for (const auto& channel : run.value().channels) {

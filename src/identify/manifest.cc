@@ -3,6 +3,7 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "base/data_path.h"
 #include "base/yaml.h"
 
 namespace phs::identify {
@@ -104,7 +105,7 @@ Result<Manifest> LoadManifest(const std::string& path, WindowNeed need) {
   Manifest m;
   m.path = path;
   m.rig = map.Word("rig", {"cylinder", "quarter", "full", "element", "steps", "bogie"});
-  m.model = map.Text("model");
+  m.model = BesideFile(path, map.Text("model"));
   ReadDrive(map, need, &m);
   m.setup = map.Integer("setup", 1, 1000000, 0);
   m.options = ReadOptions(map);

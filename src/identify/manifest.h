@@ -51,7 +51,7 @@ struct RunSpec {
 struct Manifest {
   std::string path;
   std::string rig;
-  std::string model;  ///< as written
+  std::string model;  ///< name, or path already resolved against the manifest's folder
   std::vector<RunSpec> runs;
   std::map<std::string, std::string> columns;  ///< our channel -> column of the file
   std::map<std::string, double> factors;       ///< our channel -> factor

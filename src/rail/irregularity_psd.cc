@@ -78,22 +78,29 @@ double UniformAt(std::uint64_t seed, std::uint64_t channel, std::uint64_t harmon
 }
 
 // Adds amplitude cos(w s_i + phase) at s_i = i step, by rotation, started anew every 64 samples so
-// that rounding does not build up.
+// that rounding does not build up. Eight such blocks go side by side: each waits for its own last
+// sample only.
 void AddCosine(double amplitude, double w, double phase, double step, std::vector<double>* x) {
+  constexpr size_t kBlock = 64;
+  constexpr size_t kSideBySide = 8;
   const double c = std::cos(w * step);
   const double s = std::sin(w * step);
-  double re = 0;
-  double im = 0;
-  for (size_t i = 0; i < x->size(); ++i) {
-    if (i % 64 == 0) {
-      const double angle = w * step * static_cast<double>(i) + phase;
-      re = amplitude * std::cos(angle);
-      im = amplitude * std::sin(angle);
+  for (size_t begin = 0; begin < x->size(); begin += kBlock * kSideBySide) {
+    double re[kSideBySide], im[kSideBySide];
+    for (size_t b = 0; b < kSideBySide; ++b) {
+      const double angle = w * step * static_cast<double>(begin + b * kBlock) + phase;
+      re[b] = amplitude * std::cos(angle);
+      im[b] = amplitude * std::sin(angle);
     }
-    (*x)[i] += re;
-    const double next = re * c - im * s;
-    im = re * s + im * c;
-    re = next;
+    for (size_t i = 0; i < kBlock; ++i) {
+      for (size_t b = 0; b < kSideBySide; ++b) {
+        const size_t at = begin + b * kBlock + i;
+        if (at < x->size()) (*x)[at] += re[b];
+        const double next = re[b] * c - im[b] * s;
+        im[b] = re[b] * s + im[b] * c;
+        re[b] = next;
+      }
+    }
   }
 }
 
@@ -120,11 +127,20 @@ double CalcPsd(const std::string& psd, IrregularityChannel channel, double w) {
   return 0;
 }
 
+double FinestWavelength(double speed_m_s) {
+  constexpr double kBand_Hz = 20;
+  constexpr double kUsual_m_s = 80 / 3.6;
+  return std::clamp((speed_m_s > 0 ? speed_m_s : kUsual_m_s) / kBand_Hz, 0.5, 3.0);
+}
+
 IrregularitySamples GenerateIrregularity(const IrregularityPsdParams& params) {
   const double range = params.end_s - params.begin_s;
   PHS_CHECK(range > 0 && params.shortest_wavelength > 0);
   PHS_CHECK(params.longest_wavelength > params.shortest_wavelength);
-  const double step_wanted = params.shortest_wavelength / 12;
+  const bool goes_on =
+      params.finest_wavelength > 0 && params.finest_wavelength < params.shortest_wavelength;
+  const double finest_wave = goes_on ? params.finest_wavelength : params.shortest_wavelength;
+  const double step_wanted = finest_wave / 12;
   const size_t intervals = static_cast<size_t>(std::max(4.0, std::ceil(range / step_wanted)));
   const double step = range / static_cast<double>(intervals);
   IrregularitySamples samples;
@@ -136,10 +152,12 @@ IrregularitySamples GenerateIrregularity(const IrregularityPsdParams& params) {
   const double finest = std::numbers::pi / range;
   const size_t harmonics = static_cast<size_t>(std::max(64.0, std::ceil((high - low) / finest)));
   const double dw = (high - low) / static_cast<double>(harmonics);
+  const double further = (2 * std::numbers::pi / finest_wave - high) / dw;
+  const size_t waves = harmonics + static_cast<size_t>(std::max(0.0, std::floor(further + 1e-9)));
   for (int c = 0; c < kNumIrregularityChannels; ++c) {
     std::vector<double>& x = samples.channel[c];
     x.assign(samples.s.size(), 0.0);
-    for (size_t k = 0; k < harmonics; ++k) {
+    for (size_t k = 0; k < waves; ++k) {
       const double w = low + (static_cast<double>(k) + 0.5) * dw;
       const double density = CalcPsd(params.psd, static_cast<IrregularityChannel>(c), w);
       const double phase =

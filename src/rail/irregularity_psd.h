@@ -27,7 +27,8 @@
 // Generation: the sum of cosines x(s) = sum sqrt(2 S(W_k) dW) cos(W_k s + p_k), W_k in the middle
 // of equal steps dW over the band, phases p_k uniform from a counter-based generator (SplitMix64),
 // so a seed gives the same track on every machine. dW <= 2 pi/(2 x length): no repetition in the
-// range.
+// range. Beyond the shortest wavelength the steps may go on to the finest one: the same waves and
+// further, shorter ones.
 #pragma once
 
 #include <cstdint>
@@ -45,6 +46,7 @@ struct IrregularityPsdParams {
   double begin_s = 0;               ///< [m]
   double end_s = 100;               ///< [m]
   double shortest_wavelength = 3;   ///< > 0 [m]
+  double finest_wavelength = 0;     ///< the waves go on down to it; 0 = they do not [m]
   double longest_wavelength = 100;  ///< [m]
   double scale = 1;                 ///< factor on all channels
 };
@@ -53,7 +55,10 @@ struct IrregularityPsdParams {
 const std::vector<std::string>& PsdNames();
 /// One-sided S(W) of a channel [m^2/(rad/m)]. @pre psd is one of PsdNames(), w > 0 [rad/m].
 double CalcPsd(const std::string& psd, IrregularityChannel channel, double w);
-/// Samples with twelve points per shortest wavelength. @pre the parameters are valid.
+/// The wavelength that `speed` [m/s] turns into 20 Hz, the end of the band that EN 14363 looks at;
+/// within 0.5 … 3 m. No speed (0): that of 80 km/h, 1.11 m.
+double FinestWavelength(double speed_m_s);
+/// Samples with twelve points per shortest wave. @pre the parameters are valid.
 IrregularitySamples GenerateIrregularity(const IrregularityPsdParams& params);
 
 }  // namespace phs::rail

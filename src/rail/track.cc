@@ -58,8 +58,9 @@ Irregularity MakeIrregularity(const IrregularityLayout& layout, bool mirrored) {
 
 }  // namespace
 
-Result<Track> Track::Load(const std::string& path, bool mirror, const TrackErrors& errors) {
-  auto layout = ReadTrackLayout(path, mirror);
+Result<Track> Track::Load(const std::string& path, bool mirror, const TrackErrors& errors,
+                          double speed_m_s) {
+  auto layout = ReadTrackLayout(path, mirror, speed_m_s);
   if (!layout.ok()) return layout.error();
   if (Status s = ApplyErrors(errors, &layout.value()); !s.ok()) return s.error();
   auto alignment = Alignment::Create(layout.value().alignment);

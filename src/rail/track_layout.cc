@@ -97,6 +97,14 @@ void ReadAlignment(YamlMap& map, const TrackLayout& layout, AlignmentParams* par
   for (YamlMap& segment : segments) params->segments.push_back(ReadSegment(segment));
 }
 
+/// A damper acts beside its spring: a rigid rail has none.
+void RefuseDamperAlone(YamlMap& map, const std::string& direction, double stiffness,
+                       double damping) {
+  if (!(damping > 0) || stiffness > 0) return;
+  map.Fail(direction + "_damping_Ns_per_m", "has no spring beside it: the rail is rigid",
+           "with " + direction + "_stiffness_N_per_m > 0", "give the stiffness or remove it");
+}
+
 RailSupport ReadSupport(YamlMap& map) {
   constexpr double kStiffest = 1e11;
   constexpr double kMostDamped = 1e8;
@@ -109,10 +117,14 @@ RailSupport ReadSupport(YamlMap& map) {
       map.Number("vertical_stiffness_N_per_m", {.min = 0, .max = kStiffest}, 0.0);
   support.vertical_damping_Ns_per_m =
       map.Number("vertical_damping_Ns_per_m", {.min = 0, .max = kMostDamped}, 0.0);
+  RefuseDamperAlone(map, "lateral", support.lateral_stiffness_N_per_m,
+                    support.lateral_damping_Ns_per_m);
+  RefuseDamperAlone(map, "vertical", support.vertical_stiffness_N_per_m,
+                    support.vertical_damping_Ns_per_m);
   return support;
 }
 
-void ReadPsd(YamlMap& map, double length, IrregularityPsdParams* psd) {
+void ReadPsd(YamlMap& map, double length, double speed_m_s, IrregularityPsdParams* psd) {
   psd->psd = map.Word("psd", PsdNames());
   psd->seed = static_cast<std::uint64_t>(map.Integer("seed", 0, 2147483647, 1));
   psd->begin_s = map.Number("begin_s_m", {.min = 0, .max = length}, 0.0);
@@ -123,6 +135,8 @@ void ReadPsd(YamlMap& map, double length, IrregularityPsdParams* psd) {
              "swap or spread the two");
   }
   psd->shortest_wavelength = map.Number("shortest_wavelength_m", {.min = 0.2, .max = 100}, 3.0);
+  // Nothing said: on to where the speed of the run meets 20 Hz.
+  if (!map.Has("shortest_wavelength_m")) psd->finest_wavelength = FinestWavelength(speed_m_s);
   psd->longest_wavelength = map.Number("longest_wavelength_m", {.min = 0.4, .max = 500}, 100.0);
   if (psd->longest_wavelength < 1.5 * psd->shortest_wavelength) {
     map.Fail("longest_wavelength_m", "the band of wavelengths is empty or too narrow",
@@ -131,7 +145,7 @@ void ReadPsd(YamlMap& map, double length, IrregularityPsdParams* psd) {
   psd->scale = map.Number("scale", {.min = 0, .max = 100}, 1.0);
 }
 
-Result<IrregularityLayout> ReadIrregularityLayout(YamlMap& map, double length) {
+Result<IrregularityLayout> ReadIrregularityLayout(YamlMap& map, double length, double speed_m_s) {
   IrregularityLayout layout;
   layout.fade = map.Number("fade_m", {.min = 0, .max = 1000}, 20.0);
   if (map.Has("file") == map.Has("psd")) {
@@ -140,7 +154,7 @@ Result<IrregularityLayout> ReadIrregularityLayout(YamlMap& map, double length) {
     return layout;
   }
   if (map.Has("psd")) {
-    ReadPsd(map, length, &layout.psd);
+    ReadPsd(map, length, speed_m_s, &layout.psd);
     return layout;
   }
   const std::filesystem::path file = map.Text("file");
@@ -167,7 +181,7 @@ void Mirror(TrackLayout* layout) {
   layout->mirrored = !layout->mirrored;
 }
 
-Result<TrackLayout> ReadOwnLayout(YamlMap& map) {
+Result<TrackLayout> ReadOwnLayout(YamlMap& map, double speed_m_s) {
   TrackLayout layout;
   const std::string stem = std::filesystem::path(map.path()).stem().string();
   layout.name = map.Text("name", stem);
@@ -184,7 +198,7 @@ Result<TrackLayout> ReadOwnLayout(YamlMap& map) {
   const double length = Length(layout);
   if (map.Has("irregularity")) {
     YamlMap irregularity = map.Map("irregularity");
-    auto read = ReadIrregularityLayout(irregularity, length);
+    auto read = ReadIrregularityLayout(irregularity, length, speed_m_s);
     if (!read.ok()) return read.error();
     layout.irregularity = std::move(read).value();
   }
@@ -214,7 +228,7 @@ Status ApplyErrors(const TrackErrors& errors, TrackLayout* layout) {
   return JoinTransitions(&layout->alignment.segments);
 }
 
-Result<TrackLayout> ReadTrackLayout(const std::string& path, bool mirror) {
+Result<TrackLayout> ReadTrackLayout(const std::string& path, bool mirror, double speed_m_s) {
   Result<YamlMap> loaded = YamlMap::Load(path);
   if (!loaded.ok()) return loaded.error();
   YamlMap& map = loaded.value();
@@ -233,11 +247,11 @@ Result<TrackLayout> ReadTrackLayout(const std::string& path, bool mirror) {
       return Error{where, "a mirror image of a mirror image", "the name of a track with segments",
                    "name the original"};
     }
-    layout = ReadOwnLayout(other.value());
+    layout = ReadOwnLayout(other.value(), speed_m_s);
     if (layout.ok()) layout.value().name = name;
     mirror = !mirror;
   } else {
-    layout = ReadOwnLayout(map);
+    layout = ReadOwnLayout(map, speed_m_s);
   }
   if (layout.ok() && mirror) Mirror(&layout.value());
   return layout;

@@ -32,8 +32,9 @@ struct TrackLayout {
   std::optional<IrregularityLayout> irregularity;
 };
 
-/// Reads a track file, following `mirror_of`. `mirror` swaps left and right.
-Result<TrackLayout> ReadTrackLayout(const std::string& path, bool mirror);
+/// Reads a track file, following `mirror_of`. `mirror` swaps left and right; `speed_m_s` of the run
+/// says how short the waves of a spectrum are taken (FinestWavelength).
+Result<TrackLayout> ReadTrackLayout(const std::string& path, bool mirror, double speed_m_s);
 
 /// Puts `errors` on top of the design: cant of the curves and what their transitions take from it,
 /// gauge of every segment.

@@ -1,4 +1,6 @@
 // A wheel and a rail put together: profiles read, worn, inclined, placed at their gauge.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -8,13 +10,23 @@
 namespace phs::rail {
 namespace {
 
+/// Gauge less distance of the flange backs: two flanges of 20 … 40 mm and the clearance. 75 mm is
+/// usual [m].
+constexpr double kLeastRoom = 0.040;
+constexpr double kMostRoom = 0.150;
+
 Status Validate(const WheelRailParams& p) {
   const auto in = [](double x, double low, double high) { return x >= low && x <= high; };
   if (!in(p.gauge, 0.3, 2.0)) return Error{"gauge", "is out of range", "0.3 … 2 m", ""};
   if (!in(p.wheel_radius, 0.1, 1.5))
     return Error{"wheel_radius", "is out of range", "0.1 … 1.5 m", ""};
-  if (!in(p.flange_back_distance, 0.2, p.gauge)) {
-    return Error{"flange_back_distance", "is out of range", "0.2 m … gauge", ""};
+  if (!p.linear && !in(p.flange_back_distance, p.gauge - kMostRoom, p.gauge - kLeastRoom)) {
+    return Error{
+        "flange_back_distance",
+        fmt::format("of {:.4g} m does not fit the gauge of {:.4g} m", p.flange_back_distance,
+                    p.gauge),
+        fmt::format("{:.4g} … {:.4g} m on this gauge", p.gauge - kMostRoom, p.gauge - kLeastRoom),
+        "give a track of the bogie's gauge (--track), or phs_flange_back_m in its MJCF"};
   }
   if (!in(p.tread.coefficient, 0, 2) || !in(p.flange.coefficient, 0, 2)) {
     return Error{"friction", "is out of range", "0 … 2", ""};

@@ -134,7 +134,9 @@ class CaseBuilder {
     auto scenario = LoadFile(case_.scenario);
     if (!scenario.ok()) return scenario.error();
     scenario_ = scenario.value();
+    PutPaths(case_.scenario);
     if (Status s = Set("scenario.", scenario_); !s.ok()) return s.error();
+    PutPaths(study_.path);
     if (Status s = WriteTrack(); !s.ok()) return s.error();
     if (Status s = WriteModel(); !s.ok()) return s.error();
     return File("scenario.yaml", YAML::Dump(scenario_) + "\n");
@@ -153,6 +155,14 @@ class CaseBuilder {
       }
     }
     return {};
+  }
+
+  /// Paths that `naming` means beside itself, absolute: the run's files lie elsewhere.
+  void PutPaths(const std::string& naming) {
+    for (const char* key : {"track", "bogie", "wheel", "rail", "phs"}) {
+      if (!scenario_[key] || !scenario_[key].IsScalar()) continue;
+      scenario_[key] = Anywhere(BesideFile(naming, scenario_[key].Scalar()));
+    }
   }
 
   bool Varies(const std::string& prefix) const {

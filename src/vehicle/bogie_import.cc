@@ -287,7 +287,9 @@ class Writer {
     AddText(custom, "phs_creep", map_.creep);
     AddText(custom, "phs_yardstick", map_.yardstick);
     for (const auto& [name, value] : {std::pair{"phs_speed_m_s", map_.speed_m_s},
-                                      std::pair{"phs_wheel_radius_m", map_.wheel_radius_m}}) {
+                                      std::pair{"phs_wheel_radius_m", map_.wheel_radius_m},
+                                      std::pair{"phs_flange_back_m", map_.flange_back_m}}) {
+      if (value == 0 && std::string(name) == "phs_flange_back_m") continue;
       XMLElement* numeric = custom->InsertNewChildElement("numeric");
       Set(numeric, "name", name);
       Set(numeric, "data", Text(value));

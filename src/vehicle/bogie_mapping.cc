@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/data_path.h"
 #include "base/disk.h"
 #include "base/yaml.h"
 #include "rail/creep_law.h"
@@ -86,13 +87,17 @@ Result<BogieMapping> LoadBogieMapping(const std::string& path) {
     ReadPoint(&entry, "to_m", c.to_m);
     m.cylinders.push_back(std::move(c));
   }
-  m.phs = map.Text("phs", m.phs);
+  const auto file = [&](const char* key, const std::string& otherwise) {
+    return Anywhere(BesideFile(path, map.Text(key, otherwise)));
+  };
+  m.phs = file("phs", m.phs);
   m.yardstick = map.Text("yardstick", "");
   m.wheel_radius_m = map.Number("wheel_radius_m", {.min = 0.1, .max = 2}, m.wheel_radius_m);
+  m.flange_back_m = map.Number("flange_back_m", {.min = 0.2, .max = 2}, m.flange_back_m);
   m.timestep_s = map.Number("timestep_s", {.min = 1e-6, .max = 0.05}, m.timestep_s);
-  m.track = map.Text("track", "straight");
-  m.wheel = map.Text("wheel", "S1002");
-  m.rail = map.Text("rail", "UIC60");
+  m.track = file("track", "straight");
+  m.wheel = file("wheel", "S1002");
+  m.rail = file("rail", "UIC60");
   m.creep = map.Word("creep", rail::CreepLawNames(), "kalker_table");
   m.speed_m_s = map.Number("speed_m_s", {.min = 0, .max = 120}, 20.0);
   if (Status s = map.Finish(); !s.ok()) return s.error();

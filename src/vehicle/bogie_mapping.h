@@ -50,6 +50,7 @@ struct BogieMapping {
   std::string phs = "bo_bo";
   std::string yardstick;
   double wheel_radius_m = 0.625;
+  double flange_back_m = 0;  ///< between the flange backs; 0: gauge less 75 mm
   double timestep_s = 0.001;
   std::string track, wheel, rail, creep;
   double speed_m_s = 0;

@@ -4,11 +4,13 @@
 #include <cstring>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/data_path.h"
 #include "effects/failures.h"
 #include "plugin/model_text.h"
+#include "vehicle/mjcf_additions.h"
 #include "vehicle/mjcf_document.h"
 
 namespace phs::vehicle {
@@ -142,22 +144,6 @@ void MoveStatefulActuatorsLast(XMLElement* root) {
   }
 }
 
-/// Calls `visit` for every element `tag` in every top-level `section` until it returns true.
-template <typename Visit>
-void ForEach(XMLElement* root, const char* section, const char* tag, Visit visit) {
-  for (XMLElement* s = root->FirstChildElement(section); s != nullptr;
-       s = s->NextSiblingElement(section)) {
-    for (XMLElement* e = s->FirstChildElement(tag); e != nullptr; e = e->NextSiblingElement(tag)) {
-      visit(e);
-    }
-  }
-}
-
-std::string AttributeOf(const XMLElement& element, const char* name) {
-  const char* value = element.Attribute(name);
-  return value == nullptr ? std::string() : std::string(value);
-}
-
 /// States of the PHS that the tuple `name` stands for: the scenario's model or the file's.
 Result<int> CountStates(const Scenario& scenario, const std::string& name, int actuators,
                         XMLElement* root) {
@@ -173,12 +159,26 @@ Result<int> CountStates(const Scenario& scenario, const std::string& name, int a
   return system.value().num_states();
 }
 
+/// What an actuator acts on: {"tendon", its name} or {"joint", its name}; empty if neither.
+using Transmission = std::pair<std::string, std::string>;
+Transmission TransmissionOf(XMLElement* root, const std::string& name) {
+  Transmission found;
+  ForEach(root, "actuator", "general", [&](XMLElement* actuator) {
+    if (AttributeOf(*actuator, "name") != name) return;
+    for (const char* kind : {"tendon", "joint"}) {
+      const std::string target = AttributeOf(*actuator, kind);
+      if (!target.empty()) found = {kind, target};
+    }
+  });
+  return found;
+}
+
 /// Appends one force-free actuator with a state to the document and to the PHS tuple.
-void AddCarrier(const std::string& name, const std::string& tendon, XMLElement* carriers,
+void AddCarrier(const std::string& name, const Transmission& on, XMLElement* carriers,
                 XMLElement* tuple) {
   XMLElement* actuator = carriers->InsertNewChildElement("general");
   actuator->SetAttribute("name", name.c_str());
-  actuator->SetAttribute("tendon", tendon.c_str());
+  actuator->SetAttribute(on.first.c_str(), on.second.c_str());
   actuator->SetAttribute("dyntype", "user");
   actuator->SetAttribute("gaintype", "fixed");
   actuator->SetAttribute("gainprm", "0");
@@ -189,8 +189,9 @@ void AddCarrier(const std::string& name, const std::string& tendon, XMLElement* 
 }
 
 /// One force-free user actuator per state beyond those the file carries. True if any was added.
+/// `values` grows by the numbers of cylinders and states.
 Result<bool> AddStateCarriers(const Scenario& scenario, const std::string& bogie_path,
-                              XMLElement* root) {
+                              XMLElement* root, int* values) {
   std::vector<XMLElement*> tuples;
   ForEach(root, "custom", "tuple", [&](XMLElement* tuple) {
     if (AttributeOf(*tuple, "name").starts_with("phs:")) tuples.push_back(tuple);
@@ -205,28 +206,20 @@ Result<bool> AddStateCarriers(const Scenario& scenario, const std::string& bogie
       if (listed++ == 0) first = AttributeOf(*e, "objname");
     }
     // Any transmission serves, since gain and bias are zero: the first cylinder's is at hand.
-    std::string tendon;
-    ForEach(root, "actuator", "general", [&](XMLElement* actuator) {
-      if (AttributeOf(*actuator, "name") == first) tendon = AttributeOf(*actuator, "tendon");
-    });
-    if (tendon.empty()) {
-      return Error{bogie_path + ": tuple '" + name + "'", "names no cylinder on a tendon",
-                   "one general actuator on a tendon per cylinder", ""};
+    const Transmission on = TransmissionOf(root, first);
+    if (on.second.empty()) {
+      return Error{bogie_path + ": tuple '" + name + "'", "names no cylinder",
+                   "one general actuator on a tendon or a slide joint per cylinder", ""};
     }
     auto states = CountStates(scenario, name, listed, root);
     if (!states.ok()) return states.error();
+    *values += listed + states.value();
     for (int i = listed; i < states.value(); ++i) {
       if (carriers == nullptr) carriers = root->InsertNewChildElement("actuator");
-      AddCarrier(name.substr(4) + "_state_" + std::to_string(i + 1), tendon, carriers, tuple);
+      AddCarrier(name.substr(4) + "_state_" + std::to_string(i + 1), on, carriers, tuple);
     }
   }
   return carriers != nullptr;
-}
-
-/// userdata large enough for every PHS.
-void EnlargeUserData(int values, XMLElement* root) {
-  XMLElement* size = root->InsertNewChildElement("size");
-  size->SetAttribute("nuserdata", values);
 }
 
 }  // namespace
@@ -241,13 +234,18 @@ Result<ModelPtr> ComposeVehicle(const Scenario& scenario) {
   if (locomotive) {
     if (Status s = PutBogiesUnderBody(path.value(), root); !s.ok()) return s.error();
   }
-  auto added = AddStateCarriers(scenario, path.value(), root);
+  bool changed = FindBeside(path.value(), root) || locomotive;
+  int values = 0;
+  auto added = AddStateCarriers(scenario, path.value(), root, &values);
   if (!added.ok()) return added.error();
+  if (locomotive || added.value()) MoveStatefulActuatorsLast(root);
+  changed = EnlargeUserData(values, root) || changed || added.value();
+  changed = AddStartKey(root) || changed;
+  if (changed) KeepAssetFolders(path.value(), root);
   // Nothing to add: the file as it stands, as any MuJoCo program loads it.
-  if (!locomotive && !added.value()) return LoadMjcf(path.value());
-  MoveStatefulActuatorsLast(root);
-  EnlargeUserData(4096, root);
-  return CompileMjcf(*document.value(), path.value());
+  auto model = changed ? CompileMjcf(*document.value(), path.value()) : LoadMjcf(path.value());
+  if (model.ok() && !SaysStep(root)) model.value()->opt.timestep = kDefaultStep_s;
+  return model;
 }
 
 std::vector<ComparedBogie> ListComparedBogies() {
@@ -272,6 +270,14 @@ std::string YardstickOf(const std::string& bogie) {
   return document.ok() ? TextOf(document.value()->RootElement(), "phs_yardstick") : "";
 }
 
+std::string TrackOf(const std::string& bogie) {
+  auto path = FindData("bogie", "bogie_xml", bogie, {".xml"});
+  if (!path.ok()) return "";
+  auto document = ReadMjcf(path.value());
+  if (!document.ok()) return "";
+  return BesideFile(path.value(), TextOf(document.value()->RootElement(), "phs_track"));
+}
+
 std::string PhsModelOf(const std::string& bogie) {
   auto path = FindData("bogie", "bogie_xml", bogie, {".xml"});
   if (!path.ok()) return "";
@@ -280,7 +286,7 @@ std::string PhsModelOf(const std::string& bogie) {
   std::string model;
   ForEach(document.value()->RootElement(), "custom", "text", [&](XMLElement* text) {
     if (model.empty() && AttributeOf(*text, "name").starts_with("phs:")) {
-      model = AttributeOf(*text, "data");
+      model = BesideFile(path.value(), AttributeOf(*text, "data"));
     }
   });
   return model;

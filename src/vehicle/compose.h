@@ -1,6 +1,9 @@
 // From a scenario to a compiled MuJoCo model.
 //
-// A single bogie is its MJCF file as it stands. Two things are added in memory where asked:
+// A single bogie is its MJCF file as it stands. What the plugin needs and the file lacks is added
+// in memory: the empty key "test" for the settled start, room in userdata. Tracks, profiles and PHS
+// models that lie beside the file are found there. A file without <option timestep> gets 1 ms. Two
+// more things are added where asked:
 //   state carriers  a PHS model with more states than the file has activations (gas temperatures,
 //                   clearances …) gets one force-free user actuator per further state;
 //   locomotive      the bogie (frame, wheelsets, cylinders) is put twice, with names prefixed
@@ -31,6 +34,9 @@ struct ComparedBogie {
 std::vector<ComparedBogie> ListComparedBogies();
 /// The yardstick of one bogie, "" if it names none.
 std::string YardstickOf(const std::string& bogie);
+
+/// The track that a bogie file names, "" if it names none.
+std::string TrackOf(const std::string& bogie);
 
 /// The PHS model that a bogie file names for its first PHS, "" if it has none.
 std::string PhsModelOf(const std::string& bogie);

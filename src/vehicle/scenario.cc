@@ -70,17 +70,20 @@ Result<Scenario> LoadScenario(const std::string& name_or_path) {
 
   Scenario s;
   s.name = std::filesystem::path(path.value()).stem().string();
-  s.track = map.Text("track");
-  s.bogie = map.Text("bogie", s.bogie);
+  const auto file = [&](const char* key, const std::string& otherwise) {
+    return BesideFile(path.value(), map.Text(key, otherwise));
+  };
+  s.track = BesideFile(path.value(), map.Text("track"));
+  s.bogie = file("bogie", s.bogie);
   s.vehicle = map.Word("vehicle", {"bogie", "locomotive"}, s.vehicle);
-  s.wheel = map.Text("wheel", s.wheel);
-  s.rail = map.Text("rail", s.rail);
+  s.wheel = file("wheel", s.wheel);
+  s.rail = file("rail", s.rail);
   s.creep = map.Text("creep", s.creep);
   rail::CreepLawParams law;
   if (Status e = rail::ChooseCreepLaw(s.creep.empty() ? law.method : s.creep, &law); !e.ok()) {
     map.Fail("creep", e.error().what, e.error().allowed, e.error().mend);
   }
-  s.phs = map.Text("phs", s.phs);
+  s.phs = file("phs", s.phs);
   if (map.Has("speed_m_s")) {
     s.speed_m_s = map.Number("speed_m_s", {.min = 1, .max = 120});
     if (map.Has("speed_km_h")) map.Fail("speed_km_h", "repeats speed_m_s", "one of the two");

@@ -13,6 +13,9 @@
 
 namespace phs::vehicle {
 
+/// Step of a vehicle where neither scenario nor bogie file says one [s].
+inline constexpr double kDefaultStep_s = 0.001;
+
 struct Scenario {
   std::string name;               ///< file name without extension
   std::string track;              ///< name or path
@@ -24,9 +27,9 @@ struct Scenario {
   std::string phs;                  ///< PHS model; empty = as in the bogie file
   double speed_m_s = 0;             ///< held by the drives, > 0
   rail::FrictionSettings friction;  ///< nothing set: the track's
-  double timestep_s = 0.001;
-  double duration_s = 0;  ///< 0: until the vehicle reaches the end of the track
-  double start_s_m = 1;   ///< arc length of the rearmost wheelset at the start
+  double timestep_s = 0;            ///< 0: the bogie file's <option timestep>, else kDefaultStep_s
+  double duration_s = 0;            ///< 0: until the vehicle reaches the end of the track
+  double start_s_m = 1;             ///< arc length of the rearmost wheelset at the start
   double record_interval_s = 0.01;
   plugin::RunningForces running;    ///< traction and braking; inactive: the drives hold the speed
   effects::PhsChanges phs_changes;  ///< parameters, effects and failures of the PHS
@@ -43,7 +46,8 @@ struct Scenario {
   std::vector<JointChange> joints;
 };
 
-/// Errors name file:line and key.
+/// Paths in the file are looked up from its own folder first, then from the current one. Errors
+/// name file:line and key.
 Result<Scenario> LoadScenario(const std::string& name_or_path);
 /// The same form: reading it back gives an equal scenario. Paths are made absolute.
 std::string ToYaml(const Scenario& scenario);

@@ -1,8 +1,7 @@
 // A scenario written back in the form that LoadScenario reads.
 #include <fmt/format.h>
 
-#include <filesystem>
-
+#include "base/data_path.h"
 #include "base/numbers.h"
 #include "hydraulics/effects_yaml.h"
 #include "vehicle/scenario.h"
@@ -35,13 +34,6 @@ class Lines {
  private:
   std::string out_;
 };
-
-/// A path that is there now, wherever the file will be read from; names stay.
-std::string Anywhere(const std::string& name) {
-  std::error_code none;
-  if (name.empty() || !std::filesystem::is_regular_file(name, none)) return name;
-  return std::filesystem::absolute(name, none).lexically_normal().string();
-}
 
 /// `key: {a: 1, b: 2}` of the numbers that are set.
 void WriteMap(const std::string& key, const std::vector<std::pair<std::string, double>>& numbers,
@@ -91,7 +83,7 @@ std::string ToYaml(const Scenario& s) {
   out.Text("phs", Anywhere(s.phs));
   out.Number("speed_m_s", s.speed_m_s);
   WriteFriction(s.friction, &out);
-  out.Number("timestep_s", s.timestep_s);
+  if (s.timestep_s > 0) out.Number("timestep_s", s.timestep_s);
   if (s.duration_s > 0) out.Number("duration_s", s.duration_s);
   out.Number("start_s_m", s.start_s_m);
   out.Number("record_interval_s", s.record_interval_s);

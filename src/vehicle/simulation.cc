@@ -57,6 +57,15 @@ double ThreadSeconds() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
+/// What every verb needs: something that runs on rails.
+Status CheckWheelsets(const Scenario& scenario, const mjModel* m) {
+  if (!plugin::TuplesWithPrefix(m, "wheelset:").empty()) return {};
+  return Error{"bogie " + Quoted(scenario.bogie), "names no wheelset",
+               "<custom><tuple name=\"wheelset:lead\"> with a body, its spin hinge, its yaw hinge "
+               "and, if driven, its motor",
+               "see plugin/README.md"};
+}
+
 /// Springs and dampers that the scenario gives instead of the file's.
 Status ChangeJoints(const Scenario& scenario, mjModel* m) {
   for (const Scenario::JointChange& change : scenario.joints) {
@@ -116,7 +125,9 @@ Result<Simulation> Simulation::Create(const Scenario& scenario) {
   Simulation sim;
   sim.scenario_ = scenario;
   sim.model_ = std::move(loaded).value();
-  sim.model_->opt.timestep = scenario.timestep_s;
+  if (Status s = CheckWheelsets(scenario, sim.model_.get()); !s.ok()) return s.error();
+  if (scenario.timestep_s > 0) sim.model_->opt.timestep = scenario.timestep_s;
+  sim.scenario_.timestep_s = sim.model_->opt.timestep;
   if (Status s = ChangeJoints(scenario, sim.model_.get()); !s.ok()) return s.error();
   plugin::AttachOptions options;
   options.track = scenario.track;

@@ -48,6 +48,7 @@ class Simulation {
   plugin::InstantForces Instant() const { return plugin::InstantForces(model_.get()); }
   mjData* data() { return data_.get(); }
   const plugin::Binding& binding() const;
+  /// As asked for; timestep_s is the step that is taken.
   const Scenario& scenario() const { return scenario_; }
   /// Largest step at which the vehicle on straight track is numerically stable [s]; 0 = not found.
   double largest_stable_step() const { return largest_stable_step_; }

@@ -37,7 +37,7 @@ Json DescribeScenario(const Scenario& s) {
                     {"friction_condition", s.friction.condition},
                     {"falling_ratio", number_or_null(s.friction.falling_ratio)},
                     {"falling_rate_s_m", number_or_null(s.friction.falling_rate_s_m)},
-                    {"timestep_s", s.timestep_s},
+                    {"timestep_s", s.timestep_s > 0 ? Json(s.timestep_s) : Json(nullptr)},
                     {"record_interval_s", s.record_interval_s}};
   if (s.running.active) {
     described["running"] = {{"drive_torque_Nm", s.running.drive_torque_Nm},

@@ -4,8 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
 
 #include "analysis/curve_family.h"
+#include "tests/base/scratch_dir.h"
 #include "vehicle/simulation.h"
 #include "vehicle/summary.h"
 
@@ -55,7 +59,57 @@ TEST(SteadyCurveTest, AgreesWithTheTimeRunWithinOnePercentAndIsTenTimesFaster) {
   }
 }
 
-TEST(SteadyCurveTest, StraightTrackAndVehiclesWithoutDriveAreRefused) {
+/// The test bogie of standard gauge on stiff guidance instead of cylinders, with one driven axle or
+/// none.
+std::string WithDrives(bool any) {
+  const std::string folder = PHS_SOURCE_DIR "/tests/vehicle/bogies/";
+  std::ifstream file(folder + "standard_gauge.xml");
+  std::stringstream text;
+  text << file.rdbuf();
+  std::string xml = text.str();
+  const auto replace = [&](const std::string& from, const std::string& to) {
+    const size_t at = xml.find(from);
+    ASSERT_NE(at, std::string::npos) << from;
+    xml.replace(at, from.size(), to);
+  };
+  replace("<include file=\"shared/phs_cylinders.xml\"/>", "");
+  replace("<text name=\"phs:bogie\" data=\"bo_bo\"/>", "");
+  for (int i = 0; i < 2; ++i) replace("2.0e6\" damping=\"2.0e4", "4.0e7\" damping=\"1.0e5");
+  if (!any) {
+    replace("<element objtype=\"actuator\" objname=\"lead_drive\"/>", "");
+    replace("<motor name=\"lead_drive\" joint=\"lead_spin\"/>", "");
+  }
+  const std::string path = ScratchFile(any ? "one_drive.xml" : "no_drive.xml");
+  std::ofstream(path) << xml;
+  return path;
+}
+
+TEST(SteadyCurveTest, AxlesWithoutDriveSettleAtTheSpinThatLeavesThemNoMoment) {
+  const std::string track = PHS_SOURCE_DIR "/tests/vehicle/bogies/standard_r400.yaml";
+  for (const bool any : {true, false}) {
+    auto simulation = vehicle::Simulation::Create(Curve(WithDrives(any), track, 20));
+    ASSERT_TRUE(simulation.ok()) << simulation.error().Line();
+    const auto solved = SolveSteadyCurve(&simulation.value());
+    ASSERT_TRUE(solved.ok()) << solved.error().Line();
+    auto run = simulation.value().Run();
+    ASSERT_TRUE(run.ok());
+    const Json timed = vehicle::Summarise(simulation.value(), run.value())["steady_curve"];
+    const Json& steady = solved.value().steady;
+    // A coasting vehicle has lost half a per cent of its speed on the way.
+    const double tolerance = any ? 0.006 : 0.012;
+    ExpectNear(steady, timed, "wheels", "Y_N", tolerance * 83900);
+    ExpectNear(steady, timed, "wheels", "Q_N", tolerance * 83900);
+    ExpectNear(steady, timed, "wheelsets", "angle_of_attack_rad", tolerance * 1.25 / 400);
+    if (any) {
+      EXPECT_EQ(solved.value().coasting_m_s2, 0);
+    } else {
+      EXPECT_LT(solved.value().coasting_m_s2, -2e-3) << "creep slows it down";
+      EXPECT_GT(solved.value().coasting_m_s2, -5e-2);
+    }
+  }
+}
+
+TEST(SteadyCurveTest, StraightTrackAndVehiclesWithoutAFreeRootAreRefused) {
   auto straight = vehicle::Simulation::Create(Curve("phs", "straight", 20));
   ASSERT_TRUE(straight.ok());
   const auto no_arc = SolveSteadyCurve(&straight.value());
@@ -65,7 +119,9 @@ TEST(SteadyCurveTest, StraightTrackAndVehiclesWithoutDriveAreRefused) {
   undriven.timestep_s = 1e-4;
   auto coasting = vehicle::Simulation::Create(undriven);
   ASSERT_TRUE(coasting.ok());
-  EXPECT_FALSE(SolveSteadyCurve(&coasting.value()).ok());
+  const auto guided = SolveSteadyCurve(&coasting.value());
+  ASSERT_FALSE(guided.ok());
+  EXPECT_NE(guided.error().Line().find("no free joint at its root"), std::string::npos);
 }
 
 TEST(CurveFamilyTest, SpeedAndCantFollowTheRadius) {
@@ -80,6 +136,37 @@ TEST(CurveFamilyTest, SpeedAndCantFollowTheRadius) {
   EXPECT_NEAR(tight.value().speed_m_s, std::sqrt(9.81 * 150 * 0.105 / 1.139), 1e-9);
   EXPECT_EQ(CurveOfRadius({}, 3000).value().cant_m, 0);
   EXPECT_FALSE(CurveOfRadius({}, 20).ok());
+}
+
+TEST(CurveFamilyTest, OnAnotherGaugeTheSpeedStaysAndTheCantGrowsWithTheBase) {
+  const auto base = ReadTrackBase(PHS_SOURCE_DIR "/tests/vehicle/bogies/standard_straight.yaml");
+  ASSERT_TRUE(base.ok()) << base.error().Line();
+  EXPECT_EQ(base.value().gauge_m, 1.435);
+  EXPECT_NEAR(base.value().cant_base_m, 1.507, 1e-12);
+  EXPECT_EQ(base.value().friction, 0.35);
+  const auto narrow = CurveOfRadius({}, 300);
+  const auto wide = CurveOfRadius(FamilyOn(base.value()), 300);
+  ASSERT_TRUE(wide.ok());
+  EXPECT_NEAR(wide.value().speed_m_s, narrow.value().speed_m_s, 1e-9);
+  EXPECT_NEAR(wide.value().cant_m / narrow.value().cant_m, 1.507 / 1.139, 1e-9);
+  const auto arc =
+      FirstArc(FamilyOn(base.value()), PHS_SOURCE_DIR "/tests/vehicle/bogies/standard_r400.yaml");
+  ASSERT_TRUE(arc.ok()) << arc.error().Line();
+  EXPECT_NEAR(arc.value().radius_m, 400, 1e-9);
+  EXPECT_NEAR(arc.value().cant_m, 0.1, 1e-6);
+}
+
+TEST(TemporaryTrackTest, HasANameOfItsOwnAndIsGoneWithTheObject) {
+  std::string path;
+  {
+    const auto a = TemporaryTrack::Straight({});
+    const auto b = TemporaryTrack::Straight({});
+    ASSERT_TRUE(a.ok() && b.ok());
+    path = a.value().path();
+    EXPECT_NE(path, b.value().path());
+    EXPECT_TRUE(std::filesystem::exists(path));
+  }
+  EXPECT_FALSE(std::filesystem::exists(path));
 }
 
 }  // namespace

@@ -153,7 +153,8 @@ std::string Refusal(const std::string& xml) {
 const char kWheelsetBody[] =
     "<worldbody><body name='axle' pos='0 0 0.625'><freejoint/><inertial pos='0 0 0' mass='2000' "
     "diaginertia='1000 300 1000'/><body name='wheelset'><joint name='spin' axis='0 1 0'/>"
-    "<inertial pos='0 0 0' mass='1500' diaginertia='800 150 800'/></body></body></worldbody>";
+    "<inertial pos='0 0 0' mass='1500' diaginertia='800 150 800'/></body></body></worldbody>"
+    "<keyframe><key name='test'/></keyframe>";
 
 TEST_F(BindingTest, ErrorsNameTheElementAndTheMend) {
   const std::string body = kWheelsetBody;

@@ -10,6 +10,7 @@
 #include <numbers>
 
 #include "rail/irregularity_psd.h"
+#include "rail/track.h"
 #include "tests/base/scratch_dir.h"
 
 namespace phs::rail {
@@ -212,6 +213,41 @@ TEST(IrregularityPsd, SeedsAreReproducibleAndDifferentAndScaleIsLinear) {
   params.seed = 2;
   const IrregularitySamples other = GenerateIrregularity(params);
   EXPECT_NE(a.channel[kLevel][50], other.channel[kLevel][50]);
+}
+
+TEST(IrregularityPsd, WavesGoDownToTwentyHertzOfTheRunUnlessTheFileSaysOtherwise) {
+  EXPECT_NEAR(FinestWavelength(0), 80 / 3.6 / 20, 1e-12);
+  EXPECT_NEAR(FinestWavelength(30), 1.5, 1e-12);
+  EXPECT_EQ(FinestWavelength(200), 3);
+  EXPECT_EQ(FinestWavelength(2), 0.5);
+  const auto track = [](const std::string& more, double speed) {
+    const std::string path = ScratchFile("waves.yaml");
+    std::ofstream(path) << "segments: [{kind: tangent, length_m: 400}]\nirregularity: {psd: "
+                           "errib176_high, fade_m: 1"
+                        << more << "}\n";
+    auto loaded = Track::Load(path, false, {}, speed);
+    EXPECT_TRUE(loaded.ok()) << loaded.error().Line();
+    return std::move(loaded).value();
+  };
+  // Power of the level between two wavelengths, by projection on many cosines and sines.
+  const auto power = [](const Track& t, double shortest, double longest) {
+    double sum = 0;
+    for (double w = 2 * M_PI / longest; w < 2 * M_PI / shortest; w += M_PI / 190) {
+      double c = 0, s = 0;
+      for (double x = 10; x < 390; x += 0.1) {
+        const double window = 1 - std::cos(2 * M_PI * (x - 10) / 380);
+        const double z = window * t.Rail(Side::kLeft, x).vertical;
+        c += z * std::cos(w * x), s += z * std::sin(w * x);
+      }
+      sum += c * c + s * s;
+    }
+    return sum;
+  };
+  const Track fast = track("", 60), usual = track("", 80 / 3.6);
+  const Track said = track(", shortest_wavelength_m: 3", 80 / 3.6);
+  EXPECT_LT(power(said, 1.2, 2.6), 0.02 * power(usual, 1.2, 2.6)) << "the file's 3 m hold";
+  EXPECT_LT(power(fast, 1.2, 2.6), 0.02 * power(usual, 1.2, 2.6)) << "60 m/s reach 20 Hz at 3 m";
+  EXPECT_NEAR(power(fast, 8, 50) / power(usual, 8, 50), 1, 0.01) << "the long waves are the same";
 }
 
 std::string Written(const std::string& text) {

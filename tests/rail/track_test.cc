@@ -40,7 +40,7 @@ segments:
   - {kind: curve, hand: right, radius_m: 300, angle_deg: 30, cant_m: 0.05, gauge_widening_m: 0.008}
   - {kind: transition, length_m: 40}
   - {kind: tangent, length_m: 50}
-support: {lateral_stiffness_N_per_m: 2.0e+7, vertical_damping_Ns_per_m: 5.0e+4}
+support: {lateral_stiffness_N_per_m: 2.0e+7, lateral_damping_Ns_per_m: 5.0e+4}
 )";
 
 TEST(Track, ReadsSegmentsSectionsAndValues) {
@@ -53,7 +53,7 @@ TEST(Track, ReadsSegmentsSectionsAndValues) {
   EXPECT_EQ(track.friction(), 0.4);
   EXPECT_DOUBLE_EQ(track.cant_base(), 1.139);
   EXPECT_EQ(track.support().lateral_stiffness_N_per_m, 2e7);
-  EXPECT_EQ(track.support().vertical_damping_Ns_per_m, 5e4);
+  EXPECT_EQ(track.support().lateral_damping_Ns_per_m, 5e4);
   EXPECT_EQ(track.support().vertical_stiffness_N_per_m, 0);
   EXPECT_FALSE(track.has_irregularity());
   ASSERT_EQ(track.sections().size(), 5u);
@@ -193,6 +193,10 @@ INSTANTIATE_TEST_SUITE_P(
                 "segments: [{kind: tangent, length_m: 5}]\nsupport: {lateral_stiffness_N_per_m: "
                 "-1}\n",
                 {"bad.yaml:2", "lateral_stiffness_N_per_m"}},
+        BadFile{"damper alone",
+                "segments: [{kind: tangent, length_m: 5}]\nsupport: {vertical_damping_Ns_per_m: "
+                "9.0e+4}\n",
+                {"bad.yaml:2", "vertical_damping_Ns_per_m", "vertical_stiffness_N_per_m"}},
         BadFile{"psd name",
                 "segments: [{kind: tangent, length_m: 50}]\nirregularity: {psd: erri_low}\n",
                 {"bad.yaml:2", "errib176_low"}},

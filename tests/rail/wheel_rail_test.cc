@@ -385,6 +385,24 @@ TEST(WheelRail, ReferenceSpeedIsTheMeanOfBothBodies) {
   EXPECT_NEAR(Load(pair, 6e4, &m).patch[0].xi, -2, 1e-9);
 }
 
+TEST(WheelRail, TheDamperOfTheSupportTakesPower) {
+  WheelRailParams params = StandardPair();
+  params.damping_ratio = 0;
+  const WheelRail pair = Create(params);
+  WheelsetMotion m = Rolling(pair, 20, 0, 0, 0);
+  m.vertical = pair.touching_height() + 2e-3;
+  m.velocity[2] = 0.02;  // downwards
+  const RailSupport springs{3e7, 0, 7e7, 0};
+  RailSupport dampers = springs;
+  dampers.vertical_damping_Ns_per_m = 9e4;
+  const WheelRailForces without = Calc(pair, m, springs, {}, Side::kRight);
+  const WheelRailForces with = Calc(pair, m, dampers, {}, Side::kRight);
+  EXPECT_NEAR(without.damping_power, 0, 1e-9);
+  // The rail gives way by nearly all of the motion: c v^2, a little less.
+  EXPECT_NEAR(with.damping_power, 9e4 * 0.02 * 0.02, 0.2 * 36);
+  EXPECT_NEAR(with.force[2] - without.force[2], -9e4 * 0.02, 0.1 * 1800);
+}
+
 struct BadParams {
   const char* key;
   void (*spoil)(WheelRailParams*);
@@ -398,6 +416,21 @@ TEST_P(WheelRailErrors, NameTheValue) {
   ASSERT_FALSE(pair.ok());
   EXPECT_NE(pair.error().Line().find(GetParam().key), std::string::npos) << pair.error().Line();
 }
+
+TEST(WheelRail, FlangeBacksThatDoNotFitTheGaugeAreRefusedWithBothNumbers) {
+  for (const auto& [flange_back, gauge] : {std::pair{1.360, 1.067}, {0.992, 1.435}}) {
+    WheelRailParams p = StandardPair();
+    p.gauge = gauge;
+    p.flange_back_distance = flange_back;
+    const auto pair = WheelRail::Create(p);
+    ASSERT_FALSE(pair.ok());
+    const std::string line = pair.error().Line();
+    EXPECT_NE(line.find(flange_back > 1.2 ? "1.36 m" : "0.992 m"), std::string::npos) << line;
+    EXPECT_NE(line.find(gauge > 1.2 ? "gauge of 1.435 m" : "gauge of 1.067 m"), std::string::npos)
+        << line;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(
     EveryMessage, WheelRailErrors,
     testing::Values(
@@ -407,7 +440,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadParams{"friction", [](WheelRailParams* p) { p->tread.coefficient = -1; }},
         BadParams{"damping", [](WheelRailParams* p) { p->damping_ratio = -1; }},
         BadParams{"no/such", [](WheelRailParams* p) { p->rail_profile = "/no/such.prr"; }},
-        BadParams{"never touch", [](WheelRailParams* p) { p->flange_back_distance = 1.0; }}));
+        BadParams{"never touch", [](WheelRailParams* p) { p->flange_back_position = -0.5; }}));
 
 }  // namespace
 }  // namespace phs::rail
