@@ -73,7 +73,7 @@ bool IsJudged(const std::string& name) {
 
 /// Every number changes by at most `share` under half the step, signed ones by `share_of_scale`.
 void ExpectConverged(const Scenario& scenario, double share, double share_of_scale) {
-  const double step = Scenario().timestep_s;
+  const double step = kDefaultStep_s;
   const Numbers coarse = RunAt(scenario, step);
   const Numbers fine = RunAt(scenario, step / 2);
   const auto scales = Scales(fine);
@@ -122,7 +122,7 @@ TEST(StepConvergenceTest, WearOnRoughTrackWithinTwoPercentOfItsLimit) {
     }
     return sum;
   };
-  const double step = s.timestep_s;
+  const double step = kDefaultStep_s;
   const double coarse = wear(RunAt(s, step));
   const double fine = wear(RunAt(s, step / 2));
   EXPECT_GT(fine, 10);
