@@ -162,6 +162,7 @@ int RunCurve(const CurveOptions& options, bool compare) {
   Scenario scenario = std::move(loaded).value();
   CurveOptions chosen = options;
   if (chosen.bogies.empty()) chosen.bogies = {scenario.bogie};
+  ListenForStop();
   auto asked = OpenAskedDir(options.common);
   if (!asked.ok()) return BadInput(asked.error());
   std::optional<ResultDir>& dir = asked.value();

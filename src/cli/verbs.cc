@@ -37,6 +37,12 @@ int BadInput(const Error& error) {
   return IsDiskFault(error) ? kFailed : kBadInput;
 }
 
+void ListenForStop() {
+  if (StopSignal() != 0) return;
+  std::signal(SIGINT, &OnStop);
+  std::signal(SIGTERM, &OnStop);
+}
+
 int StopSignal() { return stop_signal; }
 
 int Stopped(const std::string& what) {
@@ -79,9 +85,7 @@ ProgressLine::ProgressLine(std::string what, bool quiet) : impl_(new Impl) {
   impl_->what = std::move(what);
   impl_->quiet = quiet;
   impl_->terminal = isatty(STDERR_FILENO) != 0;
-  if (StopSignal() != 0) return;
-  std::signal(SIGINT, &OnStop);
-  std::signal(SIGTERM, &OnStop);
+  ListenForStop();
 }
 
 ProgressLine::~ProgressLine() {

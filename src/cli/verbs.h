@@ -40,8 +40,10 @@ std::string NotEmpty(const std::string& path);
 /// is full or fails; that of the signal where the user stopped the work.
 int BadInput(const Error& error);
 
-/// The signal with which the user has stopped the work, 0 for none. Heard while a ProgressLine has
-/// been there; a second one ends the program at once.
+/// From now on Ctrl-C and SIGTERM ask for a stop; a second one ends the program at once. A
+/// ProgressLine listens, too.
+void ListenForStop();
+/// The signal with which the user has asked for a stop, 0 for none.
 int StopSignal();
 /// Says that the work was stopped and `what` became of it; returns the exit code.
 int Stopped(const std::string& what);

@@ -7,6 +7,7 @@
 
 #include "report/curving_parts.h"
 #include "report/curving_results.h"
+#include "report/json_fields.h"
 #include "report/report_page.h"
 
 namespace phs::report {
@@ -36,9 +37,7 @@ std::string Subtitle(const CurvingResults& results) {
   return text;
 }
 
-}  // namespace
-
-Status WriteCurvingReport(const CurvingReportInput& input, const std::string& path) {
+Status WritePage(const CurvingReportInput& input, const std::string& path) {
   Result<CurvingResults> read = ReadCurvingResults(input);
   if (!read.ok()) return read.error();
   const CurvingResults& results = read.value();
@@ -74,9 +73,17 @@ Status WriteCurvingReport(const CurvingReportInput& input, const std::string& pa
   return page.Write(path);
 }
 
+}  // namespace
+
+Status WriteCurvingReport(const CurvingReportInput& input, const std::string& path) {
+  return MakeGuarded(input.results, [&] { return WritePage(input, path); });
+}
+
 Status WriteCurvingReport(const std::string& directory, const std::string& path) {
-  Result<CurvingReportInput> input = CurvingReportInput::FromDirectory(directory);
-  return input.ok() ? WriteCurvingReport(input.value(), path) : Status(input.error());
+  return MakeGuarded(directory, [&]() -> Status {
+    Result<CurvingReportInput> input = CurvingReportInput::FromDirectory(directory);
+    return input.ok() ? WriteCurvingReport(input.value(), path) : Status(input.error());
+  });
 }
 
 }  // namespace phs::report

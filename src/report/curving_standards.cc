@@ -36,8 +36,8 @@ const json* Assessed(const BogieRun& run) {
 const json* Worst(const BogieRun& run, const char* key) {
   const json* assessment = Assessed(run);
   if (assessment == nullptr || !assessment->contains("worst")) return nullptr;
-  const json& worst = (*assessment)["worst"];
-  return worst.contains(key) ? &worst[key] : nullptr;
+  const json& worst = assessment->at("worst");
+  return worst.contains(key) ? &worst.at(key) : nullptr;
 }
 
 TableCell Number(const json& json, const char* key, double scale) {
@@ -83,20 +83,20 @@ void AddRide(const CurvingResults& results, ReportPage* page) {
   }
   const json* first = Assessed(results.reference());
   if (first == nullptr) return;
-  for (std::size_t i = 0; i < (*first)["sections"].size(); ++i) {
-    const json& section = (*first)["sections"][i];
+  for (std::size_t i = 0; i < first->at("sections").size(); ++i) {
+    const json& section = first->at("sections").at(i);
     std::vector<TableCell> row = {
         TableCell(fmt::format("{}, {:.0f} … {:.0f} m", section.value("kind", ""),
                               section.value("begin_s_m", 0.0), section.value("end_s_m", 0.0)))};
     for (const BogieRun& run : results.runs) {
       const json* assessment = Assessed(run);
-      const bool there = assessment != nullptr && i < (*assessment)["sections"].size();
+      const bool there = assessment != nullptr && i < assessment->at("sections").size();
       for (const char* axis : {"lateral", "vertical"}) {
-        if (!there || !(*assessment)["sections"][i]["ride"].contains(axis)) {
+        if (!there || !assessment->at("sections").at(i).at("ride").contains(axis)) {
           row.insert(row.end(), {TableCell("–"), TableCell("–")});
           continue;
         }
-        const json& ride = (*assessment)["sections"][i]["ride"][axis];
+        const json& ride = assessment->at("sections").at(i).at("ride").at(axis);
         row.push_back(TableCell(FormatNumber(std::max(std::abs(ride.value("low_m_s2", 0.0)),
                                                       std::abs(ride.value("high_m_s2", 0.0))))));
         row.push_back(Number(ride, "rms_m_s2", 1));
@@ -117,15 +117,15 @@ void AddWear(const CurvingResults& results, ReportPage* page) {
   }
   const json* first = Assessed(results.reference());
   if (first == nullptr) return;
-  for (std::size_t i = 0; i < (*first)["wheels"].size(); ++i) {
-    std::vector<TableCell> row = {TableCell((*first)["wheels"][i].value("name", ""))};
+  for (std::size_t i = 0; i < first->at("wheels").size(); ++i) {
+    std::vector<TableCell> row = {TableCell(first->at("wheels").at(i).value("name", ""))};
     for (const BogieRun& run : results.runs) {
       const json* assessment = Assessed(run);
-      if (assessment == nullptr || i >= (*assessment)["wheels"].size()) {
+      if (assessment == nullptr || i >= assessment->at("wheels").size()) {
         row.insert(row.end(), 4, TableCell("–"));
         continue;
       }
-      const json& wheel = (*assessment)["wheels"][i];
+      const json& wheel = assessment->at("wheels").at(i);
       row.push_back(Number(wheel, "steady_T_gamma_N", 1));
       row.emplace_back(wheel.value("steady_wear_regime", "–"));
       row.push_back(Number(wheel, "steady_rcf_damage_per_pass", 1e6));

@@ -27,4 +27,13 @@ double NumberOf(const json& object, const std::string& key) {
   return AsNumber(found == object.end() ? json() : *found);
 }
 
+Status MakeGuarded(const std::string& path, const std::function<Status()>& make) {
+  try {
+    return make();
+  } catch (const json::exception& fault) {
+    return Error{path, std::string("has another form than a result (") + fault.what() + ")",
+                 "as phs writes it", "run it again"};
+  }
+}
+
 }  // namespace phs::report

@@ -1,6 +1,7 @@
 // Results read back for their page: a JSON file, and its numbers.
 #pragma once
 
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -17,5 +18,8 @@ Result<nlohmann::ordered_json> ReadJsonObject(const std::string& path,
 double AsNumber(const nlohmann::ordered_json& value);
 /// The number under `key`; NaN if there is none.
 double NumberOf(const nlohmann::ordered_json& object, const std::string& key);
+
+/// A page made of what stands in `path`; an error where that has another form than a result.
+Status MakeGuarded(const std::string& path, const std::function<Status()>& make);
 
 }  // namespace phs::report

@@ -138,9 +138,7 @@ void AddCriticalSpeeds(const json& all, ReportPage* page) {
   page->Add(chart);
 }
 
-}  // namespace
-
-Status WriteRadiusReport(const std::string& bogies_file, const std::string& path) {
+Status WritePage(const std::string& bogies_file, const std::string& path) {
   Result<std::string> text = ReadFile(bogies_file);
   if (!text.ok()) return text.error();
   const json all = json::parse(text.value(), nullptr, false);
@@ -169,6 +167,12 @@ Status WriteRadiusReport(const std::string& bogies_file, const std::string& path
   page.Preformatted(scenario.dump(2));
   page.EndDetails();
   return page.Write(path);
+}
+
+}  // namespace
+
+Status WriteRadiusReport(const std::string& bogies_file, const std::string& path) {
+  return MakeGuarded(bogies_file, [&] { return WritePage(bogies_file, path); });
 }
 
 }  // namespace phs::report
