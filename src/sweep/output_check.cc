@@ -58,7 +58,8 @@ std::optional<Json> NumbersOf(const Study& study, int run) {
     const auto made = Analyse(analysis, scenario.value());
     return made.ok() ? std::optional(made.value().numbers) : std::nullopt;
   }
-  scenario.value().duration_s = 2 * scenario.value().timestep_s;
+  const double step = scenario.value().timestep_s;  // 0: the bogie's own
+  scenario.value().duration_s = 2 * (step > 0 ? step : vehicle::kDefaultStep_s);
   auto simulation = vehicle::Simulation::Create(scenario.value());
   if (!simulation.ok()) return std::nullopt;
   auto short_run = simulation.value().Run();

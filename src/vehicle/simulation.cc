@@ -126,7 +126,7 @@ Result<Simulation> Simulation::Create(const Scenario& scenario) {
   sim.scenario_ = scenario;
   sim.model_ = std::move(loaded).value();
   if (Status s = CheckWheelsets(scenario, sim.model_.get()); !s.ok()) return s.error();
-  if (scenario.timestep_s > 0) sim.model_->opt.timestep = scenario.timestep_s;
+  if (scenario.timestep_s != 0) sim.model_->opt.timestep = scenario.timestep_s;
   sim.scenario_.timestep_s = sim.model_->opt.timestep;
   if (Status s = ChangeJoints(scenario, sim.model_.get()); !s.ok()) return s.error();
   plugin::AttachOptions options;

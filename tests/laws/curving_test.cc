@@ -82,6 +82,7 @@ TEST(CurvingTest, RightHandCurveMirrorsTheLeftToRounding) {
 
 TEST(CurvingTest, HalvingTheStepChangesTheSteadyCurveByLessThanHalfAPercent) {
   Scenario coarse = Curve("phs", "curve_r400", 15);
+  coarse.timestep_s = kDefaultStep_s;
   Scenario fine = coarse;
   fine.timestep_s = coarse.timestep_s / 2;
   const Finished a = RunToEnd(coarse);

@@ -179,7 +179,7 @@ TEST(FailuresTest, APlaceBeyondTheTrackIsNoPlace) {
 
 TEST(StableStep, NoStepIsTooLongToBeJudged) {
   Scenario scenario = Straight({});
-  for (const double step : {1.0, 0.06, 0.0, -1e-3}) {
+  for (const double step : {1.0, 0.06, -1e-3}) {
     scenario.timestep_s = step;
     const auto simulation = Simulation::Create(scenario);
     ASSERT_FALSE(simulation.ok()) << step;
