@@ -65,8 +65,12 @@ std::optional<Json> NumbersOf(const Study& study, int run) {
   auto short_run = simulation.value().Run();
   if (!short_run.ok() || short_run.value().columns[0].empty()) return std::nullopt;
   Json numbers = vehicle::Summarise(simulation.value(), short_run.value());
-  numbers["assessment"] = analysis::AssessRun(
-      simulation.value(), Stretched(simulation.value(), std::move(short_run).value()));
+  const bool assessed = std::any_of(study.outputs.begin(), study.outputs.end(),
+                                    [](const auto& o) { return o.starts_with("assessment."); });
+  if (assessed) {
+    numbers["assessment"] = analysis::AssessRun(
+        simulation.value(), Stretched(simulation.value(), std::move(short_run).value()));
+  }
   return numbers;
 }
 

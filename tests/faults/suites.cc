@@ -19,7 +19,7 @@ std::string Shipped(const std::string& name) {
 std::string SealRecord() {
   std::ostringstream text;
   text << "t_s,x_m,force_N\n";
-  for (int i = 0; i < 300; ++i) {
+  for (int i = 0; i < 400; ++i) {
     const double t = 0.01 * i, phase = std::fmod(0.5 * t, 1);
     const double x = 5e-3 * (phase < 0.5 ? 4 * phase - 1 : 3 - 4 * phase);
     text << t << ',' << x << ',' << (phase < 0.5 ? 100 : -100) + 3 * std::sin(12.9898 * i) << '\n';
@@ -77,7 +77,7 @@ Suite Identify() {
           .files = {{"seal.csv", SealRecord()},
                     {"seal.yaml",
                      "rig: element\nmodel: seal_bench\ndata: seal.csv\n"
-                     "estimation: [0, 2]\nvalidation: [2, 3]\n"}},
+                     "estimation: [0, 2.5]\nvalidation: [2.5, 4]\n"}},
           .arguments = {"identify", "seal.yaml", "--quiet", "--threads", "1", "--out", "out"},
           .again = {"identify", "seal.yaml", "--quiet", "--threads", "1", "--out", "out"}};
 }

@@ -49,7 +49,7 @@ void DropSpeeds(Json* json) {
 /// What is compared of a file: a page for being whole, as it shows those numbers too.
 std::string Essence(const fs::path& path) {
   const std::string text = ReadFile(path.string()).value();
-  if (path.extension() == ".html") return text.ends_with("</html>\n") ? "a whole page" : text;
+  if (path.extension() == ".html") return text.ends_with("</html>\n\n") ? "a whole page" : text;
   if (path.extension() != ".json") return text;
   Json json = Json::parse(text, nullptr, false);
   if (json.is_discarded()) return "broken: " + text;
