@@ -87,6 +87,8 @@ class Documents(unittest.TestCase):
 
     def test_no_place_is_empty(self):
         for document, text in self.texts.items():
+            if document in self.OTHERS:
+                continue
             for name, content in places.PLACE.findall(text):
                 self.assertTrue(content.strip(), f"{document}: {name} was never filled")
 
