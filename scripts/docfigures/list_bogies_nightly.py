@@ -1,7 +1,8 @@
-"""docs/bogies.md: every steering principle over the radius, and running straight."""
-from docfigures.form import attack, kmh, number, table
+"""docs/bogies.md: every steering principle over the radius."""
+from docfigures.form import attack, number, table
 
 DOCUMENT = "docs/bogies.md"
+PART = "curves."
 RADII = (150, 250, 300, 400, 550, 800)
 TABLE = "compare curve_r550 --bogies all --radii " + ",".join(map(str, RADII))
 
@@ -20,24 +21,12 @@ def over_radius(rows, cell):
                  [[f"`{name}`"] + [text(name, radius) for radius in RADII] for name in names])
 
 
-def critical(speeds):
-    rows = []
-    for name, of in speeds.items():
-        linear = kmh(of["linear_m_s"]) if of["linear_m_s"] is not None else "stable"
-        lives = (kmh(of["nonlinear_m_s"]) if of["hunting"] == "dies" else
-                 "below " + kmh(of["ramp_to_m_s"]) if of["hunting"] == "lives" else of["hunting"])
-        rows.append([f"`{name}`", linear, lives])
-    return table(["bogie, km/h", "linear", "hunting lives from"], rows)
-
-
 def figures(phs):
     all_rows = phs(TABLE, codes=(0, 1))["rows"]
-    speeds = phs("compare curve_r550 --bogies all --radii 550 --stability", codes=(0, 1))
     return {
         "attack": over_radius(all_rows, lambda r: attack(r["angle_of_attack_lead_rad"])),
         "wear": over_radius(all_rows, lambda r: number(r["wear_yardstick_over_own_run"], 1)),
         "sum_Y": over_radius(all_rows, lambda r: number(r["sum_Y_lead_N"] / 1e3, 1)),
         "max_sum_Y": over_radius(all_rows, lambda r: number(r["max_sum_Y_N"] / 1e3)),
         "T_gamma": over_radius(all_rows, lambda r: number(r["T_gamma_N"])),
-        "critical": critical(speeds["critical_speeds"]),
     }

@@ -6,7 +6,7 @@ from pathlib import Path
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
-from docfigures import places  # noqa: E402
+from docfigures import command, places  # noqa: E402
 from docfigures.form import attack, attack_words, number, short, table  # noqa: E402
 
 
@@ -63,6 +63,34 @@ class Form(unittest.TestCase):
         self.assertEqual(attack(-4.61e-3, hand=-1), "4.61 inner")
         self.assertEqual(attack_words(9e-5), "0.09 mrad to the inner rail")
         self.assertEqual(attack(1e-7), "0.00")
+
+
+class Documents(unittest.TestCase):
+    """README.md and docs/*.md as they stand, without running anything."""
+
+    OTHERS = ("docs/convergence.md",)  # scripts/convergence writes it
+
+    def setUp(self):
+        paths = [command.SOURCE / "README.md", *sorted((command.SOURCE / "docs").glob("*.md"))]
+        self.texts = {str(p.relative_to(command.SOURCE)): p.read_text() for p in paths}
+
+    def test_every_list_has_a_document_and_every_place_a_list(self):
+        prefixes = {}
+        for a_list in command.all_lists():
+            self.assertIn(a_list.DOCUMENT, self.texts)
+            prefixes.setdefault(a_list.DOCUMENT, []).append(command.prefix(a_list))
+        for document, text in self.texts.items():
+            if document in self.OTHERS:
+                continue
+            of_lists = sum(len(places.names(text, p)) for p in prefixes.get(document, []))
+            self.assertEqual(of_lists, len(places.PLACE.findall(text)), document)
+
+    def test_no_place_is_empty(self):
+        for document, text in self.texts.items():
+            if document in self.OTHERS:
+                continue
+            for name, content in places.PLACE.findall(text):
+                self.assertTrue(content.strip(), f"{document}: {name} was never filled")
 
 
 if __name__ == "__main__":
