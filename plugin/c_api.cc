@@ -34,6 +34,14 @@ int NotAttached(const std::string& function, const mjModel* m) {
                    : ""));
 }
 
+/// True if MuJoCo found positions, speeds or accelerations too bad to go on and reset the data.
+bool WasReset(const mjData* d) {
+  for (const int kind : {mjWARN_BADQPOS, mjWARN_BADQVEL, mjWARN_BADQACC}) {
+    if (d->warning[kind].number > 0) return true;
+  }
+  return false;
+}
+
 /// "kind:line" or "kind:line:at_s", several separated by commas.
 Result<std::vector<phs::effects::Failure>> ParseFailures(const std::string& text) {
   std::vector<phs::effects::Failure> failures;
@@ -174,6 +182,10 @@ int phs_outputs(const mjModel* m, const mjData* d, double* values) {
   return Guard([&] {
     const phs::plugin::Binding* binding = phs::plugin::Find(m);
     if (binding == nullptr) return NotAttached("phs_outputs", m);
+    if (WasReset(d)) {
+      return Fail(
+          "phs_outputs: the run diverged, MuJoCo reset it and went on; make the step smaller");
+    }
     const std::string bypassed = phs::plugin::Bypassed(m);
     if (!bypassed.empty()) {
       return Fail("phs_outputs: " + bypassed + " (phs_reset puts the plugin in front again)");

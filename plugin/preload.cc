@@ -40,6 +40,20 @@ mjModel* AttachLoaded(mjModel* m, char* error, int error_size) {
   return nullptr;
 }
 
+/// Says once if MuJoCo reset the data of a run that diverged; it goes on without a word.
+void TellReset(const mjModel* m, const mjData* d, double time) {
+  static std::atomic<bool> told{false};
+  bool reset = false;
+  for (const int kind : {mjWARN_BADQPOS, mjWARN_BADQVEL, mjWARN_BADQACC}) {
+    reset = reset || d->warning[kind].number > 0;
+  }
+  if (!reset || phs::plugin::Find(m) == nullptr || told.exchange(true)) return;
+  std::fprintf(stderr,
+               "phs: the run diverged at t = %g s and MuJoCo reset it; make the step smaller "
+               "(timestep = %g s)\n",
+               time, m->opt.timestep);
+}
+
 /// Writes the trajectory of the first mjData that steps, if PHS_TRACE asks for it.
 class Trace {
  public:
@@ -99,7 +113,9 @@ PHS_API mjModel* mj_copyModel(mjModel* dest, const mjModel* src) {
 PHS_API void mj_step(const mjModel* m, mjData* d) {
   static const Evaluate next = Next<Evaluate>("mj_step");
   phs::plugin::StandInFront(m);
+  const double time = d->time;
   next(m, d);
+  TellReset(m, d, time);
   Trace::Get().Step(m, d);
 }
 

@@ -19,6 +19,7 @@ struct CurveOptions {
   std::string track;  ///< instead of the scenario's
   double timestep_s = 0;
   rail::FrictionSettings friction;  ///< instead of the scenario's
+  bool verify = false;              ///< the half step beside every run
   std::vector<int> radii_m;         ///< several curves instead of the scenario's own
   bool stability = false;           ///< with radii: critical speeds on straight track too
   std::string limits;               ///< file of limits to hold the result against

@@ -43,6 +43,9 @@ int RunOverRadii(const CurveOptions& options) {
   if (!options.track.empty()) {
     return BadInput({"--track", "is for one curve", "compare without --radii", ""});
   }
+  if (options.verify) {
+    return BadInput({"--verify", "is for one curve", "compare without --radii", ""});
+  }
   auto loaded = LoadCurve(options);
   if (!loaded.ok()) return BadInput(loaded.error());
   const Scenario base = std::move(loaded).value();

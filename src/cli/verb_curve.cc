@@ -14,9 +14,11 @@
 #include "cli/curve_options.h"
 #include "cli/curve_table.h"
 #include "cli/run_options.h"
+#include "cli/run_remarks.h"
 #include "cli/verbs.h"
 #include "report/curving_report.h"
 #include "vehicle/compose.h"
+#include "vehicle/discretisation.h"
 #include "vehicle/result_files.h"
 #include "vehicle/scenario.h"
 #include "vehicle/simulation.h"
@@ -54,13 +56,16 @@ std::vector<std::string> NamesOf(const std::vector<std::string>& asked) {
   return names;
 }
 
-/// Creates all simulations first, so that bad input ends before any long work.
+/// Creates all simulations first, so that bad input ends before any long work. With --verify the
+/// runs at half step follow, in the same order.
 Status CreateRuns(const CurveOptions& options, const Scenario& scenario,
                   std::vector<CurveRun>* runs) {
   const std::vector<std::string> names = NamesOf(options.bogies);
-  for (size_t i = 0; i < names.size(); ++i) {
+  for (size_t k = 0; k < (options.verify ? 2 : 1) * names.size(); ++k) {
+    const size_t i = k % names.size();
     Scenario own = scenario;
     vehicle::UseBogie(options.bogies[i], &own);
+    if (k >= names.size()) own.timestep_s = (*runs)[i].simulation->scenario().timestep_s / 2;
     auto simulation = Simulation::Create(own);
     if (!simulation.ok()) return simulation.error();
     runs->push_back({names[i], std::move(simulation).value(), {}, {}});
@@ -102,16 +107,35 @@ Result<bool> RunAll(const CurveOptions& options, const Scenario& scenario,
   return true;
 }
 
+/// Takes the runs at half step out again and keeps what they say of the others.
+void TakeHalfSteps(std::vector<CurveRun>* runs) {
+  const size_t count = runs->size() / 2;
+  for (size_t i = 0; i < count; ++i) {
+    CurveRun& run = (*runs)[i];
+    run.summary["discretisation"] =
+        vehicle::Discretisation(run.outcome, run.summary, (*runs)[count + i].summary);
+  }
+  runs->erase(runs->begin() + static_cast<std::ptrdiff_t>(count), runs->end());
+}
+
 NamedSummaries Summaries(const std::vector<CurveRun>& runs) {
   NamedSummaries named;
   for (const CurveRun& run : runs) named.emplace_back(run.bogie, run.summary);
   return named;
 }
 
+/// compare.json, with the changes of the ratios if the half step was run.
+Json CompareRuns(const CurveOptions& options, const Scenario& scenario,
+                 const std::vector<CurveRun>& runs) {
+  const NamedSummaries summaries = Summaries(runs);
+  Json compared = vehicle::Compare(summaries, scenario, runs[0].simulation->binding().track());
+  if (options.verify) compared["discretisation"] = vehicle::RatioChanges(summaries);
+  return compared;
+}
+
 Status WriteResults(const CurveOptions& options, const Scenario& scenario, bool compare,
                     const std::vector<CurveRun>& runs, ResultDir* dir) {
-  const rail::Track& track = runs[0].simulation->binding().track();
-  const Json compared = vehicle::Compare(Summaries(runs), scenario, track);
+  const Json compared = CompareRuns(options, scenario, runs);
   for (const CurveRun& run : runs) {
     const std::string stem = compare ? run.bogie + "_timeseries" : "timeseries";
     if (Status s = vehicle::WriteTimeSeries(run.outcome, dir->File(stem), options.csv); !s.ok()) {
@@ -172,19 +196,22 @@ int RunCurve(const CurveOptions& options, bool compare) {
   const auto all = RunAll(chosen, scenario, &runs);
   if (!all.ok()) return BadInput(all.error());
   if (!all.value()) return Stopped("nothing written");
+  if (chosen.verify) TakeHalfSteps(&runs);
   const NamedSummaries summaries = Summaries(runs);
+  const Json compared = CompareRuns(chosen, scenario, runs);
   if (options.common.format == "json") {
-    const Json json =
-        compare ? vehicle::Compare(summaries, scenario, runs[0].simulation->binding().track())
-                : runs[0].summary;
-    fmt::print("{}\n", json.dump(2));
+    fmt::print("{}\n", (compare ? compared : runs[0].summary).dump(2));
   } else {
     const rail::Track& track = runs[0].simulation->binding().track();
     fmt::print("{}: track {}, {:.1f} km/h, friction {:.2f}, step {:g} ms\n\n", scenario.name,
                track.name(), scenario.speed_m_s * 3.6, runs[0].simulation->binding().friction(),
                scenario.timestep_s * 1e3);
-    fmt::print("{}\n{}\n{}", CurveTable(summaries), AssessmentTable(summaries),
-               SteeringBudget(summaries));
+    fmt::print("{}{}\n{}\n{}", CurveTable(summaries), WarningLines(summaries),
+               AssessmentTable(summaries), SteeringBudget(summaries));
+    if (chosen.verify) {
+      const Json ratios = compare ? compared["discretisation"] : Json();
+      fmt::print("\n{}", DiscretisationTable(summaries, ratios));
+    }
   }
   if (dir) {
     if (Status s = WriteResults(chosen, scenario, compare, runs, &*dir); !s.ok()) {
@@ -195,8 +222,6 @@ int RunCurve(const CurveOptions& options, bool compare) {
       fmt::print("\nReport: {}/report.html\n", dir->final_path());
     }
   }
-  const Json compared =
-      vehicle::Compare(summaries, scenario, runs[0].simulation->binding().track());
   return ReportChecks(options, scenario.name, limits.value(), summaries, compared["ratios"]);
 }
 
@@ -226,6 +251,8 @@ void AddCurveOptions(CLI::App* verb, CurveOptions* options) {
                    "PHS model, instead of the bogie's: a name or a YAML file (the model.yaml of an "
                    "identification too)");
   verb->add_flag("--csv", options->csv, "Time series as CSV too");
+  verb->add_flag("--verify", options->verify,
+                 "Run the half step beside and say what moves by how much");
   AddTrackOption(verb, &options->track, "Track, instead of the scenario's: a name or a YAML file");
   AddTimestepOption(verb, &options->timestep_s);
   AddFrictionOption(verb, &options->friction);

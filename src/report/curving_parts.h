@@ -17,6 +17,10 @@ void AddComparisonBars(const CurvingResults& results, ReportPage* page);
 void AddEnergyTable(const CurvingResults& results, ReportPage* page);
 void AddInputs(const CurvingResults& results, ReportPage* page);
 
+// curving_remarks.cc
+void AddRunWarnings(const CurvingResults& results, ReportPage* page);
+void AddDiscretisation(const CurvingResults& results, ReportPage* page);
+
 // curving_standards.cc
 bool HasStandards(const CurvingResults& results);
 void AddStandards(const CurvingResults& results, ReportPage* page);

@@ -43,6 +43,7 @@ Status WritePage(const CurvingReportInput& input, const std::string& path) {
   const CurvingResults& results = read.value();
   ReportPage page(Title(results), Subtitle(results));
   AddStatus(results, &page);
+  AddRunWarnings(results, &page);
   page.Section("At a glance");
   AddKeyFigures(results, &page);
   page.BeginBeside();
@@ -67,6 +68,7 @@ Status WritePage(const CurvingReportInput& input, const std::string& path) {
   page.Section("Energy");
   AddEnergyTable(results, &page);
   page.Section("Inputs and assumptions");
+  AddDiscretisation(results, &page);
   AddInputs(results, &page);
   page.Section("What to do next");
   AddNextSteps(results, &page);

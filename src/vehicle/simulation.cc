@@ -180,6 +180,7 @@ Result<RunOutcome> Simulation::Run(const Progress& progress) {
   const int num_wheels = 2 * static_cast<int>(bound.wheelsets().size());
   EnergyKeeper keeper(bound);
   DerailmentWatch watch;
+  PhsWatch phs_watch(bound);
   std::vector<double> row(run.channels.size());
   const double begin = ThreadSeconds();
   double front_s = scenario_.start_s_m;
@@ -206,6 +207,7 @@ Result<RunOutcome> Simulation::Run(const Progress& progress) {
     run.steps = step + 1;
     run.end_time_s = time;
     keeper.Step(m, d);
+    phs_watch.Check(d, time, h);
     if (record) {
       keeper.Read(m, d);
       run.energy = keeper.book();
@@ -234,6 +236,7 @@ Result<RunOutcome> Simulation::Run(const Progress& progress) {
       break;
     }
   }
+  run.warnings = phs_watch.Warnings();
   const double spent = ThreadSeconds() - begin;
   run.real_time_factor = spent > 0 ? run.end_time_s / spent : 0;
   return run;

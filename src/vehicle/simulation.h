@@ -12,6 +12,7 @@
 #include "plugin/observer.h"
 #include "vehicle/energy_book.h"
 #include "vehicle/engine.h"
+#include "vehicle/phs_watch.h"
 #include "vehicle/scenario.h"
 
 namespace phs::vehicle {
@@ -23,6 +24,7 @@ struct RunOutcome {
   double real_time_factor = 0;  ///< simulated time / processor time of one core, recording included
   long steps = 0;
   EnergyBook energy;
+  std::vector<PhsWarning> warnings;  ///< limits of the hydraulics that were passed
   std::vector<Channel> channels;
   std::vector<std::vector<double>> columns;  ///< [channel][row]
   int Find(const std::string& name) const;

@@ -28,12 +28,18 @@ class Probe {
 
   int size() const { return TangentSize(m_); }
 
-  /// The state after one step from base + `delta`, as difference to base.
+  /// The state after one step from base + `delta`, as difference to base. NaN if MuJoCo found the
+  /// state too bad to go on: it then starts again from its own reset, without a word.
   Eigen::VectorXd Step(const Eigen::VectorXd& delta) {
     mjData* d = data_.get();
+    for (mjWarningStat& warning : d->warning) warning = {};
     SetState(m_, base_, delta, d);
     mj_step(m_, d);
     Eigen::VectorXd out(size());
+    if (!EngineWarning(d).empty()) {
+      out.fill(std::numeric_limits<double>::quiet_NaN());
+      return out;
+    }
     mj_differentiatePos(m_, out.data(), 1.0, base_->qpos, d->qpos);
     mju_sub(out.data() + m_->nv, d->qvel, base_->qvel, m_->nv);
     mju_sub(out.data() + 2 * m_->nv, d->act, base_->act, m_->na);

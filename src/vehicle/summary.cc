@@ -215,6 +215,7 @@ Json Summarise(const Simulation& sim, const RunOutcome& run) {
   summary["real_time_factor"] = run.real_time_factor;
   summary["timestep_s"] = sim.scenario().timestep_s;
   summary["largest_stable_step_s"] = sim.largest_stable_step();
+  summary["warnings"] = WarningsJson(run.warnings);
   if (run.columns.empty() || run.columns[0].empty()) return summary;
   const Window window = SteadyWindow(sim.binding().track(), run);
   summary["steady_curve"] = SteadyCurve(sim, run, window);

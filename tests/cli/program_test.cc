@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
 
+#include "base/result_dir.h"
 #include "tests/base/execute.h"
 #include "tests/base/scratch_dir.h"
 
@@ -15,6 +17,7 @@ namespace phs {
 namespace {
 
 namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
 using testing::HasSubstr;
 
 class ProgramTest : public testing::Test {
@@ -116,6 +119,35 @@ TEST_F(ProgramTest, TheSameInputsGiveTheSameBytes) {
   ASSERT_EQ(ExecutePhs("simulate " + scenario + " --quiet --csv --out " + Path("a")).code, 0);
   ASSERT_EQ(ExecutePhs("simulate " + scenario + " --quiet --csv --out " + Path("b")).code, 0);
   EXPECT_EQ(Execute("cmp " + Path("a/timeseries.csv") + " " + Path("b/timeseries.csv")).code, 0);
+}
+
+TEST_F(ProgramTest, TheHalfStepStandsBesideWhenAsked) {
+  const std::string scenario = Scenario("track: straight\n");
+  const Output verified =
+      ExecutePhs("simulate " + scenario + " --verify --quiet --out " + Path("verified"));
+  ASSERT_EQ(verified.code, 0) << verified.text;
+  EXPECT_THAT(verified.text, HasSubstr("at 1 ms against 0.5 ms step"));
+  EXPECT_THAT(verified.text, HasSubstr("of the largest magnitude in the run"));
+  const auto with = Json::parse(ReadFile(Path("verified/summary.json")).value());
+  ASSERT_EQ(
+      ExecutePhs("simulate " + scenario + " --timestep 0.0005 --quiet --out " + Path("half")).code,
+      0);
+  const auto half = Json::parse(ReadFile(Path("half/summary.json")).value());
+  const Json& change = with["discretisation"]["changes"]["run.T_gamma_total_J"];
+  EXPECT_EQ(change["value"], with["run"]["T_gamma_total_J"]);
+  EXPECT_EQ(change["half_step"], half["run"]["T_gamma_total_J"]);
+  EXPECT_NE(change["value"], change["half_step"]);
+  EXPECT_EQ(with["discretisation"]["timestep_s"], with["timestep_s"]);
+  EXPECT_THAT(ReadFile(Path("verified/report.html")).value(), HasSubstr("What the step changes"));
+  const Output compared =
+      ExecutePhs("compare " + scenario + " --bogies phs,rigid_link --verify --quiet --format json");
+  ASSERT_EQ(compared.code, 0) << compared.text;
+  const auto both = Json::parse(compared.text);
+  EXPECT_EQ(both["bogies"].size(), 2U);
+  EXPECT_TRUE(
+      both["bogies"]["rigid_link"]["discretisation"]["changes"].contains("run.max_sum_Y_N"));
+  EXPECT_TRUE(
+      both["discretisation"]["changes"].contains("phs_over_rigid_link.run.T_gamma_total_J"));
 }
 
 TEST_F(ProgramTest, ContactPlacesAWheelsetOnTrack) {

@@ -4,6 +4,7 @@
      copy      steps a copy of the model, whose original was deleted before
      save      steps the model after mj_saveModel and mj_loadModel
      replace   sets its own mjcb_passive after loading, without calling what it found
+     coarse    steps by 50 ms, far too much
      chain     sets its own mjcb_passive after loading, which calls what it found, loads again
    With a callback of its own it fails if that was not called once per step. */
 #include <mujoco/mujoco.h>
@@ -53,6 +54,8 @@ int main(int argc, char** argv) {
     mj_deleteModel(original);
   } else if (strcmp(manner, "save") == 0) {
     m = saved_and_loaded(m);
+  } else if (strcmp(manner, "coarse") == 0) {
+    m->opt.timestep = 0.05;
   } else if (strcmp(manner, "replace") == 0) {
     mjcb_passive = own_callback;
   } else if (strcmp(manner, "chain") == 0) {

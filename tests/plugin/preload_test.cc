@@ -53,11 +53,20 @@ TEST(PreloadTest, CopiesAndCallbacksOfTheProgramChangeNoBit) {
       std::string(kPreload) + PHS_BINARY_DIR + "/tests/foreign_host " + BogiePath("phs") + " 500";
   const Output plain = Execute(host);
   ASSERT_EQ(plain.code, 0) << plain.text;
-  for (const char* manner : {" copy", " replace", " chain"}) {
+  for (const char* manner : {" copy", " save", " replace", " chain"}) {
     const Output out = Execute(host + manner);
     EXPECT_EQ(out.code, 0) << manner;
     EXPECT_EQ(out.text, plain.text) << manner;
   }
+}
+
+TEST(PreloadTest, ARunThatMuJoCoResetsIsTold) {
+  PHS_SKIP_UNDER_SANITIZERS();
+  const std::string host =
+      std::string(kPreload) + PHS_BINARY_DIR + "/tests/foreign_host " + BogiePath("phs");
+  EXPECT_NE(Execute(host + " 200 coarse").text.find("phs: the run diverged at t = "),
+            std::string::npos);
+  EXPECT_EQ(Execute(host + " 200").text.find("diverged"), std::string::npos);
 }
 
 TEST(PreloadTest, WithoutThePluginTheSameProgramFallsFreely) {

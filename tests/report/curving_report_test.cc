@@ -57,6 +57,38 @@ TEST_F(CurvingReport, ATrackCannotBringAScript) {
   EXPECT_TRUE(Holds(html, "onerror=bad()"));
 }
 
+TEST_F(CurvingReport, SaysWhatTheStepChangesAndWhichLimitsWereTouched) {
+  EXPECT_TRUE(Lacks(Make({}), "What the step changes"));
+  const std::string path = directory_.File("compare.json");
+  auto all = nlohmann::ordered_json::parse(ReadFile(path).value());
+  auto& phs = all["bogies"]["phs"];
+  phs["warnings"] = {{{"name", "low_pressure_L2"}, {"text", "line L2 is nearly empty"}}};
+  phs["run"]["energy_error_relative"] = 4e-3;
+  const auto change = [](double value, double half, double of_scale) {
+    return nlohmann::ordered_json{{"value", value},
+                                  {"half_step", half},
+                                  {"relative", value / half - 1},
+                                  {"of_scale", of_scale}};
+  };
+  phs["discretisation"] = {{"timestep_s", 1e-3},
+                           {"half_step_s", 5e-4},
+                           {"changes",
+                            {{"run.T_gamma_total_J", change(5300, 5000, 0)},
+                             {"steady_curve.lines.L1.pressure_Pa", change(2e6, 2e6, 0)},
+                             {"steady_curve.bending_rad", change(3e-4, 1e-4, 0.045)}}},
+                           {"moving", {"run.T_gamma_total_J", "steady_curve.bending_rad"}}};
+  phs["discretisation"]["changes"]["run.T_gamma_total_J"]["of_scale"] = nullptr;
+  std::ofstream(path) << all.dump(2);
+  const std::string html = Remake();
+  EXPECT_TRUE(Holds(html, "PHS: line L2 is nearly empty."));
+  EXPECT_TRUE(Holds(html, "PHS: 0.40 % of the energy is missing"));
+  EXPECT_TRUE(Holds(html, "PHS: 2 of its numbers move by more than 2 %"));
+  EXPECT_TRUE(Holds(html, "What the step changes"));
+  EXPECT_TRUE(Holds(html, "<td class=\"strong\">6.0</td><td>its own size</td>"));
+  EXPECT_TRUE(Holds(html, "<td class=\"strong\">4.5</td><td>largest magnitude in the run</td>"));
+  EXPECT_TRUE(Lacks(html, "steady_curve.lines.L1.pressure_Pa"));
+}
+
 TEST_F(CurvingReport, SaysWhatSteersAndWhatHoldsBack) {
   const std::string html = Make({});
   EXPECT_TRUE(Holds(html, "it is turned by the creep forces between wheel and rail (7.47 kN m)"));
