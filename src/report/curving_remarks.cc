@@ -33,7 +33,8 @@ void AddChanges(const BogieRun& run, const json& discretisation, ReportPage* pag
                              FormatNumber(1e3 * discretisation.value("timestep_s", 0.0)),
                              FormatNumber(1e3 * discretisation.value("half_step_s", 0.0))),
       .head = {"Number", "Value", "Half step", "Change [%]", "Judged by"}};
-  for (const auto& [name, change] : discretisation.value("changes", json::object()).items()) {
+  const json changes = discretisation.value("changes", json::object());
+  for (const auto& [name, change] : changes.items()) {
     const double judged = Judged(change);
     const bool moves = std::abs(judged) > kMovingShare;
     if (!moves && !IsHeadline(name)) continue;

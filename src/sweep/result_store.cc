@@ -1,12 +1,15 @@
 #include "sweep/result_store.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <sqlite3.h>
+#include <unistd.h>
 
 #include <cerrno>
 #include <cmath>
 #include <memory>
 #include <utility>
+#include <vector>
 
 #include "base/numbers.h"
 #include "base/result_dir.h"
@@ -54,13 +57,30 @@ std::string UnitOf(const std::string& column) {
   return last == "N" || last == "J" || last == "m" || last == "s" || last == "K" ? last : "";
 }
 
+/// What the disk says when a file is written beside `path`: SQLite often has lost the reason.
+int AskDisk(const std::string& path) {
+  const std::string aside = path + ".probe";
+  const int file = open(aside.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
+  if (file < 0) return errno;
+  const std::vector<char> block(1 << 16);
+  const ssize_t written = write(file, block.data(), block.size());
+  int code = written < 0 ? errno : written < static_cast<ssize_t>(block.size()) ? ENOSPC : 0;
+  close(file);
+  unlink(aside.c_str());
+  return code;
+}
+
 /// Why SQLite failed, as the fault of the disk that it mostly is.
 Error FaultOf(sqlite3* db, const std::string& path) {
   const int code = sqlite3_errcode(db) & 0xff;
   const int system = sqlite3_system_errno(db);
   if (code == SQLITE_FULL) return WriteFault(path, ENOSPC);
-  if (code == SQLITE_IOERR || code == SQLITE_CANTOPEN) {
-    return WriteFault(path, system != 0 ? system : EIO);
+  if (code == SQLITE_IOERR || code == SQLITE_CANTOPEN || code == SQLITE_READONLY) {
+    if (system == ENOSPC || system == EDQUOT || system == EFBIG || system == EACCES) {
+      return WriteFault(path, system);
+    }
+    const int told = AskDisk(path);
+    return WriteFault(path, told != 0 ? told : EIO);
   }
   return {path, sqlite3_errmsg(db), "", ""};
 }

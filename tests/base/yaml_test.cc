@@ -108,7 +108,8 @@ TEST(Yaml, MessagesOfNumbers) {
   EXPECT_EQ(ErrorOf("k: [1]\n", number), "x.yaml:1: k: a list is no number; allowed: 0 < x <= 5");
   EXPECT_EQ(ErrorOf("k:\nj: 1\n", number),
             "x.yaml:1: k: nothing is no number; allowed: 0 < x <= 5");
-  EXPECT_EQ(ErrorOf("# c\nj: 1\n", number), "x.yaml:2: k: is missing; allowed: 0 < x <= 5; add it");
+  EXPECT_EQ(ErrorOf("# c\nother: 1\n", number),
+            "x.yaml:2: k: is missing; allowed: 0 < x <= 5; add it");
   EXPECT_EQ(ErrorOf("k: 1.5\n", [](YamlMap& m) { m.Integer("k", 0, 2147483647); }),
             "x.yaml:1: k: 1.5 is no whole number; allowed: whole numbers, 0 <= x <= 2147483647");
 }
@@ -127,7 +128,7 @@ TEST(Yaml, MessagesOfLists) {
             "x.yaml:3: k[2]: -2 is out of range; allowed: x >= 0");
   EXPECT_EQ(ErrorOf("k: 3\n", [](YamlMap& m) { m.Numbers("k", {.max = 9, .open_max = true}); }),
             "x.yaml:1: k: '3' is no list; allowed: a list of numbers, x < 9");
-  EXPECT_EQ(ErrorOf("j: 3\n", [](YamlMap& m) { m.Numbers("k", {}); }),
+  EXPECT_EQ(ErrorOf("other: 3\n", [](YamlMap& m) { m.Numbers("k", {}); }),
             "x.yaml:1: k: is missing; allowed: a list of finite numbers; add it");
   EXPECT_EQ(ErrorOf("k: {}\n", [](YamlMap& m) { m.Texts("k"); }),
             "x.yaml:1: k: a map is no list; allowed: a list of words");
@@ -142,14 +143,14 @@ TEST(Yaml, MessagesOfLists) {
 TEST(Yaml, MessagesOfWords) {
   EXPECT_EQ(ErrorOf("k: [a]\n", [](YamlMap& m) { m.Text("k"); }),
             "x.yaml:1: k: a list is no word; allowed: a word");
-  EXPECT_EQ(ErrorOf("j: a\n", [](YamlMap& m) { m.Text("k"); }),
+  EXPECT_EQ(ErrorOf("other: a\n", [](YamlMap& m) { m.Text("k"); }),
             "x.yaml:1: k: is missing; allowed: a word; add it");
   EXPECT_EQ(ErrorOf("k: polack\n",
                     [](YamlMap& m) {
                       m.Word("k", {"linear", "polach"});
                     }),
             "x.yaml:1: k: 'polack' is unknown; allowed: linear, polach; did you mean 'polach'?");
-  EXPECT_EQ(ErrorOf("j: a\n",
+  EXPECT_EQ(ErrorOf("other: a\n",
                     [](YamlMap& m) {
                       m.Word("k", {"linear", "polach"});
                     }),

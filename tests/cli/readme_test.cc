@@ -29,7 +29,7 @@ std::vector<std::string> CommandsUnder(const std::string& heading) {
       if (inside) break;
       inside = true;
     } else if (inside) {
-      lines.push_back(line);
+      lines.push_back(line.substr(0, line.find("  #")));
     }
   }
   return lines;
@@ -62,7 +62,7 @@ TEST(ReadmeTest, ItsCommandsRunAsWritten) {
 #endif
     if (preload && Execute("command -v mujoco-testspeed").code != 0) continue;
     if (TakesMinutes(commands[i]) && !all) continue;
-    const Output out = Execute("cd " + dir.path() + "; " + commands[0] + "; " + commands[i] + "\n");
+    const Output out = Execute("cd " + dir.path() + "; " + commands[0] + "; " + commands[i]);
     EXPECT_EQ(out.code, 0) << commands[i] << "\n" << out.text;
     if (preload) {
       EXPECT_EQ(out.text.find("cannot be preloaded"), std::string::npos) << out.text;
