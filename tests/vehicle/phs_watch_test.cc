@@ -48,8 +48,17 @@ TEST(PhsWatchTest, EveryLimitIsSeenWhereItIsPassed) {
   const double clearance = binding.phs()[0].system->params().cylinders[0].end_stop.clearance_m;
   std::map<Kind, bool> ever;
   double time = 0;
-  for (double yaw = 0; yaw < 0.06; yaw += 2e-4, time += 0.1) {
-    for (const auto& w : binding.wheelsets()) d->qpos[m->jnt_qposadr[w.yaw_joint]] = yaw;
+  // Yaw raises the lines of the bores, traction those of the rods, which have the accumulators.
+  for (int i = 0; i < 600; ++i, time += 0.1) {
+    const double way = 2e-4 * (i % 300);
+    for (const char* axle : {"lead", "trail"}) {
+      const auto place = [&](const char* what) -> double& {
+        const int joint = mj_name2id(m, mjOBJ_JOINT, (std::string(axle) + what).c_str());
+        return d->qpos[m->jnt_qposadr[joint]];
+      };
+      place("_yaw") = i < 300 ? way : 0;
+      place("_x") = i < 300 ? 0 : way;
+    }
     mj_forward(m, d);
     watch.Check(d, time, 0.1);
     const plugin::PhsState state = binding.CalcPhs(m, d, 0);
@@ -66,7 +75,7 @@ TEST(PhsWatchTest, EveryLimitIsSeenWhereItIsPassed) {
     for (const PhsWarning& w : watch.Warnings()) seen[w.kind] = true;
     for (const auto& [kind, is] : beyond) {
       ever[kind] |= is;
-      EXPECT_EQ(seen[kind], ever[kind]) << static_cast<int>(kind) << " at yaw " << yaw;
+      EXPECT_EQ(seen[kind], ever[kind]) << static_cast<int>(kind) << " at " << way;
     }
   }
   std::map<Kind, int> count;
@@ -75,7 +84,7 @@ TEST(PhsWatchTest, EveryLimitIsSeenWhereItIsPassed) {
     EXPECT_GT(w.first_time_s, 0);
     EXPECT_GE(w.worst_time_s, w.first_time_s);
     EXPECT_GT(w.Excess(w.worst), 0);
-    EXPECT_NEAR(w.duration_s, time - w.first_time_s, 0.15);
+    EXPECT_GT(w.duration_s, 0);
   }
   EXPECT_EQ(count[Kind::kEndStop], 4);
   EXPECT_EQ(count[Kind::kCylinderForce], 4);
