@@ -7,9 +7,6 @@
 namespace phs::rail {
 namespace {
 
-///< of the table for the samples [m]
-/// A hump between samples rises above them by less than B step^2/4; B = 1/(12 mm) at most.
-constexpr double kNear = 0.1e-3;
 /// Humps whose ridge is this near to the shallower one are one hump.
 constexpr double kSameHump = 0.98;
 constexpr int kMaxRidges = 12;
@@ -23,11 +20,12 @@ double SmoothStep(double x) {
 
 }  // namespace
 
-double ContactSearch::DeepestNear(const Axle& axle, double low, double high) const noexcept {
+double ContactSearch::DeepestNear(const Axle& axle, double low, double high,
+                                  double sign) const noexcept {
   // The slopes of wheel and rail agree: false position that does not get stuck (Illinois).
   const auto difference = [&](double at) {
     const Locus l = LocusAt(axle, at);
-    return l.slope - l.rail_slope;  // > 0: deeper further out
+    return sign * (l.slope - l.rail_slope);  // > 0: deeper further out
   };
   double f_low = difference(low);
   double f_high = difference(high);
@@ -65,7 +63,7 @@ void ContactSearch::FindHumps(const Axle& axle, const Samples& s, Humps* humps) 
     }
     // A hump between samples: this one is nearest and does not quite touch.
     const bool inside = i > s.first && i < s.last;
-    if (!inside || s.depth[i] < -kNear || s.depth[i - 1] > s.depth[i] ||
+    if (!inside || s.depth[i] < -std::max(margin_[static_cast<size_t>(i - 1)], margin_[static_cast<size_t>(i)]) || s.depth[i - 1] > s.depth[i] ||
         s.depth[i + 1] >= s.depth[i]) {
       continue;
     }
@@ -76,7 +74,7 @@ void ContactSearch::FindHumps(const Axle& axle, const Samples& s, Humps* humps) 
     h.begin = EdgeBetween(axle, middle, WheelY(i - 1), 0.5 * (middle + WheelY(i - 1)));
     h.end = EdgeBetween(axle, middle, WheelY(i + 1), 0.5 * (middle + WheelY(i + 1)));
     h.depth = l.overlap;
-    h.merge_next = 0;
+    h.next = 0;
     h.at_end = false;
   }
 }
@@ -85,7 +83,7 @@ void ContactSearch::SplitRun(const Axle& axle, const Samples& s, int begin, int 
                              Humps* humps) const noexcept {
   // Ridges: local minima of the depth inside the run, with m of the humps beside them.
   struct Ridge {
-    int sample;
+    int at;
     double merge;
   };
   Ridge ridge[kMaxRidges];
@@ -102,11 +100,11 @@ void ContactSearch::SplitRun(const Axle& axle, const Samples& s, int begin, int 
   for (;;) {
     int weakest = -1;
     for (int k = 0; k < ridges; ++k) {
-      const int left = k == 0 ? begin : ridge[k - 1].sample;
-      const int right = k + 1 == ridges ? end : ridge[k + 1].sample;
+      const int left = k == 0 ? begin : ridge[k - 1].at;
+      const int right = k + 1 == ridges ? end : ridge[k + 1].at;
       const double shallower =
-          std::min(greatest(left, ridge[k].sample), greatest(ridge[k].sample, right));
-      ridge[k].merge = s.depth[ridge[k].sample] / shallower;
+          std::min(greatest(left, ridge[k].at), greatest(ridge[k].at, right));
+      ridge[k].merge = s.depth[ridge[k].at] / shallower;
       if (weakest < 0 || ridge[k].merge > ridge[weakest].merge) weakest = k;
     }
     const bool room = humps->count + ridges + 1 <= kMaxHumps;
@@ -120,19 +118,104 @@ void ContactSearch::SplitRun(const Axle& axle, const Samples& s, int begin, int 
   for (int k = 0; k <= ridges; ++k) {
     Hump& h = humps->hump[humps->count++];
     h.begin = from;
-    h.merge_next = 0;
+    h.next = 0;
     h.at_end = (k == 0 && open_begin) || (k == ridges && open_end);
     if (k == ridges) {
       h.end = open_end ? WheelY(end) : EdgeOfRun(axle, s, end, end + 1);
-    } else {
-      const int i = ridge[k].sample;
-      const double rise = s.depth[i + 1] - s.depth[i - 1];
-      const double bend = s.depth[i + 1] + s.depth[i - 1] - 2 * s.depth[i];
-      h.end = WheelY(i) - 0.5 * step_ * std::clamp(rise / bend, -1.0, 1.0);
-      h.merge_next = SmoothStep(ridge[k].merge / kSameHump);
+      continue;
     }
-    from = h.end;
+    const int i = ridge[k].at;
+    const double before = WheelY(i - 1);
+    const double after = WheelY(i + 1);
+    const double lowest = DeepestNear(axle, before, after, -1);
+    h.next = ridge[k].merge;
+    h.end = from = lowest;
+    if (LocusAt(axle, lowest).overlap > 0) continue;
+    // The samples stand on both sides of a gap.
+    h.next = 0;
+    h.end = EdgeBetween(axle, before, lowest, 0.5 * (before + lowest));
+    from = EdgeBetween(axle, after, lowest, 0.5 * (after + lowest));
   }
+}
+
+void ContactSearch::FindPatches(const Axle& axle, const Humps& humps, const StripLoads& s,
+                                Patches* patches) const noexcept {
+  const auto continues = [&](int i) {
+    const int hump = i / kStripsPerHump;
+    const bool last = (i + 1) % kStripsPerHump == 0;
+    return i + 1 < s.count && s.force[i + 1] > 0 && (!last || humps.hump[hump].next > 0);
+  };
+  for (int i = 0; i < s.count; ++i) {
+    if (!(s.force[i] > 0)) continue;
+    if (patches->count == kMaxHumps) {  // far beyond any load: the rest goes with the last
+      patches->patch[kMaxHumps - 1].Add(MomentsOf(axle, s, i), 1);
+      continue;
+    }
+    int end = i;
+    while (continues(end)) ++end;
+    const int first = patches->count;
+    SplitLoad(axle, s, i, end, patches);
+    patches->at_end[first] = patches->at_end[first] || humps.hump[i / kStripsPerHump].at_end;
+    patches->at_end[patches->count - 1] = humps.hump[end / kStripsPerHump].at_end;
+    i = end;
+  }
+}
+
+void ContactSearch::SplitLoad(const Axle& axle, const StripLoads& s, int begin, int end,
+                              Patches* patches) const noexcept {
+  // Ridges: local minima of the load per width inside the run, with m of the humps beside them.
+  struct Ridge {
+    int at;
+    double merge;
+  };
+  Ridge ridge[kMaxRidges];
+  int ridges = 0;
+  double load[kMaxStrips];
+  for (int i = begin; i <= end; ++i) load[i] = s.force[i] / s.width[i];
+  const auto greatest = [&](int from, int to) {
+    double most = 0;
+    for (int i = from; i <= to; ++i) most = std::max(most, load[i]);
+    return most;
+  };
+  for (int i = begin + 1; i < end && ridges < kMaxRidges; ++i) {
+    if (load[i] <= load[i - 1] && load[i] < load[i + 1]) ridge[ridges++] = {i, 0};
+  }
+  // Take out the ridge that separates least until the rest are true and few enough.
+  for (;;) {
+    int weakest = -1;
+    for (int k = 0; k < ridges; ++k) {
+      const int left = k == 0 ? begin : ridge[k - 1].at;
+      const int right = k + 1 == ridges ? end : ridge[k + 1].at;
+      const double smaller = std::min(greatest(left, ridge[k].at), greatest(ridge[k].at, right));
+      ridge[k].merge = load[ridge[k].at] / smaller;
+      if (weakest < 0 || ridge[k].merge > ridge[weakest].merge) weakest = k;
+    }
+    const bool room = patches->count + ridges + 1 <= kMaxHumps;
+    if (weakest < 0 || (room && ridge[weakest].merge < kSameHump)) break;
+    for (int k = weakest; k + 1 < ridges; ++k) ridge[k] = ridge[k + 1];
+    --ridges;
+  }
+  // A ridge's strip is shared at the lowest point of the parabola through its neighbours.
+  int k = 0;
+  patches->merge_next[patches->count] = 0;
+  patches->at_end[patches->count] = false;
+  for (int i = begin; i <= end; ++i) {
+    const Moments m = MomentsOf(axle, s, i);
+    Moments* patch = &patches->patch[patches->count];
+    if (k == ridges || i != ridge[k].at) {
+      patch->Add(m, 1);
+      continue;
+    }
+    const double rise = load[i + 1] - load[i - 1];
+    const double bend = load[i + 1] + load[i - 1] - 2 * load[i];
+    const double share = 0.5 - 0.5 * std::clamp(rise / bend, -1.0, 1.0);
+    patch->Add(m, share);
+    patches->merge_next[patches->count++] = SmoothStep(ridge[k++].merge / kSameHump);
+    patches->patch[patches->count].Add(m, 1 - share);
+    patches->merge_next[patches->count] = 0;
+    patches->at_end[patches->count] = false;
+  }
+  ++patches->count;
 }
 
 void ContactSearch::FindPoints(const WheelPlacement& wheel, double rail_y, double rail_z,
@@ -157,7 +240,7 @@ void ContactSearch::FindPoints(const WheelPlacement& wheel, double rail_y, doubl
     p.depth = l.overlap / std::sqrt(1 + l.rail_slope * l.rail_slope);
     p.radius = radius_ + wheel_.At(at).z;
     p.across = kUsual;
-    const double push = bed_.At(l.y) * 4.0 / 3 * p.depth * std::sqrt(p.depth / p.across);
+    const double push = usual_ * p.depth * std::sqrt(p.depth);
     p.push = {0, -push * p.slope, push};
     p.weight = 1;
   }

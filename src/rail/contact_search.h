@@ -9,31 +9,25 @@
 //   q = sqrt(1 - e_x^2),  alpha = -t e_x^2/q,  beta = sqrt(1 - t^2 e_x^2/q^2)
 // and the locus has the slope m = dz/dy = -n_y/n_z of the surface normal n = u - t e there.
 //
-// Overlap h(y) = z_locus - z_rail(y) > 0. A patch is an interval of overlap. It acts as a bed of
-// springs along the rail's normal, with a modulus K(y) that belongs to the rail's surface; with c
-// the cosine of the rail's slope, the arc length ds = dy/c and the normal depth g = h c
-//   stored energy  U = 1/2 int K g^2 ds = 1/2 int K h^2 c dy,
-//   wrench = grad U: strips K h c dy (0, -m, 1) at their own points of the locus.
-// So the wrench is smooth in the wheelset's position, no cycle gives energy, more depth is more
-// force, and no strip does work on the spin of the axle nor on rolling ahead (m is the wheel's own
-// slope there).
+// Overlap h = z_locus - z_rail(y) > 0 of every strip of the wheel's surface, normal depth g = h
+// cos(wheel's slope). What the strips carry comes from an energy U(g) of one half-space under all of
+// them (contact_strips.h). A strip's force f = dU/dg acts at its own point of the locus along the
+// wheel's normal (0, -m, 1). So the wrench is smooth in the wheelset's position, no cycle gives
+// energy, more depth is more force, and no strip does work on the spin of the axle nor on rolling
+// ahead.
 //
-// K(y) makes the force Hertz's (contact_bed.h).
+// A patch is a run of strips that carry load. The ellipse of creep forces and pressure has its load,
+// the half-width b = sqrt(5 variance) of its load across, exact for an ellipse, and the curvature A.
 //
-// The ellipse of creep forces and pressure follows from the load and from the curvature of the
-// overlap as it is: J = int g^2 ds, S = int g (dg/ds)^2 ds, depth = 5 J/(4 I), B = S/J, exact for a
-// parabola.
-//
-// Patches that grow together. Two humps of depths d1, d2 with a ridge of depth r > 0 between them
-// are counted as separate with weight 1 - m and as one with weight m, m = smoothstep(r/min(d1,
-// d2)): from 0 where their overlaps touch to 1 where the shallower hump vanishes. So neither event
-// makes a jump.
+// Patches that grow together. Two humps of load with a ridge r between them are counted as separate
+// with weight 1 - m and as one with weight m, m = smoothstep(r/smaller peak): from 0 where they
+// touch to 1 where the smaller hump vanishes. So neither event makes a jump.
 #pragma once
 
 #include <array>
 #include <vector>
 
-#include "rail/contact_bed.h"
+#include "rail/contact_strips.h"
 #include "rail/frames.h"
 #include "rail/hertz.h"
 #include "rail/profile.h"
@@ -56,8 +50,8 @@ struct Overlap {
   double y = 0, z = 0;  ///< of the wheel surface there, relative to the rail's origin [m]
   Vec3 arm{};           ///< of the wheel surface from the wheelset centre, C axes [m]
   double slope = 0;     ///< dz/dy across the resultant of the surface normals
-  double depth = 0;     ///< of the equivalent parabola, normal [m]
-  double across = 0;    ///< B: half the relative curvature across the rolling direction [1/m]
+  double depth = 0;     ///< approach of a Hertz contact of the same force and energy [m]
+  double across = 0;    ///< B: half the relative curvature across, of Hertz's ellipse [1/m]
   Vec3 push{};          ///< sum of the strips' forces into the rail [N]
   Vec3 turn{};          ///< their moment about the wheelset's centre [N m]
   double energy = 0;    ///< U [J]
@@ -95,8 +89,6 @@ class ContactSearch {
  private:
   static constexpr int kMaxSamples = 256;
   static constexpr int kMaxHumps = 3;
-  static constexpr int kNodes = 16;
-
   struct Axle {
     double ex, ey, ez;
     double side;              ///< e_x/q
@@ -106,48 +98,66 @@ class ContactSearch {
   };
   /// A point of the locus with the overlap there.
   struct Locus {
-    double y, z;
-    double slope;  ///< of the wheel
+    double x, y, z;  ///< x from the wheelset's centre, y and z from the rail's origin
+    double slope;    ///< of the wheel
     double rail_slope;
     double overlap;  ///< h
+    double radius, wheel_slope;  ///< R and t of the profile
     double stretch;  ///< dy / d wheel_y
   };
   /// Hump of overlap between two ends [m on the wheel profile].
   struct Hump {
     double begin, end;
     double depth;       ///< greatest sampled normal depth
-    double merge_next;  ///< m with the next hump
+    double next;        ///< ridge to the next hump over the smaller of both, 0 = none
     bool at_end;
   };
   struct Humps {
     int count = 0;
     Hump hump[kMaxHumps];
   };
-  /// Integrals over a hump, additive.
+  /// Sums over strips, additive.
   struct Moments {
-    double i = 0, square = 0, bend = 0;  ///< I, J, S
     double load = 0, wheel = 0, energy = 0;
+    double crowd = 0;  ///< int q^5 ds of the load per width q
     double push_y = 0, push_z = 0, turn_x = 0, turn_y = 0, turn_z = 0;
-    void Add(const Moments& m);
+    void Add(const Moments& m, double share);
+  };
+  /// Patches of load, with m of each with the next.
+  struct Patches {
+    int count = 0;
+    Moments patch[kMaxHumps];
+    double merge_next[kMaxHumps];
+    bool at_end[kMaxHumps];
   };
   struct Samples {
     int first, last;
     double depth[kMaxSamples];  ///< h times the cosine of the wheel's slope: normal depth
   };
 
+  void MeasureMargins();
   Axle PlaceAxle(const WheelPlacement& wheel, double rail_y, double rail_z) const noexcept;
   Locus LocusAt(const Axle& axle, double wheel_y) const noexcept;
+  double OverlapAt(const Axle& axle, double wheel_y) const noexcept;
   void Sample(const Axle& axle, Samples* samples) const noexcept;
   /// Where the overlap ends between `inside` (h >= 0) and `outside` (h <= 0).
   /// starting from `at`.
   double EdgeBetween(const Axle& axle, double inside, double outside, double at) const noexcept;
   /// Edge of a run next to `sample` on the side of `next` = sample +- 1.
   double EdgeOfRun(const Axle& axle, const Samples& samples, int sample, int next) const noexcept;
-  double DeepestNear(const Axle& axle, double low, double high) const noexcept;
+  /// Where the overlap is greatest (sign 1) or least (-1) between two places.
+  double DeepestNear(const Axle& axle, double low, double high, double sign = 1) const noexcept;
   void FindHumps(const Axle& axle, const Samples& samples, Humps* humps) const noexcept;
   void SplitRun(const Axle& axle, const Samples& samples, int begin, int end,
                 Humps* humps) const noexcept;
-  Moments Integrate(const Axle& axle, const Hump& hump) const noexcept;
+  void AddStrips(const Axle& axle, const Hump& hump, StripLoads* strips) const noexcept;
+  /// Presses the humps and adds their patches with `weight`.
+  void Press(const Axle& axle, const Humps& humps, double weight, Overlaps* found) const noexcept;
+  Moments MomentsOf(const Axle& axle, const StripLoads& strips, int i) const noexcept;
+  void FindPatches(const Axle& axle, const Humps& humps, const StripLoads& strips,
+                   Patches* patches) const noexcept;
+  void SplitLoad(const Axle& axle, const StripLoads& strips, int begin, int end,
+                 Patches* patches) const noexcept;
   void Describe(const Axle& axle, const Moments& moments, Overlap* patch) const noexcept;
   double WheelY(int sample) const { return begin_ + step_ * sample; }
 
@@ -155,12 +165,15 @@ class ContactSearch {
   Profile rail_;
   double half_tape_;
   double radius_;
-  ContactBed bed_;
+  Hertz hertz_;
+  ContactStrips strips_;
+  double usual_;  ///< force of a usual contact over depth^1.5 [N/m^1.5]
   double begin_;  ///< first sampled wheel position [m]
   double step_;
   int samples_;
   /// [sample] of the wheel: R, R t, R t^2/2, cosine of the slope.
   std::vector<double> radius_at_, radius_slope_, radius_square_, cosine_at_;
+  std::vector<double> margin_;  ///< [sample] what a hump before the next may rise above both [m]
   double rail_begin_, rail_per_step_;
   std::vector<double> rail_z_;  ///< fine equidistant table for the samples
 };

@@ -58,10 +58,35 @@ Hertz::Hertz(double shear_modulus_Pa, double poisson_ratio)
     const EllipticIntegrals at = CalcElliptic(g);
     table_.push_back({g, 1 - at.difference, at.k * (1 - at.difference)});
   }
+  TabulateWidths();
 }
 
-double Hertz::BedModulus(double along, double across) const noexcept {
-  return 0.75 * std::sqrt(across) * AtApproach(1, along, across).normal;
+void Hertz::TabulateWidths() {
+  const auto width = [&](double log_ratio) {
+    const Shape s = ShapeAt(log_ratio);
+    const double cube = 1.5 / std::numbers::pi * s.e / (1 + std::exp(log_ratio));
+    return std::log(log_ratio >= 0 ? cube * s.g : cube / (s.g * s.g));
+  };
+  width_begin_ = width(kMaxLogRatio);
+  const double step = (width(-kMaxLogRatio) - width_begin_) / kIntervals;
+  width_per_step_ = 1 / step;
+  for (int i = 0; i <= kIntervals; ++i) {
+    double low = -kMaxLogRatio;
+    double high = kMaxLogRatio;
+    for (int k = 0; k < 50; ++k) {
+      const double middle = 0.5 * (low + high);
+      (width(middle) > width_begin_ + i * step ? low : high) = middle;
+    }
+    of_width_.push_back(0.5 * (low + high));
+  }
+}
+
+double Hertz::AcrossOfWidth(double normal, double along, double b) const noexcept {
+  const double log_width = std::log(b * b * b * modulus_ * along / normal);
+  const double place = std::clamp((log_width - width_begin_) * width_per_step_, 0.0, kIntervals - 1e-9);
+  const auto i = static_cast<size_t>(place);
+  const double t = place - static_cast<double>(i);
+  return along * std::exp(of_width_[i] + t * (of_width_[i + 1] - of_width_[i]));
 }
 
 Hertz::Shape Hertz::ShapeAt(double log_ratio) const noexcept {

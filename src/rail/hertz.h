@@ -29,9 +29,9 @@ class Hertz {
   HertzContact AtApproach(double approach, double along, double across) const noexcept;
   /// Contact under a load >= 0 [N].
   HertzContact UnderLoad(double normal, double along, double across) const noexcept;
-  /// Bed of springs with Hertz's force, N = K I, on the area I = 4/3 approach^1.5/sqrt(B) by which
-  /// the parabolas overlap across. K depends on E* and B/A alone [Pa].
-  double BedModulus(double along, double across) const noexcept;
+  /// Curvature B across of the contact under a load > 0 that has the semi-axis b > 0 across [1/m].
+  double AcrossOfWidth(double normal, double along, double b) const noexcept;
+  double modulus() const { return modulus_; }  ///< E* [Pa]
   /// Approach under a load [m].
   double ApproachUnder(double normal, double along, double across) const noexcept;
 
@@ -42,8 +42,11 @@ class Hertz {
     double e = 1;         ///< E
   };
   Shape ShapeAt(double log_ratio) const noexcept;
+  void TabulateWidths();
   double modulus_;  ///< E* [Pa]
   std::vector<Shape> table_;
+  double width_begin_, width_per_step_;
+  std::vector<double> of_width_;  ///< ln(B/A) over ln(b^3 E* A/N)
 };
 
 }  // namespace phs::rail
