@@ -63,8 +63,10 @@ void ContactSearch::FindHumps(const Axle& axle, const Samples& s, Humps* humps) 
     }
     // A hump between samples: this one is nearest and does not quite touch.
     const bool inside = i > s.first && i < s.last;
-    if (!inside || s.depth[i] < -std::max(margin_[static_cast<size_t>(i - 1)], margin_[static_cast<size_t>(i)]) || s.depth[i - 1] > s.depth[i] ||
-        s.depth[i + 1] >= s.depth[i]) {
+    if (!inside ||
+        s.depth[i] <
+            -std::max(margin_[static_cast<size_t>(i - 1)], margin_[static_cast<size_t>(i)]) ||
+        s.depth[i - 1] > s.depth[i] || s.depth[i + 1] >= s.depth[i]) {
       continue;
     }
     const double middle = DeepestNear(axle, WheelY(i - 1), WheelY(i + 1));
@@ -102,8 +104,7 @@ void ContactSearch::SplitRun(const Axle& axle, const Samples& s, int begin, int 
     for (int k = 0; k < ridges; ++k) {
       const int left = k == 0 ? begin : ridge[k - 1].at;
       const int right = k + 1 == ridges ? end : ridge[k + 1].at;
-      const double shallower =
-          std::min(greatest(left, ridge[k].at), greatest(ridge[k].at, right));
+      const double shallower = std::min(greatest(left, ridge[k].at), greatest(ridge[k].at, right));
       ridge[k].merge = s.depth[ridge[k].at] / shallower;
       if (weakest < 0 || ridge[k].merge > ridge[weakest].merge) weakest = k;
     }

@@ -8,13 +8,13 @@ namespace {
 
 constexpr double kWheelStep = 1.2e-3;  ///< of the samples [m]
 constexpr double kRailStep = 0.125e-3;
-constexpr double kBeyond = 2;    ///< samples beyond the ends of the rail
-constexpr double kEnd = 0.5e-3;  ///< contact this near to an end is at the end [m]
-constexpr int kPieces = 8;            ///< of a hump's overlap, as a polyline
-constexpr double kEdge = 1e-5;        ///< the strips feel hardly anything of the edge [m]
+constexpr double kBeyond = 2;       ///< samples beyond the ends of the rail
+constexpr double kEnd = 0.5e-3;     ///< contact this near to an end is at the end [m]
+constexpr int kPieces = 8;          ///< of a hump's overlap, as a polyline
+constexpr double kEdge = 1e-5;      ///< the strips feel hardly anything of the edge [m]
 constexpr double kSlack = 0.03e-3;  ///< [m]
-constexpr double kAlmost = 1e-6;     ///< gap where samples are looked at again [m]
-constexpr double kUsual = 3;     ///< relative curvature across of a first guess [1/m]
+constexpr double kAlmost = 1e-6;    ///< gap where samples are looked at again [m]
+constexpr double kUsual = 3;        ///< relative curvature across of a first guess [1/m]
 constexpr double kMostRoll = 0.06;  ///< and other differences of slope at a contact [rad]
 /// b of a parabola by the fifth power of its load; the strips spread an ellipse by 3 %.
 constexpr double kPeak = 0.97 * 0.64708;
@@ -238,8 +238,8 @@ void ContactSearch::AddStrips(const Axle& axle, const Hump& hump,
     const double rise = depth[piece + 1] - depth[piece];
     const double root = std::sqrt(std::max(0.0, depth[piece] * depth[piece] + 2 * rise * rest));
     const double part = 2 * rest / std::max(depth[piece] + root, 1e-30);
-    const double to = k == kStripsPerHump ? hump.end
-                                          : hump.begin + step * (piece + std::min(part, 1.0));
+    const double to =
+        k == kStripsPerHump ? hump.end : hump.begin + step * (piece + std::min(part, 1.0));
     const double width = to - from;
     const double at = 0.5 * (from + to);
     const Locus l = LocusAt(axle, at);

@@ -10,14 +10,15 @@
 // and the locus has the slope m = dz/dy = -n_y/n_z of the surface normal n = u - t e there.
 //
 // Overlap h = z_locus - z_rail(y) > 0 of every strip of the wheel's surface, normal depth g = h
-// cos(wheel's slope). What the strips carry comes from an energy U(g) of one half-space under all of
-// them (contact_strips.h). A strip's force f = dU/dg acts at its own point of the locus along the
-// wheel's normal (0, -m, 1). So the wrench is smooth in the wheelset's position, no cycle gives
+// cos(wheel's slope). What the strips carry comes from an energy U(g) of one half-space under all
+// of them (contact_strips.h). A strip's force f = dU/dg acts at its own point of the locus along
+// the wheel's normal (0, -m, 1). So the wrench is smooth in the wheelset's position, no cycle gives
 // energy, more depth is more force, and no strip does work on the spin of the axle nor on rolling
 // ahead.
 //
-// A patch is a run of strips that carry load. The ellipse of creep forces and pressure has its load,
-// the half-width b = sqrt(5 variance) of its load across, exact for an ellipse, and the curvature A.
+// A patch is a run of strips that carry load. The ellipse of creep forces and pressure has its
+// load, the half-width b = sqrt(5 variance) of its load across, exact for an ellipse, and the
+// curvature A.
 //
 // Patches that grow together. Two humps of load with a ridge r between them are counted as separate
 // with weight 1 - m and as one with weight m, m = smoothstep(r/smaller peak): from 0 where they
@@ -101,15 +102,15 @@ class ContactSearch {
     double x, y, z;  ///< x from the wheelset's centre, y and z from the rail's origin
     double slope;    ///< of the wheel
     double rail_slope;
-    double overlap;  ///< h
+    double overlap;              ///< h
     double radius, wheel_slope;  ///< R and t of the profile
-    double stretch;  ///< dy / d wheel_y
+    double stretch;              ///< dy / d wheel_y
   };
   /// Hump of overlap between two ends [m on the wheel profile].
   struct Hump {
     double begin, end;
-    double depth;       ///< greatest sampled normal depth
-    double next;        ///< ridge to the next hump over the smaller of both, 0 = none
+    double depth;  ///< greatest sampled normal depth
+    double next;   ///< ridge to the next hump over the smaller of both, 0 = none
     bool at_end;
   };
   struct Humps {

@@ -7,14 +7,14 @@
 namespace phs::rail {
 namespace {
 
-constexpr double kStep = 0.25e-3;      ///< of the table [m]
-constexpr double kHalfPatch = 3e-3;    ///< over which curvature is felt, arc length [m]
-constexpr double kFlattest = 0.05;     ///< conformal regions [1/m]
-constexpr double kOwn = 0.21;          ///< l of wide patches
+constexpr double kStep = 0.25e-3;    ///< of the table [m]
+constexpr double kHalfPatch = 3e-3;  ///< over which curvature is felt, arc length [m]
+constexpr double kFlattest = 0.05;   ///< conformal regions [1/m]
+constexpr double kOwn = 0.21;        ///< l of wide patches
 constexpr double kNarrow = 500;
-constexpr double kShare = 0.0843;      ///< s of narrow patches
+constexpr double kShare = 0.0843;  ///< s of narrow patches
 constexpr double kPartnerStep = 0.1e-3;
-constexpr double kThinnest = 1e-12;    ///< overlap [m]
+constexpr double kThinnest = 1e-12;  ///< overlap [m]
 constexpr int kRounds = 12;
 
 /// Where the wheel falls most steeply inwards.
@@ -61,8 +61,7 @@ ContactStrips::ContactStrips(const Profile& wheel, const Profile& rail, double r
     const double across =
         std::max(kFlattest, 0.5 * (MeanCurvature(rail, partner) - MeanCurvature(wheel, y)));
     const double ratio = across * 2 * (radius + wheel.At(y).z) * stretch;
-    table_.push_back(
-        {arc, kOwn / (1 + ratio / kNarrow), kShare * (ratio + 0.15) / (ratio + 0.23)});
+    table_.push_back({arc, kOwn / (1 + ratio / kNarrow), kShare * (ratio + 0.15) / (ratio + 0.23)});
     arc += stretch / per_step_;
   }
 }
@@ -167,7 +166,8 @@ void ContactStrips::Press(StripLoads* loads) const noexcept {
     double fall = 0.5 * c.fall[i][i] * x[i];
     for (int j = 0; j < i; ++j) fall += c.fall[i][j] * x[j];
     for (int j = i + 1; j < s.count; ++j) fall += c.fall[j][i] * x[j];
-    s.force[i] = modulus_ * x[i] * (1 + fall * c.level[i] / (2 * std::max(s.overlap[i], kThinnest)));
+    s.force[i] =
+        modulus_ * x[i] * (1 + fall * c.level[i] / (2 * std::max(s.overlap[i], kThinnest)));
   }
 }
 

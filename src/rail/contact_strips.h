@@ -38,9 +38,9 @@ struct StripLoads {
   double x[kMaxStrips];        ///< of the point of contact, from the wheelset's centre [m]
   double y[kMaxStrips];        ///< from the rail's origin [m]
   double z[kMaxStrips];
-  double slope[kMaxStrips];  ///< dz/dy of the placed wheel there
-  double force[kMaxStrips];    ///< f >= 0 [N]
-  double energy[kMaxStrips];   ///< the strip's part of U [J]
+  double slope[kMaxStrips];   ///< dz/dy of the placed wheel there
+  double force[kMaxStrips];   ///< f >= 0 [N]
+  double energy[kMaxStrips];  ///< the strip's part of U [J]
 };
 
 class ContactStrips {

@@ -83,7 +83,8 @@ void Hertz::TabulateWidths() {
 
 double Hertz::AcrossOfWidth(double normal, double along, double b) const noexcept {
   const double log_width = std::log(b * b * b * modulus_ * along / normal);
-  const double place = std::clamp((log_width - width_begin_) * width_per_step_, 0.0, kIntervals - 1e-9);
+  const double place =
+      std::clamp((log_width - width_begin_) * width_per_step_, 0.0, kIntervals - 1e-9);
   const auto i = static_cast<size_t>(place);
   const double t = place - static_cast<double>(i);
   return along * std::exp(of_width_[i] + t * (of_width_[i + 1] - of_width_[i]));
