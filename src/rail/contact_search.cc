@@ -112,14 +112,18 @@ ContactSearch::Axle ContactSearch::PlaceAxle(const WheelPlacement& wheel, double
   return a;
 }
 
-double ContactSearch::OverlapAt(const Axle& a, double wheel_y) const noexcept {
+double ContactSearch::RoughOverlapAt(const Axle& a, double wheel_y) const noexcept {
   const Profile::Sample s = wheel_.At(wheel_y);
-  const double radius = radius_ + s.z;
   const double along = half_tape_ + wheel_y;
-  const double beta = RootOfRest(s.slope * s.slope * a.side * a.side);
+  const double square = s.slope * s.slope * a.side * a.side;
+  const double beta = 1 - square * (0.5 + 0.125 * square);
+  const double radius = radius_ + s.z;
   const double y = a.y + a.ey * along + radius * (beta * a.beta_y - s.slope * a.alpha_y);
   const double z = a.z + a.ez * along + radius * (beta * a.beta_z - s.slope * a.alpha_z);
-  return z - rail_.At(y).z;
+  const double place = (y - rail_begin_) * rail_per_step_;
+  const double rail_end = static_cast<double>(rail_z_.size() - 2);
+  const auto k = static_cast<size_t>(std::min(std::max(place, 0.0), rail_end));
+  return z - rail_z_[k] - (place - static_cast<double>(k)) * (rail_z_[k + 1] - rail_z_[k]);
 }
 
 ContactSearch::Locus ContactSearch::LocusAt(const Axle& a, double wheel_y) const noexcept {
@@ -226,7 +230,7 @@ void ContactSearch::AddStrips(const Axle& axle, const Hump& hump,
   double area[kPieces + 1];
   area[0] = 0;
   for (int k = 0; k <= kPieces; ++k) {
-    depth[k] = std::max(0.0, OverlapAt(axle, hump.begin + k * step));
+    depth[k] = std::max(0.0, RoughOverlapAt(axle, hump.begin + k * step));
     if (k > 0) area[k] = area[k - 1] + 0.5 * (depth[k - 1] + depth[k]);
   }
   const double share = area[kPieces] / kStripsPerHump;

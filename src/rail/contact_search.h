@@ -139,7 +139,8 @@ class ContactSearch {
   void MeasureMargins();
   Axle PlaceAxle(const WheelPlacement& wheel, double rail_y, double rail_z) const noexcept;
   Locus LocusAt(const Axle& axle, double wheel_y) const noexcept;
-  double OverlapAt(const Axle& axle, double wheel_y) const noexcept;
+  /// h with the rail as the polyline of the samples.
+  double RoughOverlapAt(const Axle& axle, double wheel_y) const noexcept;
   void Sample(const Axle& axle, Samples* samples) const noexcept;
   /// Where the overlap ends between `inside` (h >= 0) and `outside` (h <= 0).
   /// starting from `at`.
