@@ -92,7 +92,7 @@ void Binding::AddCylinderForces(const mjModel* m, mjData* d, const double* speed
     hydraulics::PhsOutputs out{force,      scratch[0], scratch[1], scratch[2],
                                scratch[3], scratch[4], slope,      pressure};
     if (!slopes) out.damping = nullptr;  // the second round has a secant
-    out.energy = !slopes;  // of the last round alone
+    out.energy = !slopes;                // of the last round alone
     p.system->Calc(d->time, x, v, user + p.states_at, &out);
     // MuJoCo's actuator force pushes the ends apart, ours pulls them together.
     for (int i = 0; i < num_cylinders; ++i) {

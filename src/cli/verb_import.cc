@@ -62,8 +62,8 @@ int RunImport(const ImportOptions& options) {
                urdf.value().links.size(), mapping.value().axles.size(),
                mapping.value().cylinders.size(), mapping.value().track);
     const bool usual = mapping.value().track == "straight";
-    fmt::print("next: phs {}{}{}\n", usual ? "compare curve_r550 --bogies " : "modes --bogie ", made,
-               usual ? ",rigid_link" : "");
+    fmt::print("next: phs {}{}{}\n", usual ? "compare curve_r550 --bogies " : "modes --bogie ",
+               made, usual ? ",rigid_link" : "");
   }
   return kDone;
 }

@@ -162,8 +162,7 @@ FrictionForce Friction::Calc(double v, double z, const FrictionPlace& place) con
 
 double Friction::Damping(double v, double z, const FrictionPlace& place) const {
   const double faster = v + std::copysign(1e-7 + 1e-4 * std::abs(v), v);
-  return std::max(0.0,
-                  (Calc(faster, z, place).force - Calc(v, z, place).force) / (faster - v));
+  return std::max(0.0, (Calc(faster, z, place).force - Calc(v, z, place).force) / (faster - v));
 }
 
 double Friction::Direction(double v, double z, const FrictionPlace& place) const {
