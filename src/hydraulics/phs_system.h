@@ -76,10 +76,10 @@ class PhsSystem {
   ///
   /// `v` is the mean speed over that step, so that states and x stay in step: with
   /// x_{n+1} = x_n + h v_{n+1}, as MuJoCo's Euler does, it is v_{n+1}. (States advanced with v_n
-  /// lag x by one step and feed energy into a stuck bristle, growth h sigma0/(2 m).) `before`: mean
-  /// piston speeds over the step before, of the same length, if known [m/s]; what flows then
-  /// answers to a speed that goes on to change as it did (second order in h), else to a constant
-  /// one.
+  /// lag x by one step and feed energy into a stuck bristle, growth h sigma0/(2 m).)
+  ///
+  /// `before`: mean piston speeds over the step before, of the same length, if known [m/s]; flows
+  /// then answer to a speed that goes on to change as it did (second order in h), else to one.
   void CalcStateRate(double time, double h, const double* x, const double* v, const double* state,
                      double* rate, const double* before = nullptr) const noexcept;
   /// Without yielding mountings the pressures follow from the motion alone, whatever the friction:
