@@ -261,7 +261,9 @@ Status Binding::BindPhs(mjModel* m, const AttachOptions& options) {
     p.speeds_at = p.forces_at + num_cylinders;
     p.rates_at = p.speeds_at + num_cylinders;
     p.states_at = p.rates_at + num_states;
-    next = p.states_at + num_states;
+    p.pistons_at = p.states_at + num_states;
+    p.pressures_at = p.pistons_at + num_cylinders;
+    next = p.pressures_at + p.system->num_lines();
     phs_.push_back(std::move(p));
   }
   if (next > m->nuserdata) {

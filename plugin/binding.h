@@ -72,6 +72,8 @@ struct PhsBinding {
   int forces_at = 0;                   ///< userdata: actuator force per cylinder [N]
   int speeds_at = 0;                   ///< userdata: speed of the instant per cylinder [m/s]
   int rates_at = 0;                    ///< userdata: mean state rate per state
+  int pistons_at = 0;                  ///< userdata: piston of each cylinder from static [m]
+  int pressures_at = 0;                ///< userdata: of each line, absolute [Pa]
   int states_at = 0;                   ///< userdata: the states that the forces belong to
 };
 

@@ -82,17 +82,18 @@ void Binding::AddCylinderForces(const mjModel* m, mjData* d, const double* speed
   double* slope = work->slope;
   for (const PhsBinding& p : phs_) {
     double x[kMaxCylinders], force[kMaxCylinders];
-    double scratch[5][kMaxCylinders], pressure[kMaxLines];
     const int num_cylinders = p.system->num_cylinders();
     mjtNum* v = user + p.speeds_at;
     for (int i = 0; i < num_cylinders; ++i) {
       x[i] = d->actuator_length[p.cylinder[i]] - p.length0[i];
       v[i] = SpeedOf(m, d, p, i, speed);
     }
-    hydraulics::PhsOutputs out{force,      scratch[0], scratch[1], scratch[2],
-                               scratch[3], scratch[4], slope,      pressure};
-    if (!slopes) out.damping = nullptr;  // the second round has a secant
-    out.energy = !slopes;                // of the last round alone
+    hydraulics::PhsOutputs out;
+    out.force = force;
+    out.piston = user + p.pistons_at;
+    out.pressure = user + p.pressures_at;
+    if (slopes) out.damping = slope;  // the second round has a secant
+    out.energy = !slopes;             // of the last round alone
     p.system->Calc(d->time, x, v, user + p.states_at, &out);
     // MuJoCo's actuator force pushes the ends apart, ours pulls them together.
     for (int i = 0; i < num_cylinders; ++i) {

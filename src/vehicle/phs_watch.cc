@@ -87,25 +87,14 @@ PhsWatch::PhsWatch(const plugin::Binding& binding) : binding_(binding) {
 void PhsWatch::Check(const mjData* d, double time, double h) {
   size_t at = 0;
   for (const plugin::PhsBinding& phs : binding_.phs()) {
-    double x[plugin::kMaxCylinders], force[plugin::kMaxCylinders], piston[plugin::kMaxCylinders];
-    double pressure[plugin::kMaxLines];
-    const size_t num_cylinders = phs.cylinder.size();
-    for (size_t i = 0; i < num_cylinders; ++i) {
-      x[i] = d->actuator_length[phs.cylinder[i]] - phs.length0[i];
-    }
-    hydraulics::PhsOutputs out;
-    out.force = force;
-    out.piston = piston;
-    out.pressure = pressure;
-    out.energy = false;
-    phs.system->Calc(time, x, d->userdata + phs.speeds_at, d->userdata + phs.states_at, &out);
-    for (size_t i = 0; i < num_cylinders; ++i) {
-      Watch(at++, piston[i], d, time, h);
-      Watch(at++, force[i], d, time, h);
+    for (int i = 0; i < phs.system->num_cylinders(); ++i) {
+      Watch(at++, d->userdata[phs.pistons_at + i], d, time, h);
+      Watch(at++, -d->userdata[phs.forces_at + i], d, time, h);
     }
     for (int i = 0; i < phs.system->num_lines(); ++i) {
-      Watch(at++, pressure[i], d, time, h);
-      Watch(at++, pressure[i], d, time, h);
+      const double pressure = d->userdata[phs.pressures_at + i];
+      Watch(at++, pressure, d, time, h);
+      Watch(at++, pressure, d, time, h);
     }
   }
 }

@@ -16,7 +16,7 @@ namespace {
 // Cylinders 1 and 2 push carriages whose motion is prescribed (too heavy to be moved by them).
 constexpr char kRig[] = R"(<mujoco model="full_rig">
   <compiler angle="radian" autolimits="false"/>
-  <size nuserdata="96"/>
+  <size nuserdata="160"/>
   <option timestep="1e-4" integrator="Euler" gravity="0 0 0"/>
   <worldbody>
     <body><joint name="x1" type="slide" axis="1 0 0"/><inertial pos="0 0 0" mass="1e12" diaginertia="1 1 1"/></body>
