@@ -8,8 +8,10 @@
 //   w = v_n + h/2 a,    M a = f(x_n, w, z_n, t_n),                                          (1)
 // the speed of t_n itself, and a is what the step applies. With M constant (1) is the trapezoidal
 // rule for every force that depends on speed and the leapfrog for every other: second order, stable
-// for any damping. Kinetic energy changes by h f.w without remainder. States (bristles, mountings,
-// gas, flows) advance with v_{n+1}, which carries x_n exactly to x_{n+1}.
+// for any damping that the matrix below knows (linkages between branches are not in it, so very
+// stiff dampers there still limit the step). Kinetic energy changes by h f.w without remainder.
+// States (bristles, mountings, gas, flows) advance with v_{n+1}, which carries x_n exactly to
+// x_{n+1}.
 //
 // (1) is solved by two Newton steps from w = v_n with (M + h/2 C) da = f(w) - M a, C the symmetric
 // part of -df/dw: contacts, cylinders, dampers of joints and tendons. C of the contacts is that at
