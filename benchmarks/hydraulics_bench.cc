@@ -6,7 +6,8 @@
 #include <vector>
 
 #include "effects/catalogue.h"
-#include "effects/rig_model.h"
+#include "phs_model/phs_model.h"
+#include "rigs/rig_model.h"
 
 namespace phs {
 namespace {
@@ -17,10 +18,10 @@ using hydraulics::PhsOutputs;
 using hydraulics::PhsParams;
 using hydraulics::PhsSystem;
 
-PhsParams Model(const char* name) { return effects::FindPhsParams(name).value(); }
+PhsParams Model(const char* name) { return phs_model::FindPhsParams(name).value(); }
 
 void Evaluate(benchmark::State& bench, const PhsParams& params) {
-  const PhsSystem s = std::move(effects::CreatePhsSystem(params).value());
+  const PhsSystem s = std::move(phs_model::CreatePhsSystem(params).value());
   const int n = s.num_cylinders();
   std::vector<double> x(n), v(n), state(s.num_states(), 0.0), rate(s.num_states()), force(n);
   PhsOutputs out;
@@ -61,7 +62,7 @@ BENCHMARK(BM_BoBo_Friction)->DenseRange(0, 2);
 void BM_BoBo_Effect(benchmark::State& bench) {
   const auto& info = effects::Catalogue().effects()[bench.range(0)];
   PhsParams p = Model("bo_bo");
-  if (!effects::AddEffect(&p, info.name).ok()) return;
+  if (!phs_model::AddEffect(&p, info.name).ok()) return;
   Evaluate(bench, p);
   bench.SetLabel(info.name);
 }
@@ -69,18 +70,17 @@ BENCHMARK(BM_BoBo_Effect)->DenseRange(0, 25);
 
 void BM_QuarterRun24000(benchmark::State& bench) {
   PhsParams p = Model("quarter_setup2");
-  if (bench.range(0) == 1) (void)effects::AddEffect(&p, "mount_compliance");
-  if (bench.range(0) == 2) (void)effects::AddEffect(&p, "line_resistance");
-  if (bench.range(0) == 3) (void)effects::AddEffect(&p, "gas_thermal");
-  effects::RigMotion motion;
+  if (bench.range(0) == 1) (void)phs_model::AddEffect(&p, "mount_compliance");
+  if (bench.range(0) == 2) (void)phs_model::AddEffect(&p, "line_resistance");
+  if (bench.range(0) == 3) (void)phs_model::AddEffect(&p, "gas_thermal");
+  rigs::RigMotion motion;
   motion.step_s = 0.005;
   motion.position_m.resize(1);
   for (int i = 0; i < 24000; ++i) {
     motion.position_m[0].push_back(1.5e-3 * std::sin(0.01 * i) + 5e-4 * std::sin(0.0371 * i));
   }
-  const effects::RigModel rig =
-      std::move(effects::RigModel::Create(effects::RigKind::kQuarter, p).value());
-  effects::RigPrediction out;
+  const rigs::RigModel rig = std::move(rigs::RigModel::Create(rigs::RigKind::kQuarter, p).value());
+  rigs::RigPrediction out;
   for (auto _ : bench) {
     if (!rig.Run(motion, &out).ok()) return;
   }
@@ -93,7 +93,7 @@ BENCHMARK(BM_QuarterRun24000)->DenseRange(0, 3)->Unit(benchmark::kMillisecond);
 void BM_Create(benchmark::State& bench) {
   const PhsParams p = Model("quarter_setup2");
   for (auto _ : bench) {
-    auto s = effects::CreatePhsSystem(p);
+    auto s = phs_model::CreatePhsSystem(p);
     benchmark::DoNotOptimize(s);
   }
 }

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <random>
 
-#include "effects/catalogue.h"
 #include "identify/effect_search.h"
+#include "phs_model/phs_model.h"
 
 namespace phs::identify::search {
 namespace {
@@ -14,8 +14,8 @@ namespace {
 constexpr double kStep = 0.005, kNoise = 5e-7;
 
 hydraulics::PhsParams Quarter(const std::string& effect) {
-  hydraulics::PhsParams params = effects::FindPhsParams("quarter_setup2").value();
-  if (!effect.empty()) PHS_CHECK(effects::AddEffect(&params, effect).ok());
+  hydraulics::PhsParams params = phs_model::FindPhsParams("quarter_setup2").value();
+  if (!effect.empty()) PHS_CHECK(phs_model::AddEffect(&params, effect).ok());
   return params;
 }
 
@@ -27,15 +27,15 @@ FitData Record(const hydraulics::PhsParams& truth) {
   data.validation = {75, 120};
   std::mt19937 random(7);
   std::normal_distribution<double> normal;
-  effects::RigMotion motion{0, kStep, {{}}, {}, {}, {}};
+  rigs::RigMotion motion{0, kStep, {{}}, {}, {}, {}};
   for (int i = 0; i < 24000; ++i) {
     const double t = i * kStep, phase = std::fmod(t, 20.0);
     data.time_s.push_back(t);
     motion.position_m[0].push_back(
         phase < 16 ? 2e-3 * std::sin(2 * M_PI * phase / 4) + 4e-4 * std::sin(2 * M_PI * phase) : 0);
   }
-  effects::RigPrediction clean;
-  const auto rig = effects::RigModel::Create(effects::RigKind::kQuarter, truth);
+  rigs::RigPrediction clean;
+  const auto rig = rigs::RigModel::Create(rigs::RigKind::kQuarter, truth);
   PHS_CHECK(rig.value().Run(motion, &clean).ok());
   data.inputs.push_back({"actuator_m", motion.position_m[0], kNoise});
   for (double& x : data.inputs[0].values) x += kNoise * normal(random);

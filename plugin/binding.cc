@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/data_path.h"
-#include "effects/catalogue.h"
+#include "phs_model/phs_model.h"
 #include "plugin/model_checks.h"
 #include "plugin/model_text.h"
 
@@ -214,8 +214,8 @@ Status Binding::BindPhs(mjModel* m, const AttachOptions& options) {
     if (!path.ok()) return path.error();
     p.model_path = path.value();
     const std::vector<int> ids = tuple.Ids(mjOBJ_ACTUATOR);
-    auto system = effects::LoadPhsSystem(p.model_path, options.phs_changes, p.name,
-                                         static_cast<int>(ids.size()));
+    auto system = phs_model::LoadPhsSystem(p.model_path, options.phs_changes, p.name,
+                                           static_cast<int>(ids.size()));
     if (!system.ok()) return system.error();
     p.system = std::make_shared<const hydraulics::PhsSystem>(std::move(system).value());
     const int num_cylinders = p.system->num_cylinders();

@@ -18,8 +18,8 @@
 #include <vector>
 
 #include "base/result.h"
-#include "effects/failures.h"
 #include "hydraulics/phs_system.h"
+#include "phs_model/phs_model.h"
 #include "plugin/running_forces.h"
 #include "rail/creep_conditions.h"
 #include "rail/track.h"
@@ -39,14 +39,14 @@ struct AttachOptions {
   std::string wheel_profile;
   std::string rail_profile;
   std::string creep_law;
-  std::string phs_model;            ///< replaces the model of every PHS system
-  rail::FrictionSettings friction;  ///< of wheel on rail
-  double speed_m_s = kUnset;        ///< target of the speed hold
-  double start_s_m = kUnset;        ///< arc length of the rearmost wheelset at the start
-  effects::PhsChanges phs_changes;  ///< parameters and failures of every PHS
-  RunningForces running;            ///< traction and braking
-  rail::TrackErrors track_errors;   ///< on top of the track file
-  rail::TreadWear wear;             ///< of every wheel
+  std::string phs_model;              ///< replaces the model of every PHS system
+  rail::FrictionSettings friction;    ///< of wheel on rail
+  double speed_m_s = kUnset;          ///< target of the speed hold
+  double start_s_m = kUnset;          ///< arc length of the rearmost wheelset at the start
+  phs_model::PhsChanges phs_changes;  ///< parameters and failures of every PHS
+  RunningForces running;              ///< traction and braking
+  rail::TrackErrors track_errors;     ///< on top of the track file
+  rail::TreadWear wear;               ///< of every wheel
   static constexpr double kUnset = -1;
 };
 

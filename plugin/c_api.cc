@@ -43,12 +43,12 @@ bool WasReset(const mjData* d) {
 }
 
 /// "kind:line" or "kind:line:at_s", several separated by commas.
-Result<std::vector<phs::effects::Failure>> ParseFailures(const std::string& text) {
-  std::vector<phs::effects::Failure> failures;
+Result<std::vector<phs::phs_model::Failure>> ParseFailures(const std::string& text) {
+  std::vector<phs::phs_model::Failure> failures;
   std::stringstream items(text);
   for (std::string item; std::getline(items, item, ',');) {
     std::stringstream parts(item);
-    phs::effects::Failure failure;
+    phs::phs_model::Failure failure;
     std::string time;
     std::getline(parts, failure.kind, ':');
     std::getline(parts, failure.line, ':');

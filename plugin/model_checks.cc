@@ -4,6 +4,7 @@
 #include <map>
 
 #include "base/words.h"
+#include "phs_model/phs_model.h"
 #include "plugin/model_text.h"
 
 namespace phs::plugin {
@@ -140,7 +141,7 @@ Status CheckSpeed(const mjModel* m, const AttachOptions& options) {
 Status CheckFailures(const mjModel* m, const AttachOptions& options) {
   Names known;
   for (const NamedTuple& tuple : TuplesWithPrefix(m, "phs:")) known.push_back(tuple.name);
-  for (const effects::Failure& failure : options.phs_changes.failures) {
+  for (const phs_model::Failure& failure : options.phs_changes.failures) {
     if (failure.system.empty() || Contains(known, failure.system)) continue;
     return Error{"failures: system " + Quoted(failure.system), "is no PHS of this vehicle",
                  known.empty() ? "none: it has no PHS" : JoinWords(known),

@@ -13,13 +13,13 @@ target_include_directories(phs_mujoco INTERFACE
 target_link_libraries(phs_mujoco INTERFACE phs_engine)
 
 install(TARGETS phs RUNTIME)
-foreach(library base hydraulics effects rail mujoco)
+foreach(library base hydraulics effects phs_model rigs rail mujoco)
   set_target_properties(phs_${library} PROPERTIES EXPORT_NAME ${library})
 endforeach()
-install(TARGETS phs_base phs_hydraulics phs_effects phs_rail phs_mujoco phs_options phs_engine
+install(TARGETS phs_base phs_hydraulics phs_effects phs_phs_model phs_rigs phs_rail phs_mujoco phs_options phs_engine
                 phs_libcsv phs_hdf5
         EXPORT phsTargets)
-foreach(folder base hydraulics effects rail)
+foreach(folder base hydraulics effects phs_model rigs rail)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/src/${folder} DESTINATION ${phs_include_dir}
           FILES_MATCHING PATTERN "*.h")
 endforeach()

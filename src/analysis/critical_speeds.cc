@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "analysis/plain_track.h"
+#include "phs_model/phs_model.h"
 
 namespace phs::analysis {
 namespace {
@@ -34,7 +35,7 @@ vehicle::Scenario RunningFree(vehicle::Scenario scenario) {
   scenario.duration_s = 0;
   scenario.running = {};
   std::erase_if(scenario.phs_changes.failures,
-                [](const effects::Failure& f) { return effects::HasTime(f) && f.at_s > 0; });
+                [](const phs_model::Failure& f) { return phs_model::HasTime(f) && f.at_s > 0; });
   return scenario;
 }
 

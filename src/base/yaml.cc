@@ -21,22 +21,6 @@ struct YamlMap::Document {
   std::pair<const Impl*, std::string> missing = {nullptr, ""};
 };
 
-bool Range::Contains(double value) const {
-  if (!std::isfinite(value)) return false;
-  return (open_min ? value > min : value >= min) && (open_max ? value < max : value <= max);
-}
-
-std::string Range::Text() const {
-  const bool has_min = std::isfinite(min);
-  const bool has_max = std::isfinite(max);
-  if (has_min && has_max) {
-    return fmt::format("{} {} x {} {}", min, open_min ? "<" : "<=", open_max ? "<" : "<=", max);
-  }
-  if (has_min) return fmt::format("x {} {}", open_min ? ">" : ">=", min);
-  if (has_max) return fmt::format("x {} {}", open_max ? "<" : "<=", max);
-  return "finite numbers";
-}
-
 struct YamlMap::Impl {
   std::shared_ptr<Document> document;
   std::string prefix;  ///< "a.b."

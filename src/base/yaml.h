@@ -11,27 +11,17 @@
 // After the first error every getter returns its default (or zero), so checks need no ladder.
 #pragma once
 
-#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "base/range.h"
 #include "base/result.h"
 #include "base/words.h"
 
 namespace phs {
-
-/// Closed range of allowed numbers. An open end excludes the bound itself.
-struct Range {
-  double min = -std::numeric_limits<double>::infinity();
-  double max = std::numeric_limits<double>::infinity();
-  bool open_min = false;              ///< true: the value must be > min
-  bool open_max = false;              ///< true: the value must be < max
-  bool Contains(double value) const;  ///< false for NaN
-  std::string Text() const;           ///< "0 < x <= 5", "x >= 0", "finite numbers"
-};
 
 /// A YAML map being read. Copies share the same error and the same record of used keys.
 class YamlMap {

@@ -7,9 +7,9 @@
 #include "base/result_dir.h"
 #include "cli/verbs.h"
 #include "identify/identify_run.h"
-#include "identify/manifest.h"
+#include "identify/steps_run.h"
+#include "measurement/manifest.h"
 #include "report/identify_report.h"
-#include "rigs/steps_run.h"
 
 namespace phs::cli {
 namespace {
@@ -36,12 +36,12 @@ Status WriteReport(const ResultDir& dir) {
 Result<identify::search::IdentifyOutcome> Identify(const IdentifyOptions& options,
                                                    const identify::search::Progress& progress,
                                                    const ResultDir& dir) {
-  Result<identify::Manifest> manifest = identify::LoadManifest(options.manifest);
+  Result<measurement::Manifest> manifest = measurement::LoadManifest(options.manifest);
   if (!manifest.ok()) return manifest.error();
   if (manifest.value().rig != "steps") {
     return identify::search::RunIdentify(options.manifest, options.search, progress, dir);
   }
-  Result<rigs::RigOutcome> steps = rigs::IdentifySteps(manifest.value(), dir);
+  Result<identify::RigOutcome> steps = identify::IdentifySteps(manifest.value(), dir);
   if (!steps.ok()) return steps.error();
   return identify::search::IdentifyOutcome{.result = steps.value().result,
                                            .summary = steps.value().summary};

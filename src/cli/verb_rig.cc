@@ -7,10 +7,10 @@
 
 #include "base/result_dir.h"
 #include "cli/verbs.h"
-#include "identify/manifest.h"
+#include "identify/rig_run.h"
+#include "measurement/manifest.h"
 #include "report/identify_report.h"
 #include "report/rig_report.h"
-#include "rigs/rig_run.h"
 
 namespace phs::cli {
 namespace {
@@ -21,7 +21,7 @@ struct RigVerbOptions {
 };
 
 /// A clocked measurement has the report of an identification without its findings.
-Status WriteReport(const ResultDir& dir, const identify::Manifest& manifest) {
+Status WriteReport(const ResultDir& dir, const measurement::Manifest& manifest) {
   const std::string page = dir.File("report.html");
   if (manifest.rig == "steps" || manifest.signal) {
     return report::WriteRigReport({.result = dir.File("result.json"),
@@ -36,13 +36,13 @@ Status WriteReport(const ResultDir& dir, const identify::Manifest& manifest) {
 }
 
 int RunRigVerb(const RigVerbOptions& options) {
-  Result<identify::Manifest> manifest =
-      identify::LoadManifest(options.manifest, identify::WindowNeed::kNone);
+  Result<measurement::Manifest> manifest =
+      measurement::LoadManifest(options.manifest, measurement::WindowNeed::kNone);
   if (!manifest.ok()) return BadInput(manifest.error());
   const std::string out = options.common.out.empty() ? "rig" : options.common.out;
   Result<ResultDir> dir = ResultDir::Create(out, options.common.force);
   if (!dir.ok()) return BadInput(dir.error());
-  Result<rigs::RigOutcome> outcome = rigs::RunRig(manifest.value(), dir.value());
+  Result<identify::RigOutcome> outcome = identify::RunRig(manifest.value(), dir.value());
   if (!outcome.ok()) return BadInput(outcome.error());
   if (Status s = WriteReport(dir.value(), manifest.value()); !s.ok()) return BadInput(s.error());
   if (Status s = dir.value().Commit(); !s.ok()) return BadInput(s.error());

@@ -318,7 +318,7 @@ Status InstallEffects(const PhsParams& params, const EffectTable* table, Builder
   for (const EffectParams& effect : params.effects) {
     if (table == nullptr) {
       return Error{"effects." + effect.name, "this entry has no catalogue of effects", "",
-                   "load the model with effects::LoadPhsSystem"};
+                   "load the model with phs_model::LoadPhsSystem"};
     }
     Result<EffectParams> full = CompleteEffect(params, effect, *table);
     if (!full.ok()) return full.error();

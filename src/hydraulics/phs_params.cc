@@ -3,6 +3,8 @@
 #include <cmath>
 #include <set>
 
+#include "base/words.h"
+
 namespace phs::hydraulics {
 namespace {
 

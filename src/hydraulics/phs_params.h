@@ -1,5 +1,5 @@
 // Parameters of a Passive Hydraulic Steering as plain data: cylinders, lines, friction, effects.
-// Read from models/phs/NAME.yaml (docs/phs_models.md), written back by ToYaml, addressable by name.
+// Read from files, written and changed by name in src/phs_model.
 //
 // Signs: piston displacement x > 0 = extension from the static position; tension force > 0; oil
 // flow into a chamber > 0. Pressures absolute. SI throughout.
@@ -15,7 +15,6 @@
 #include <vector>
 
 #include "base/result.h"
-#include "base/yaml.h"
 #include "hydraulics/gas_law.h"
 
 namespace phs::hydraulics {
@@ -151,27 +150,5 @@ struct PhsParams {
 };
 
 Status Validate(const PhsParams& params);
-
-/// Reads the format of docs/phs_models.md. Effect names and their keys are checked later, against
-/// the catalogue (PhsSystem::Create).
-Result<PhsParams> ReadPhsParams(YamlMap& map);
-Result<PhsParams> LoadPhsParams(const std::string& path);
-/// The same format; reading it back gives equal parameters.
-std::string ToYaml(const PhsParams& params);
-
-/// A number of the model that can be looked up, varied and fitted.
-struct ParameterInfo {
-  std::string name;  ///< "L1.gas_volume_m3", "friction.scale", "1.bore_m", "effects.backlash.gap_m"
-  std::string unit;
-  double value = 0;
-  double low = 0;  ///< plausible range
-  double high = 0;
-};
-/// Every addressable parameter of the core (effects: see effects/catalogue.h).
-std::vector<ParameterInfo> ListParameters(const PhsParams& params);
-Result<double> GetParameter(const PhsParams& params, const std::string& name);
-/// Sets one number; "friction.coulomb_N" and "friction.viscous_Ns_per_m" stand for both
-/// directions. Does not validate ranges: PhsSystem::Create does.
-Status SetParameter(PhsParams* params, const std::string& name, double value);
 
 }  // namespace phs::hydraulics

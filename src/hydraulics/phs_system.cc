@@ -36,12 +36,6 @@ const MountTerms& PhsSystem::mount(int cylinder) const { return impl_->cylinders
 double PhsSystem::Ambient(double time) const { return impl_->Ambient(time); }
 const ElementTerms& PhsSystem::element() const { return impl_->element; }
 
-Result<PhsSystem> PhsSystem::Load(const std::string& path, const EffectTable* effects) {
-  Result<PhsParams> params = LoadPhsParams(path);
-  if (!params.ok()) return params.error();
-  return Create(params.value(), effects);
-}
-
 double CompiledPhs::Ambient(double time) const {
   const double T0 = params.temperature_K;
   if (!temperature.present) return T0;

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "base/result.h"
-#include "base/yaml.h"
 #include "hydraulics/extension.h"
 #include "hydraulics/friction.h"
 #include "hydraulics/phs_params.h"
@@ -45,7 +44,7 @@ struct StepSpeeds {
 class PhsSystem {
  public:
   /// Reads models/phs/NAME.yaml (format: docs/phs_models.md). A file that names effects needs the
-  /// catalogue: use effects::LoadPhsSystem.
+  /// catalogue: use phs_model::LoadPhsSystem.
   static Result<PhsSystem> Load(const std::string& path, const EffectTable* effects = nullptr);
   /// Validates and compiles parameters. Cheap: a few microseconds.
   static Result<PhsSystem> Create(const PhsParams& params, const EffectTable* effects = nullptr);

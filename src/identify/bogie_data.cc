@@ -7,12 +7,29 @@
 
 #include "base/data_path.h"
 #include "base/words.h"
-#include "identify/channel_noise.h"
-#include "identify/data_checks.h"
-#include "identify/series.h"
+#include "measurement/channel_noise.h"
+#include "measurement/data_checks.h"
+#include "measurement/series.h"
 #include "rail/track.h"
 
 namespace phs::identify::search {
+
+using measurement::Channel;
+using measurement::CheckWindows;
+using measurement::DataFinding;
+using measurement::EstimateNoise;
+using measurement::FitData;
+using measurement::Manifest;
+using measurement::MarkSpikes;
+using measurement::Quantum;
+using measurement::ReadRigRun;
+using measurement::RigRun;
+using measurement::SmoothMotion;
+using measurement::SmoothPosition;
+using measurement::StandardDeviation;
+using measurement::StartData;
+using measurement::TakeOutput;
+using measurement::WhiteNoise;
 namespace {
 
 constexpr double kUnevenSpeed = 0.03;    // relative spread worth a word

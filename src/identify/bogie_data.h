@@ -3,7 +3,7 @@
 #pragma once
 
 #include "identify/bogie_forward.h"
-#include "identify/search_data.h"
+#include "measurement/fit_data.h"
 
 namespace phs::identify::search {
 
@@ -13,6 +13,7 @@ namespace phs::identify::search {
 /// rig. Errors say what cannot be identified and why: neither place nor speed, standing still,
 /// straight track, too few samples, no output. Without windows in the manifest the whole record
 /// counts as `validation` (to compare only).
-Result<FitData> ReadBogieData(const Manifest& manifest, BogieModel* model);
+Result<measurement::FitData> ReadBogieData(const measurement::Manifest& manifest,
+                                           BogieModel* model);
 
 }  // namespace phs::identify::search

@@ -9,10 +9,14 @@
 #include "base/data_path.h"
 #include "base/words.h"
 #include "identify/bogie_candidates.h"
+#include "phs_model/phs_model.h"
 #include "vehicle/compose.h"
 #include "vehicle/running_effects.h"
 
 namespace phs::identify::search {
+
+using measurement::FitData;
+using measurement::MeasuredChannel;
 namespace {
 
 using hydraulics::EffectParams;
@@ -45,7 +49,7 @@ Result<BogieModel> LoadBogieModel(const std::string& scenario, const std::vector
   if (s.phs.empty()) return Error{s.name + ": bogie", "bogie " + s.bogie + " has no PHS", "", ""};
   auto path = FindData("PHS model", "models/phs", s.phs, {".yaml"});
   if (!path.ok()) return path.error();
-  auto phs = effects::LoadChangedParams(path.value(), s.phs_changes, "", kCylinders);
+  auto phs = phs_model::LoadChangedParams(path.value(), s.phs_changes, "", kCylinders);
   if (!phs.ok()) return phs.error();
   model.phs = std::move(phs).value();
   for (const EffectParams& effect : s.effects) {  // those of wheel and track: not tried again
@@ -80,7 +84,7 @@ Result<BogieModel> LoadBogieModel(const std::string& scenario, const std::vector
 Result<Scenario> ScenarioWith(const BogieModel& model, const PhsParams& params) {
   Scenario s = model.scenario;
   for (const std::string& name : model.free) {
-    auto value = hydraulics::GetParameter(params, name);
+    auto value = phs_model::GetParameter(params, name);
     if (!value.ok()) return value.error();
     s.phs_changes.parameters[name] = value.value();
   }

@@ -17,7 +17,7 @@
 
 #include "identify/effect_variants.h"
 #include "identify/forward_model.h"
-#include "identify/search_data.h"
+#include "measurement/fit_data.h"
 #include "vehicle/scenario.h"
 #include "vehicle/simulation.h"
 
@@ -52,7 +52,7 @@ std::string RunChannelOf(const BogieModel& model, const std::string& column);
 class BogieForward final : public ForwardModel {
  public:
   /// `data` must outlive it; its driving motion is the place of the leading wheelset.
-  BogieForward(const FitData& data, BogieModel model, int stride = 1);
+  BogieForward(const measurement::FitData& data, BogieModel model, int stride = 1);
 
   Status Run(const hydraulics::PhsParams& params, Span span, Channels* out) const override;
   /// What the creep theory leaves open: rms difference over the span between two laws of creep that
@@ -67,7 +67,7 @@ class BogieForward final : public ForwardModel {
   Status RunScenario(vehicle::Scenario scenario, Span span, Channels* out) const;
   size_t Rows(Span span) const;
 
-  const FitData& data_;
+  const measurement::FitData& data_;
   BogieModel model_;
   int stride_ = 1;
 };

@@ -5,9 +5,14 @@
 #include "identify/bogie_data.h"
 #include "identify/bogie_forward.h"
 #include "identify/driven_run.h"
+#include "phs_model/phs_model.h"
 #include "vehicle/running_effects.h"
 
 namespace phs::identify::search {
+
+using measurement::DataFinding;
+using measurement::FitData;
+using measurement::Manifest;
 namespace {
 
 using hydraulics::PhsParams;
@@ -55,7 +60,7 @@ Status WriteBogieModel(const ResultDir& dir, const BogieCase& c, const PhsParams
                            c.model.scenario.name + ". phs.yaml: its PHS alone.\n";
   for (const Status& s :
        {WriteFileAtomically(dir.File("model.yaml"), head + vehicle::ToYaml(scenario.value())),
-        WriteFileAtomically(dir.File("phs.yaml"), hydraulics::ToYaml(phs))}) {
+        WriteFileAtomically(dir.File("phs.yaml"), phs_model::ToYaml(phs))}) {
     if (!s.ok()) return s;
   }
   return {};

@@ -2,16 +2,17 @@
 #pragma once
 
 #include "identify/identify_run.h"
-#include "identify/manifest.h"
+#include "measurement/manifest.h"
 
 namespace phs::identify::search {
 
 /// Identification; see RunIdentify. Beside its files: model.yaml is the corrected scenario,
 /// phs.yaml the PHS model in it.
-Result<IdentifyOutcome> IdentifyBogie(const Manifest& manifest, const SearchOptions& options,
-                                      const Progress& progress, const ResultDir& dir);
+Result<IdentifyOutcome> IdentifyBogie(const measurement::Manifest& manifest,
+                                      const SearchOptions& options, const Progress& progress,
+                                      const ResultDir& dir);
 
 /// The declared scenario beside what was measured: result.json, predicted.csv, measured.csv.
-Result<IdentifyOutcome> RunBogieRig(const Manifest& manifest, const ResultDir& dir);
+Result<IdentifyOutcome> RunBogieRig(const measurement::Manifest& manifest, const ResultDir& dir);
 
 }  // namespace phs::identify::search

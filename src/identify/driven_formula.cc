@@ -19,8 +19,8 @@ FoundFormula SearchChannelFormula(const FitProblem& problem, const FreeModel& mo
                                   const FitResult& fit, const std::string& name,
                                   const FormulaLimits& limits) {
   const int channel = problem.FindOutput(name);
-  const effects::RigKind kind = problem.data().kind;
-  if (channel < 0 || (kind != effects::RigKind::kQuarter && kind != effects::RigKind::kCylinder)) {
+  const rigs::RigKind kind = problem.data().kind;
+  if (channel < 0 || (kind != rigs::RigKind::kQuarter && kind != rigs::RigKind::kCylinder)) {
     return {};
   }
   Result<std::vector<hydraulics::ForcePlace>> places =
@@ -39,7 +39,7 @@ FoundFormula SearchChannelFormula(const FitProblem& problem, const FreeModel& mo
   };
   data.independent = [=](const Eigen::VectorXd& r) { return IndependentSamples(r, channels); };
   data.has_pressure = true;
-  data.has_rod_pressure = kind == effects::RigKind::kQuarter;
+  data.has_rod_pressure = kind == rigs::RigKind::kQuarter;
   data.has_friction = name == "load_cell_N";
   data.has_time_waves = true;
   data.first_row = static_cast<Eigen::Index>(channel) * n;
@@ -153,7 +153,7 @@ FormulaTrial TryFormula(const FitProblem& problem, const FitProblem& coarse, con
     force.channel_gain = 1 - std::sqrt(force.fit.channel_ms[c] / fit.channel_ms[c]);
   };
   const auto try_line = [&] {
-    if (pressures <= kNoise || problem.data().kind == effects::RigKind::kFull) return;
+    if (pressures <= kNoise || problem.data().kind == rigs::RigKind::kFull) return;
     line = TryLineFormula(problem, coarse, model, fit, limits);
   };
   const auto try_reading = [&] {

@@ -5,11 +5,20 @@
 #include <algorithm>
 
 #include "base/table.h"
-#include "effects/catalogue.h"
-#include "identify/data_checks.h"
 #include "identify/result_json.h"
+#include "measurement/data_checks.h"
+#include "phs_model/phs_model.h"
 
 namespace phs::identify::search {
+
+using measurement::FitData;
+using measurement::InputIsSwapped;
+using measurement::LeaveOutBelowVacuum;
+using measurement::Manifest;
+using measurement::MeasuredChannel;
+using measurement::MendOutputs;
+using measurement::ReadFitData;
+using measurement::SmoothMotion;
 namespace {
 
 using hydraulics::PhsParams;
@@ -39,11 +48,23 @@ void TurnInput(FitData* data) {
   }
 }
 
+Status CheckCandidates(const std::vector<std::string>& asked) {
+  const std::vector<std::string> known = CandidateNames();
+  for (const std::string& name : asked) {
+    if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+    return Error{"candidates: " + name, "is no effect that a rig is searched for", JoinWords(known),
+                 DidYouMean(name, known)};
+  }
+  return {};
+}
+
 Result<Case> LoadCase(const Manifest& manifest) {
-  Result<FitData> read = ReadFitData(manifest);
-  if (!read.ok()) return read.error();
-  Result<PhsParams> declared = effects::FindPhsParams(manifest.model);
+  if (Status s = CheckCandidates(manifest.candidates); !s.ok()) return s.error();
+  Result<PhsParams> declared = phs_model::FindPhsParams(manifest.model);
   if (!declared.ok()) return declared.error();
+  if (Status s = CheckFree(declared.value(), manifest.free); !s.ok()) return s.error();
+  Result<FitData> read = ReadFitData(manifest, declared.value());
+  if (!read.ok()) return read.error();
   Case c{std::move(read.value()), std::move(declared.value())};
   Result<Channels> predicted = Predict(c.data, c.declared);
   if (!predicted.ok()) return predicted.error();
@@ -153,11 +174,11 @@ Result<IdentifyOutcome> IdentifyDriven(const Manifest& manifest, const SearchOpt
   const auto write_model = [&](PhsParams corrected) {
     corrected.name += "_identified";
     corrected.description = "Identified from " + data.source + "; declared " + declared.name;
-    return WriteFileAtomically(dir.File("model.yaml"), hydraulics::ToYaml(corrected));
+    return WriteFileAtomically(dir.File("model.yaml"), phs_model::ToYaml(corrected));
   };
   SearchOptions asked = options;
   // Four cylinders and a beam: a run costs ten times as much, and there are more places to try.
-  asked.thorough = options.thorough && data.kind != effects::RigKind::kFull;
+  asked.thorough = options.thorough && data.kind != rigs::RigKind::kFull;
   asked.formula = data.candidates.empty() ||
                   std::find(data.candidates.begin(), data.candidates.end(), "unlisted") !=
                       data.candidates.end();

@@ -18,6 +18,8 @@
 #include "identify/worst_place.h"
 
 namespace phs::identify::search {
+
+using measurement::FitData;
 namespace {
 
 class Search {

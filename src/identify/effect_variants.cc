@@ -75,7 +75,7 @@ void ScalePrecharge(const PhsParams& params, Candidate* candidate) {
   }
 }
 
-void AddVariants(const Recipe& recipe, const PhsParams& params, effects::RigKind kind,
+void AddVariants(const Recipe& recipe, const PhsParams& params, rigs::RigKind kind,
                  std::vector<Candidate>* out) {
   const EffectInfo* info = effects::Catalogue().Find(recipe.effect);
   if (info == nullptr) return;
@@ -90,7 +90,7 @@ void AddVariants(const Recipe& recipe, const PhsParams& params, effects::RigKind
     for (const auto& cylinder : params.cylinders) places.push_back(cylinder.name);
   }
   candidate.shows_at_place = recipe.spread == Spread::kAll;
-  const bool full = kind == effects::RigKind::kFull && info->targets != "lines";
+  const bool full = kind == rigs::RigKind::kFull && info->targets != "lines";
   if ((candidate.shows_at_place && !full) || places.size() < 2) return;
   std::erase_if(candidate.options, [](const EffectOption& option) {
     return option.free[0].name.ends_with(".rod_ratio");
@@ -133,10 +133,10 @@ Candidate MakeCandidate(const EffectInfo& info, const std::vector<const char*>& 
   return candidate;
 }
 
-std::vector<Candidate> ListCandidates(const PhsParams& params, effects::RigKind kind) {
+std::vector<Candidate> ListCandidates(const PhsParams& params, rigs::RigKind kind) {
   std::vector<Candidate> out;
   for (const auto* rows : {&Hydraulic(), &FrictionAndMounting(), &InstrumentAndEnvironment()}) {
-    if (kind == effects::RigKind::kElement && rows == &Hydraulic()) continue;
+    if (kind == rigs::RigKind::kElement && rows == &Hydraulic()) continue;
     for (const Recipe& recipe : *rows) {
       const bool present = std::any_of(params.effects.begin(), params.effects.end(),
                                        [&](const auto& e) { return e.name == recipe.effect; });

@@ -38,7 +38,7 @@ Candidate MakeCandidate(const hydraulics::EffectInfo& info, const std::vector<co
 
 /// All candidates for a model of these lines, leaving out effects already in it. On the full rig
 /// every effect of cylinders is among them for each cylinder alone too.
-std::vector<Candidate> ListCandidates(const hydraulics::PhsParams& params, effects::RigKind kind);
+std::vector<Candidate> ListCandidates(const hydraulics::PhsParams& params, rigs::RigKind kind);
 
 /// Names of the effects that ListCandidates can give, and `unlisted`.
 std::vector<std::string> CandidateNames();

@@ -4,9 +4,13 @@
 #include <cmath>
 
 #include "effects/catalogue.h"
-#include "identify/series.h"
+#include "measurement/series.h"
+#include "phs_model/phs_model.h"
 
 namespace phs::identify::element {
+
+using measurement::Quantile;
+using measurement::StandardDeviation;
 namespace {
 
 using hydraulics::EffectInfo;
@@ -127,7 +131,7 @@ Sizes MeasureSizes(const ElementData& data) {
   Sizes s;
   std::vector<double> force, x, v, a, p, T;
   for (const ElementRecord& r : data.records) {
-    const auto acceleration = effects::DifferentiateMotion(r.motion.speed_m_s[0], r.motion.step_s);
+    const auto acceleration = rigs::DifferentiateMotion(r.motion.speed_m_s[0], r.motion.step_s);
     for (size_t k = 0; k < r.row_sample.size(); ++k) {
       if (!r.fitted[k]) continue;
       const auto i = static_cast<size_t>(r.row_sample[k]);
@@ -203,7 +207,7 @@ Result<FreeModel> DeclaredElement(const PhsParams& declared, const std::vector<s
       model.free.push_back(*found);
       continue;
     }
-    Result<double> value = hydraulics::GetParameter(declared, name);
+    Result<double> value = phs_model::GetParameter(declared, name);
     if (!value.ok()) return Error{"free: " + name, value.error().what, "", value.error().mend};
     const bool either_sign = name.starts_with("effects.unlisted.");
     model.free.push_back(value.value() > 0 && !either_sign ? Logarithmic(name, value.value(), 30)

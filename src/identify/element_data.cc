@@ -5,11 +5,24 @@
 #include <algorithm>
 #include <cmath>
 
-#include "identify/channel_noise.h"
-#include "identify/motion_smoother.h"
-#include "identify/rig_data.h"
+#include "measurement/channel_noise.h"
+#include "measurement/motion_smoother.h"
+#include "measurement/rig_data.h"
 
 namespace phs::identify::element {
+
+using measurement::BandLimit;
+using measurement::Channel;
+using measurement::DataFinding;
+using measurement::Manifest;
+using measurement::Quantum;
+using measurement::ReadRigRun;
+using measurement::RigRun;
+using measurement::RunSpec;
+using measurement::SmoothMotion;
+using measurement::SmoothPosition;
+using measurement::WhiteNoise;
+using measurement::Window;
 namespace {
 
 constexpr int kMinRows = 100;

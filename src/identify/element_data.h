@@ -5,24 +5,24 @@
 #include <vector>
 
 #include "base/result.h"
-#include "effects/rig_model.h"
 #include "hydraulics/phs_params.h"
-#include "identify/band_limit.h"
-#include "identify/manifest.h"
+#include "measurement/band_limit.h"
+#include "measurement/manifest.h"
+#include "rigs/rig_model.h"
 
 namespace phs::identify::element {
 
 /// One run. "Rows" are the samples that are compared: thinned to the compared band.
 struct ElementRecord {
   std::string source;
-  effects::RigMotion motion;            ///< smoothed, full rate
+  rigs::RigMotion motion;               ///< smoothed, full rate
   std::vector<double> speed_deviation;  ///< standard deviation of motion.speed_m_s[0]
   std::vector<double> force_N;          ///< full rate, gaps bridged
-  BandLimit band{1, 0};
+  measurement::BandLimit band{1, 0};
   std::vector<double> row_force_N;   ///< in the band
   std::vector<int> row_sample;       ///< full-rate sample of each row
   std::vector<char> fitted, scored;  ///< row in the estimation, in the validation window
-  Window estimation, validation;
+  measurement::Window estimation, validation;
 
   double Time(int sample) const { return motion.t0_s + sample * motion.step_s; }
 };
@@ -39,6 +39,6 @@ struct ElementData {
 };
 
 /// Reads and checks every run of the manifest. Errors say what cannot be identified and why.
-Result<ElementData> ReadElementData(const Manifest& manifest);
+Result<ElementData> ReadElementData(const measurement::Manifest& manifest);
 
 }  // namespace phs::identify::element

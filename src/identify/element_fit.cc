@@ -6,28 +6,29 @@
 
 #include "identify/fit_intervals.h"
 #include "identify/least_squares.h"
-#include "identify/series.h"
+#include "measurement/series.h"
+#include "phs_model/phs_model.h"
 
 namespace phs::identify::element {
 
-using effects::RigKind;
-using effects::RigModel;
-using effects::RigPrediction;
 using hydraulics::PhsParams;
+using rigs::RigKind;
+using rigs::RigModel;
+using rigs::RigPrediction;
 
 namespace {
 
 constexpr double kOutlier = 4;  // levels of the residual beyond which rows count less
 
-Result<std::vector<double>> RunMotion(const RigModel& model, const effects::RigMotion& motion) {
+Result<std::vector<double>> RunMotion(const RigModel& model, const rigs::RigMotion& motion) {
   RigPrediction prediction;
   if (Status s = model.Run(motion, &prediction); !s.ok()) return s.error();
   return std::move(prediction.channels[0]);
 }
 
 /// The motion up to the last fitted row and as far beyond as the band's filter looks.
-effects::RigMotion FittedPart(const ElementRecord& record) {
-  effects::RigMotion motion = record.motion;
+rigs::RigMotion FittedPart(const ElementRecord& record) {
+  rigs::RigMotion motion = record.motion;
   size_t rows = record.fitted.size();
   while (rows > 0 && !record.fitted[rows - 1]) --rows;
   if (rows == 0) return motion;
@@ -61,7 +62,7 @@ Result<ElementProblem> ElementProblem::Create(const ElementData& data, const Phs
 PhsParams ElementProblem::Params(const FreeModel& model, const std::vector<double>& values) const {
   PhsParams params = model.params;
   for (size_t i = 0; i < model.free.size(); ++i) {
-    PHS_CHECK(hydraulics::SetParameter(&params, model.free[i].name, values[i]).ok());
+    PHS_CHECK(phs_model::SetParameter(&params, model.free[i].name, values[i]).ok());
   }
   return params;
 }
@@ -76,7 +77,7 @@ Status ElementProblem::SetWeights(const PhsParams& params, double scale_N) {
     for (size_t i = 0; i < speed[0].size(); ++i) {
       speed[0][i] += record.speed_deviation[i], speed[1][i] -= record.speed_deviation[i];
     }
-    effects::RigMotion moved = record.motion;
+    rigs::RigMotion moved = record.motion;
     moved.speed_m_s[0] = speed[0];
     Result<std::vector<double>> fast = RunMotion(model.value(), moved);
     moved.speed_m_s[0] = speed[1];

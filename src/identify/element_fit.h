@@ -60,7 +60,7 @@ class ElementProblem {
 
  private:
   const ElementData* data_ = nullptr;
-  std::vector<effects::RigMotion> fitted_motion_;  ///< of each record, to its last fitted row
+  std::vector<rigs::RigMotion> fitted_motion_;  ///< of each record, to its last fitted row
   int num_rows_ = 0;
   std::vector<int> first_row_;  ///< of each record in the residual; one more at the end
   std::vector<double> weight_;

@@ -1,12 +1,12 @@
 #include "identify/element_places.h"
 
-#include "effects/element_bench.h"
-#include "effects/rig_model.h"
+#include "rigs/element_bench.h"
+#include "rigs/rig_model.h"
 
 namespace phs::identify::element {
 
 Result<FormulaPlaces> PlacesOf(const ElementData& data, const hydraulics::PhsParams& params) {
-  Result<effects::RigModel> rig = effects::RigModel::Create(effects::RigKind::kElement, params);
+  Result<rigs::RigModel> rig = rigs::RigModel::Create(rigs::RigKind::kElement, params);
   if (!rig.ok()) return rig.error();
   const hydraulics::PhsSystem& system = rig.value().system();
   FormulaPlaces out;
@@ -14,8 +14,8 @@ Result<FormulaPlaces> PlacesOf(const ElementData& data, const hydraulics::PhsPar
     const auto& m = r.motion;
     const size_t n = m.position_m[0].size();
     std::vector<double> force(n);
-    effects::ElementPlaces places;
-    effects::RunElementBench(system, m, m.speed_m_s[0], &force, &places);
+    rigs::ElementPlaces places;
+    rigs::RunElementBench(system, m, m.speed_m_s[0], &force, &places);
     std::vector<hydraulics::ForcePlace>& run = out.emplace_back(n);
     for (size_t i = 0; i < n; ++i) {
       run[i].time = r.Time(static_cast<int>(i));

@@ -65,8 +65,8 @@ json ScoreRows(const ElementData& data, const Rows& predicted, bool fitted) {
       model.push_back(predicted[r][k]);
     }
   }
-  const search::ChannelScore s =
-      search::Score(time, measured, model, {0, static_cast<double>(time.size())});
+  const measurement::ChannelScore s =
+      measurement::Score(time, measured, model, {0, static_cast<double>(time.size())});
   double error = 0, whole = 0;
   for (size_t i = 0; i < measured.size(); ++i) {
     error += (measured[i] - model[i]) * (measured[i] - model[i]);
@@ -86,7 +86,7 @@ json MapRows(const ElementData& data, const Rows& predicted, bool fitted) {
   };
   std::vector<std::vector<double>> since;
   for (const ElementRecord& record : data.records) since.push_back(TravelSinceReversal(record));
-  const auto motion = [&](size_t r) -> const effects::RigMotion& { return data.records[r].motion; };
+  const auto motion = [&](size_t r) -> const rigs::RigMotion& { return data.records[r].motion; };
   add("x_m", [&](size_t r, size_t i) { return motion(r).position_m[0][i]; });
   add("speed_m_s", [&](size_t r, size_t i) { return motion(r).speed_m_s[0][i]; });
   add("reversal", [&](size_t r, size_t i) { return since[r][i]; });
@@ -187,7 +187,7 @@ Status WriteRows(const std::string& path, const ElementData& data, const Rows* f
   double shift = 0;
   for (size_t r = 0; r < data.records.size(); ++r) {
     const ElementRecord& record = data.records[r];
-    const effects::RigMotion& m = record.motion;
+    const rigs::RigMotion& m = record.motion;
     if (r > 0) shift = columns[0].back() + 1 - m.t0_s;  // runs one second apart
     for (size_t k = 0; k < record.row_sample.size(); ++k) {
       const auto i = static_cast<size_t>(record.row_sample[k]);

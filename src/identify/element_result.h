@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "base/result_dir.h"
-#include "identify/channel_scores.h"
 #include "identify/element_search.h"
+#include "measurement/channel_scores.h"
 
 namespace phs::identify::element {
 

@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include "base/words.h"
-#include "effects/catalogue.h"
 #include "identify/element_result.h"
+#include "phs_model/phs_model.h"
 
 namespace phs::identify::element {
+
+using measurement::Manifest;
 namespace {
 
 using hydraulics::PhsParams;
@@ -132,7 +134,7 @@ Status WriteFiles(const ElementData& data, const Rows* before, const Rows& after
     if (Status s = WriteRows(dir.File("baseline.csv"), data, before); !s.ok()) return s;
   }
   if (model != nullptr) {
-    const Status s = WriteFileAtomically(dir.File("model.yaml"), hydraulics::ToYaml(*model));
+    const Status s = WriteFileAtomically(dir.File("model.yaml"), phs_model::ToYaml(*model));
     if (!s.ok()) return s;
   }
   return WriteFileAtomically(dir.File("result.json"), result.dump(1) + "\n");
@@ -143,7 +145,7 @@ Status WriteFiles(const ElementData& data, const Rows* before, const Rows& after
 Result<IdentifyOutcome> RunElementIdentify(const Manifest& manifest,
                                            const ElementSearchOptions& options,
                                            const ElementProgress& progress, const ResultDir& dir) {
-  Result<PhsParams> declared = effects::FindPhsParams(manifest.model);
+  Result<PhsParams> declared = phs_model::FindPhsParams(manifest.model);
   if (!declared.ok()) return declared.error();
   Result<ElementData> data = ReadElementData(manifest);
   if (!data.ok()) return data.error();
@@ -195,7 +197,7 @@ Result<IdentifyOutcome> RunElementIdentify(const Manifest& manifest,
 }
 
 Result<IdentifyOutcome> RunElementRig(const Manifest& manifest, const ResultDir& dir) {
-  Result<PhsParams> declared = effects::FindPhsParams(manifest.model);
+  Result<PhsParams> declared = phs_model::FindPhsParams(manifest.model);
   if (!declared.ok()) return declared.error();
   Result<ElementData> data = ReadElementData(manifest);
   if (!data.ok()) return data.error();

@@ -11,11 +11,12 @@
 namespace phs::identify::element {
 
 /// Writes result.json, measured.csv, predicted.csv, baseline.csv and model.yaml into `dir`.
-Result<search::IdentifyOutcome> RunElementIdentify(const Manifest& manifest,
+Result<search::IdentifyOutcome> RunElementIdentify(const measurement::Manifest& manifest,
                                                    const ElementSearchOptions& options,
                                                    const ElementProgress& progress,
                                                    const ResultDir& dir);
 /// The declared model as it is: result.json, measured.csv and predicted.csv.
-Result<search::IdentifyOutcome> RunElementRig(const Manifest& manifest, const ResultDir& dir);
+Result<search::IdentifyOutcome> RunElementRig(const measurement::Manifest& manifest,
+                                              const ResultDir& dir);
 
 }  // namespace phs::identify::element

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <mutex>
 
-#include "effects/rig_model.h"
 #include "identify/driven_formula.h"
 #include "identify/element_places.h"
+#include "rigs/rig_model.h"
 
 namespace phs::identify::element {
 namespace {
@@ -110,7 +110,7 @@ class Search {
 
   void SetFrictionSize() {
     const auto params = problem_.Params(out_.corrected, out_.after.values);
-    Result<effects::RigModel> rig = effects::RigModel::Create(effects::RigKind::kElement, params);
+    Result<rigs::RigModel> rig = rigs::RigModel::Create(rigs::RigKind::kElement, params);
     if (!rig.ok()) return;
     const hydraulics::FrictionPlace place;
     const double level = rig.value().system().friction(0).Level(1, out_.sizes.speed_m_s, place);

@@ -154,7 +154,7 @@ Evidence Compare(const FitProblem& problem, const FitResult& without, const FitR
       1 - std::exp(0.5 * (WeightedLog(held, alike) - WeightedLog(held_without, alike)));
   for (size_t c = 0; c < held.size(); ++c) {
     const bool pressure = problem.data().outputs[c].name.ends_with("_Pa");
-    if (!pressure || problem.data().kind == effects::RigKind::kFull) continue;
+    if (!pressure || problem.data().kind == rigs::RigKind::kFull) continue;
     if (with.channel_ms[c] > kClear * without.channel_ms[c]) continue;
     const double removed = std::min(ExcessRemoved(without.channel_ms[c], with.channel_ms[c]),
                                     ExcessRemoved(held_without[c], held[c]));

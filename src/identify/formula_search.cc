@@ -9,9 +9,12 @@
 #include <utility>
 
 #include "effects/formula.h"
-#include "identify/time_wave.h"
+#include "measurement/time_wave.h"
 
 namespace phs::identify {
+
+using measurement::FindTimeWave;
+using measurement::TimeWave;
 namespace {
 
 using effects::Formula;

@@ -3,9 +3,12 @@
 #include "identify/bogie_run.h"
 #include "identify/driven_run.h"
 #include "identify/element_run.h"
-#include "identify/manifest.h"
+#include "measurement/manifest.h"
 
 namespace phs::identify::search {
+
+using measurement::LoadManifest;
+using measurement::Manifest;
 namespace {
 
 /// Rigs whose model is driven by a measured motion over time.

@@ -3,9 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "identify/series.h"
+#include "measurement/series.h"
 
 namespace phs::identify::search {
+
+using measurement::Autocorrelation;
+using measurement::CorrelationTime;
+using measurement::FitData;
+using measurement::MeasuredChannel;
+using measurement::SmoothMotion;
 namespace {
 
 constexpr int kBins = 16;

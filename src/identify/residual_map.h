@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "identify/search_data.h"
+#include "measurement/fit_data.h"
 
 namespace phs::identify::search {
 
@@ -16,7 +16,8 @@ struct Dependence {
 
 /// Dependences of `residual` (one value a sample of the record, NaN = none) over `window`, largest
 /// first. Chance: (bins - 1)/n_eff with n_eff independent samples.
-std::vector<Dependence> MapResidual(const FitData& data, const std::vector<double>& residual,
+std::vector<Dependence> MapResidual(const measurement::FitData& data,
+                                    const std::vector<double>& residual,
                                     const std::array<double, 2>& window);
 
 /// Probability of as much correlation over the first 20 lags if the residual were white

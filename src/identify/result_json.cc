@@ -8,10 +8,16 @@
 
 #include "base/words.h"
 #include "effects/catalogue.h"
-#include "identify/channel_scores.h"
 #include "identify/residual_map.h"
+#include "measurement/channel_scores.h"
 
 namespace phs::identify::search {
+
+using measurement::ChannelScore;
+using measurement::DataFinding;
+using measurement::FitData;
+using measurement::MeasuredChannel;
+using measurement::Score;
 namespace {
 
 std::vector<double> Residual(const FitData& data, const Channels& predicted, size_t c,

@@ -12,17 +12,17 @@ namespace phs::identify::search {
 using Json = nlohmann::ordered_json;
 
 /// Errors of one predicted set of channels over a window, by name of channel.
-Json ScoreChannels(const FitData& data, const Channels& predicted,
+Json ScoreChannels(const measurement::FitData& data, const Channels& predicted,
                    const std::array<double, 2>& window);
 /// "before" and "after" of each channel.
-Json ScoreBoth(const FitData& data, const Channels& before, const Channels& after,
+Json ScoreBoth(const measurement::FitData& data, const Channels& before, const Channels& after,
                const std::array<double, 2>& window);
 /// Where the residual of the declared model lives: channel and variables it depends on.
-Json Localise(const FitData& data, const Channels& predicted, const FitResult& fit);
+Json Localise(const measurement::FitData& data, const Channels& predicted, const FitResult& fit);
 /// What the corrected model leaves.
 /// What the corrected model leaves in the validation window. `over_noise`: by channel, there.
-Json Unexplained(const FitData& data, const Channels& after, const std::vector<double>& over_noise,
-                 const Identification& found);
+Json Unexplained(const measurement::FitData& data, const Channels& after,
+                 const std::vector<double>& over_noise, const Identification& found);
 /// Values and intervals of the free numbers [begin, end).
 Json Parameters(const FreeModel& model, const FitResult& fit, size_t begin, size_t end,
                 bool whole_name);
@@ -31,8 +31,8 @@ Json CandidateList(const Identification& found);
 /// What would separate effects that this record cannot.
 std::vector<std::string> NextTests(const Identification& found, const Json& unexplained);
 /// Noise of each channel.
-Json NoiseLevels(const FitData& data);
-Json FindingList(const std::vector<DataFinding>& findings);
+Json NoiseLevels(const measurement::FitData& data);
+Json FindingList(const std::vector<measurement::DataFinding>& findings);
 
 /// The ten lines for the terminal.
 std::string Summary(const Json& result);

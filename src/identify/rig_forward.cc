@@ -7,10 +7,16 @@
 
 namespace phs::identify::search {
 
-using effects::RigModel;
-using effects::RigMotion;
-using effects::RigPrediction;
+using measurement::DeviationOfDraws;
+using measurement::FitData;
+using measurement::MeasuredChannel;
+using measurement::RedrawnMotion;
+using measurement::SmoothMotion;
+
 using hydraulics::PhsParams;
+using rigs::RigModel;
+using rigs::RigMotion;
+using rigs::RigPrediction;
 
 Result<std::shared_ptr<const ForwardModel>> RigForward::Create(const FitData& data,
                                                                const PhsParams& declared,
@@ -63,7 +69,7 @@ RigMotion RigForward::MotionOf(const std::vector<SmoothMotion>& motion, Span spa
   return out;
 }
 
-std::shared_ptr<const effects::RigPressures> PressureMemory::Find(const PhsParams& hydraulics) {
+std::shared_ptr<const rigs::RigPressures> PressureMemory::Find(const PhsParams& hydraulics) {
   const std::lock_guard<std::mutex> lock(mutex_);
   for (auto entry = entries_.begin(); entry != entries_.end(); ++entry) {
     if (entry->hydraulics != hydraulics) continue;
@@ -74,7 +80,7 @@ std::shared_ptr<const effects::RigPressures> PressureMemory::Find(const PhsParam
 }
 
 void PressureMemory::Keep(const PhsParams& hydraulics,
-                          std::shared_ptr<const effects::RigPressures> pressures) {
+                          std::shared_ptr<const rigs::RigPressures> pressures) {
   constexpr size_t kMost = 16, kMostNumbers = 1 << 23;  // 64 MB each for bore and rod
   const std::lock_guard<std::mutex> lock(mutex_);
   const bool known = std::any_of(entries_.begin(), entries_.end(), [&](const Entry& entry) {
@@ -88,7 +94,7 @@ void PressureMemory::Keep(const PhsParams& hydraulics,
 }
 
 Status RigForward::RunMotion(const PhsParams& params, const RigMotion& motion,
-                             std::shared_ptr<const effects::RigPressures>* pressures,
+                             std::shared_ptr<const rigs::RigPressures>* pressures,
                              Channels* out) const {
   Result<RigModel> rig = RigModel::Create(data_.kind, params, options_);
   if (!rig.ok()) return rig.status();
@@ -100,9 +106,9 @@ Status RigForward::RunMotion(const PhsParams& params, const RigMotion& motion,
 }
 
 Status RigForward::Run(const PhsParams& params, Span span, Channels* out) const {
-  std::shared_ptr<const effects::RigPressures> pressures;
+  std::shared_ptr<const rigs::RigPressures> pressures;
   if (span == Span::kWhole) return RunMotion(params, full_, &pressures, out);
-  const PhsParams hydraulics = effects::HydraulicsOf(params);
+  const PhsParams hydraulics = rigs::HydraulicsOf(params);
   pressures = memory_.Find(hydraulics);
   const bool known = pressures != nullptr;
   const Status done = RunMotion(params, short_, &pressures, out);
@@ -122,7 +128,7 @@ Status RigForward::Uncertainty(const PhsParams& params, Span span, Channels* dev
             motion.speed_m_s[a][i] + sign * data_.motion[a].speed_deviation[i * stride];
       }
     }
-    std::shared_ptr<const effects::RigPressures> pressures;
+    std::shared_ptr<const rigs::RigPressures> pressures;
     const Status done = RunMotion(params, shifted, &pressures, sign > 0 ? &fast : &slow);
     if (!done.ok()) return done;
   }
@@ -146,7 +152,7 @@ Status RigForward::AddDraws(const PhsParams& params, Span span, Channels* deviat
   if (Status s = Run(params, span, &plain); !s.ok()) return s;
   std::vector<Channels> with(plain.size());  // [channel][draw]
   for (const std::vector<SmoothMotion>& draw : redrawn_->Draws()) {
-    std::shared_ptr<const effects::RigPressures> pressures;
+    std::shared_ptr<const rigs::RigPressures> pressures;
     Channels drawn;
     const Status s = RunMotion(params, MotionOf(draw, span), &pressures, &drawn);
     if (!s.ok()) return s;

@@ -4,10 +4,10 @@
 #include <list>
 #include <mutex>
 
-#include "effects/rig_model.h"
 #include "identify/forward_model.h"
-#include "identify/redrawn_motion.h"
-#include "identify/search_data.h"
+#include "measurement/fit_data.h"
+#include "measurement/redrawn_motion.h"
+#include "rigs/rig_model.h"
 
 namespace phs::identify::search {
 
@@ -16,14 +16,14 @@ namespace phs::identify::search {
 class PressureMemory {
  public:
   /// Null if there is none.
-  std::shared_ptr<const effects::RigPressures> Find(const hydraulics::PhsParams& hydraulics);
+  std::shared_ptr<const rigs::RigPressures> Find(const hydraulics::PhsParams& hydraulics);
   void Keep(const hydraulics::PhsParams& hydraulics,
-            std::shared_ptr<const effects::RigPressures> pressures);
+            std::shared_ptr<const rigs::RigPressures> pressures);
 
  private:
   struct Entry {
     hydraulics::PhsParams hydraulics;
-    std::shared_ptr<const effects::RigPressures> pressures;
+    std::shared_ptr<const rigs::RigPressures> pressures;
   };
   std::mutex mutex_;
   std::list<Entry> entries_;  ///< last used first
@@ -32,7 +32,7 @@ class PressureMemory {
 class RigForward final : public ForwardModel {
  public:
   /// `data` must outlive it. Error: the declared model does not fit the rig.
-  static Result<std::shared_ptr<const ForwardModel>> Create(const FitData& data,
+  static Result<std::shared_ptr<const ForwardModel>> Create(const measurement::FitData& data,
                                                             const hydraulics::PhsParams& declared,
                                                             int stride = 1);
 
@@ -49,24 +49,24 @@ class RigForward final : public ForwardModel {
   std::shared_ptr<const ForwardModel> Thinned(int stride) const override;
 
  private:
-  RigForward(const FitData& data, std::shared_ptr<RedrawnMotion> redrawn,
+  RigForward(const measurement::FitData& data, std::shared_ptr<measurement::RedrawnMotion> redrawn,
              std::vector<int> output_index, int stride);
   /// Samples of the whole record -> those of `short_`.
   std::vector<double> Thin(const std::vector<double>& y) const;
-  effects::RigMotion MotionOf(const std::vector<SmoothMotion>& motion, Span span) const;
+  rigs::RigMotion MotionOf(const std::vector<measurement::SmoothMotion>& motion, Span span) const;
   bool HasStates(const hydraulics::PhsParams& params) const;
   Status AddDraws(const hydraulics::PhsParams& params, Span span, Channels* deviation) const;
-  Status RunMotion(const hydraulics::PhsParams& params, const effects::RigMotion& motion,
-                   std::shared_ptr<const effects::RigPressures>* pressures, Channels* out) const;
+  Status RunMotion(const hydraulics::PhsParams& params, const rigs::RigMotion& motion,
+                   std::shared_ptr<const rigs::RigPressures>* pressures, Channels* out) const;
 
-  const FitData& data_;
-  effects::RigOptions options_;
+  const measurement::FitData& data_;
+  rigs::RigOptions options_;
   int stride_ = 1;
-  effects::RigMotion full_;                 ///< whole record
-  effects::RigMotion short_;                ///< to the end of the estimation window, in strides
-  std::shared_ptr<RedrawnMotion> redrawn_;  ///< shared with the thinned
-  std::vector<int> output_index_;           ///< of each measured channel in the model's outputs
-  mutable PressureMemory memory_;           ///< of runs on `short_`
+  rigs::RigMotion full_;   ///< whole record
+  rigs::RigMotion short_;  ///< to the end of the estimation window, in strides
+  std::shared_ptr<measurement::RedrawnMotion> redrawn_;  ///< shared with the thinned
+  std::vector<int> output_index_;  ///< of each measured channel in the model's outputs
+  mutable PressureMemory memory_;  ///< of runs on `short_`
 };
 
 }  // namespace phs::identify::search

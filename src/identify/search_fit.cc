@@ -7,8 +7,12 @@
 
 #include "identify/fit_intervals.h"
 #include "identify/rig_forward.h"
+#include "phs_model/phs_model.h"
 
 namespace phs::identify::search {
+
+using measurement::FitData;
+using measurement::MeasuredChannel;
 
 using hydraulics::PhsParams;
 
@@ -43,7 +47,7 @@ FreeModel DeclaredModel(const PhsParams& declared, std::vector<std::string> name
   if (names.empty()) names = UsuallyFree(declared);
   FreeModel model{declared, {}};
   for (const std::string& name : names) {
-    const double value = hydraulics::GetParameter(declared, name).value();
+    const double value = phs_model::GetParameter(declared, name).value();
     model.free.push_back({name, value, 0.4 * value, 2.5 * value, true, 1});
   }
   return model;
@@ -51,7 +55,7 @@ FreeModel DeclaredModel(const PhsParams& declared, std::vector<std::string> name
 
 Status CheckFree(const PhsParams& declared, const std::vector<std::string>& names) {
   for (const std::string& name : names) {
-    if (auto value = hydraulics::GetParameter(declared, name); !value.ok()) {
+    if (auto value = phs_model::GetParameter(declared, name); !value.ok()) {
       Error e = value.error();
       return Error{"free: " + name, e.what, e.allowed, e.mend};
     } else if (!(value.value() > 0)) {
@@ -155,7 +159,7 @@ Eigen::VectorXd FitProblem::Weighted(int output, const std::vector<double>& on_r
 PhsParams FitProblem::Params(const FreeModel& model, const std::vector<double>& values) const {
   PhsParams params = model.params;
   for (size_t i = 0; i < model.free.size(); ++i) {
-    PHS_CHECK(hydraulics::SetParameter(&params, model.free[i].name, values[i]).ok());
+    PHS_CHECK(phs_model::SetParameter(&params, model.free[i].name, values[i]).ok());
   }
   return params;
 }

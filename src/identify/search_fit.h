@@ -16,8 +16,8 @@
 #include "base/result.h"
 #include "hydraulics/phs_params.h"
 #include "identify/forward_model.h"
-#include "identify/search_data.h"
 #include "identify/thread_budget.h"
+#include "measurement/fit_data.h"
 
 namespace phs::identify::search {
 
@@ -63,10 +63,11 @@ class FitProblem {
  public:
   /// Sets weights with the declared model. `data` must outlive the problem. `stride` > 1: a coarse
   /// problem that steps over the record in strides of so many samples (for looking around).
-  static Result<FitProblem> Create(const FitData& data, const hydraulics::PhsParams& declared,
-                                   int stride = 1);
+  static Result<FitProblem> Create(const measurement::FitData& data,
+                                   const hydraulics::PhsParams& declared, int stride = 1);
   /// The same with another model than a rig.
-  static Result<FitProblem> Create(const FitData& data, std::shared_ptr<const ForwardModel> forward,
+  static Result<FitProblem> Create(const measurement::FitData& data,
+                                   std::shared_ptr<const ForwardModel> forward,
                                    const hydraulics::PhsParams& declared, int stride = 1);
   /// The coarse problem of this one.
   Result<FitProblem> Thinned(const hydraulics::PhsParams& declared, int stride) const;
@@ -74,7 +75,7 @@ class FitProblem {
   int num_channels() const { return static_cast<int>(data_->outputs.size()); }
   const ForwardModel& forward() const { return *forward_; }
   int samples() const { return static_cast<int>(rows_.size()); }
-  const FitData& data() const { return *data_; }
+  const measurement::FitData& data() const { return *data_; }
 
   hydraulics::PhsParams Params(const FreeModel& model, const std::vector<double>& values) const;
   /// Weighted residual; empty if the model refuses the values.
@@ -109,7 +110,7 @@ class FitProblem {
   void SetWeights(SampleWeights weights) { weight_ = std::move(weights); }
 
  private:
-  const FitData* data_ = nullptr;
+  const measurement::FitData* data_ = nullptr;
   int stride_ = 1;
   std::shared_ptr<const ForwardModel> forward_;
   std::vector<int> rows_;  ///< rows of the estimation span in its window

@@ -11,8 +11,8 @@
 #include "base/numbers.h"
 #include "base/result_dir.h"
 #include "base/words.h"
-#include "effects/catalogue.h"
 #include "hydraulics/phs_params.h"
+#include "phs_model/phs_model.h"
 #include "vehicle/compose.h"
 #include "vehicle/scenario.h"
 
@@ -97,14 +97,15 @@ Status SetModelParameter(const std::string& key, const std::string& value,
   const auto number = ParseNumber(value);
   if (!number) return Error{"", Quoted(value) + " is no number", "a number", ""};
   int places = 0;
-  for (const auto& parameter : effects::ListAllParameters(*params)) {
+  for (const auto& parameter : phs_model::ListAllParameters(*params)) {
     if (!Fits(key, parameter.name)) continue;
-    if (Status s = hydraulics::SetParameter(params, parameter.name, *number); !s.ok()) return s;
+    if (Status s = phs_model::SetParameter(params, parameter.name, *number); !s.ok()) return s;
     ++places;
   }
   if (places > 0) return {};
   std::vector<std::string> known;
-  for (const auto& parameter : effects::ListAllParameters(*params)) known.push_back(parameter.name);
+  for (const auto& parameter : phs_model::ListAllParameters(*params))
+    known.push_back(parameter.name);
   const std::string shown =
       fmt::format("parameters of the model, e.g. {}", known.empty() ? "" : known.back());
   return Error{"", "has no parameter " + Quoted(key), shown, DidYouMean(key, known)};
@@ -216,7 +217,7 @@ class CaseBuilder {
     const std::string model =
         scenario_["phs"] ? scenario_["phs"].Scalar() : vehicle::PhsModelOf(bogie);
     if (model.empty()) return {};  // a bogie without hydraulics has nothing to vary
-    auto params = effects::FindPhsParams(model);
+    auto params = phs_model::FindPhsParams(model);
     if (!params.ok()) return params.error();
     for (const auto& [key, value] : set_) {
       if (key.compare(0, 6, "model.") != 0) continue;
@@ -224,7 +225,7 @@ class CaseBuilder {
         return AtAxis(key, s.error());
       }
     }
-    const auto file = File("model.yaml", hydraulics::ToYaml(params.value()));
+    const auto file = File("model.yaml", phs_model::ToYaml(params.value()));
     if (!file.ok()) return file.error();
     scenario_["phs"] = file.value();
     return {};

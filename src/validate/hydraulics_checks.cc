@@ -2,16 +2,16 @@
 #include <cmath>
 
 #include "base/data_path.h"
-#include "effects/catalogue.h"
-#include "effects/step_table.h"
 #include "hydraulics/bwr_nitrogen.h"
+#include "phs_model/phs_model.h"
+#include "rigs/step_table.h"
 #include "validate/check.h"
 
 namespace phs::validate {
 namespace {
 
-using effects::StepRow;
 using hydraulics::PhsParams;
+using rigs::StepRow;
 using Rows = std::vector<StepRow>;
 
 constexpr char kThesis[] = "Löwe, M.Eng. thesis, Univ. of Pretoria, ";
@@ -50,9 +50,9 @@ void AddPrecharge(const PhsParams& p, Checks* checks) {
 
 /// Mean slope of pressure over compression of the closed chamber with its free air.
 Status AddBulkModulus(Checks* checks) {
-  Result<PhsParams> params = effects::FindPhsParams("single_cylinder");
+  Result<PhsParams> params = phs_model::FindPhsParams("single_cylinder");
   if (!params.ok()) return params.error();
-  Result<hydraulics::PhsSystem> made = effects::CreatePhsSystem(params.value());
+  Result<hydraulics::PhsSystem> made = phs_model::CreatePhsSystem(params.value());
   if (!made.ok()) return made.error();
   const auto& line = params.value().lines[0];
   const double area = params.value().cylinders[0].BoreArea();
@@ -97,7 +97,7 @@ Status AddBulkModulus(Checks* checks) {
 Result<double> Settled(const PhsParams& params, const Rows& rows, int row) {
   for (const StepRow& r : rows) {
     if (r.row != row) continue;
-    Result<std::vector<double>> p = effects::PredictSettled(params, {r});
+    Result<std::vector<double>> p = rigs::PredictSettled(params, {r});
     if (!p.ok()) return p.error();
     return p.value()[0];
   }
@@ -125,7 +125,7 @@ Status AddStiffnessOrder(const Rows& rows, Checks* checks) {
   const int row_of[] = {1, 9, 19, 29};
   double slope[4], measured[4];
   for (int k = 0; k < 4; ++k) {
-    Result<PhsParams> p = effects::FindPhsParams("quarter_setup" + std::to_string(k + 1));
+    Result<PhsParams> p = phs_model::FindPhsParams("quarter_setup" + std::to_string(k + 1));
     if (!p.ok()) return p.error();
     Result<double> end = Settled(p.value(), rows, row_of[k]);
     if (!end.ok()) return end.error();
@@ -159,13 +159,13 @@ Status AddStiffnessOrder(const Rows& rows, Checks* checks) {
 /// by a twentieth, about what the thesis's own models reach (Table 6-3: 2 to 5 % of the force).
 Status AddTableB1(const Rows& rows, Checks* checks) {
   for (int setup = 2; setup <= 4; ++setup) {
-    Result<PhsParams> p = effects::FindPhsParams("quarter_setup" + std::to_string(setup));
+    Result<PhsParams> p = phs_model::FindPhsParams("quarter_setup" + std::to_string(setup));
     if (!p.ok()) return p.error();
     Rows own;
     for (const StepRow& r : rows) {
       if (r.setup == setup) own.push_back(r);
     }
-    Result<effects::StepComparison> c = effects::CompareSteps(p.value(), own, {.filling = true});
+    Result<rigs::StepComparison> c = rigs::CompareSteps(p.value(), own, {.filling = true});
     if (!c.ok()) return c.error();
     const auto add = [&](const std::string& what, double error, double tolerance) {
       checks->push_back({{},
@@ -211,11 +211,11 @@ void AddNitrogen(Checks* checks) {
 }  // namespace
 
 Status AddHydraulicsChecks(Checks* checks) {
-  Result<PhsParams> setup2 = effects::FindPhsParams("quarter_setup2");
+  Result<PhsParams> setup2 = phs_model::FindPhsParams("quarter_setup2");
   if (!setup2.ok()) return setup2.error();
   Result<std::string> path = FindData("step table", "models/rigs", "lowe_table_b1", {".csv"});
   if (!path.ok()) return path.error();
-  Result<Rows> rows = effects::ReadStepTable(path.value());
+  Result<Rows> rows = rigs::ReadStepTable(path.value());
   if (!rows.ok()) return rows.error();
   AddVolumes(setup2.value(), checks);
   AddPrecharge(setup2.value(), checks);

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/data_path.h"
-#include "effects/failures.h"
+#include "phs_model/phs_model.h"
 #include "plugin/model_text.h"
 #include "vehicle/mjcf_additions.h"
 #include "vehicle/mjcf_document.h"
@@ -154,7 +154,7 @@ Result<int> CountStates(const Scenario& scenario, const std::string& name, int a
   auto path = FindData("PHS model", "models/phs", model.empty() ? "bo_bo" : model, {".yaml"});
   if (!path.ok()) return path.error();
   auto system =
-      effects::LoadPhsSystem(path.value(), scenario.phs_changes, name.substr(4), actuators);
+      phs_model::LoadPhsSystem(path.value(), scenario.phs_changes, name.substr(4), actuators);
   if (!system.ok()) return system.error();
   return system.value().num_states();
 }

@@ -4,8 +4,10 @@
 
 #include "base/words.h"
 #include "effects/catalogue.h"
+#include "phs_model/phs_model.h"
 
 namespace phs::vehicle {
+
 namespace {
 
 using hydraulics::EffectInfo;

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "hydraulics/extension.h"
+#include "phs_model/phs_model.h"
 #include "vehicle/scenario.h"
 
 namespace phs::vehicle {

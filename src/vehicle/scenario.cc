@@ -4,7 +4,8 @@
 
 #include "base/data_path.h"
 #include "base/yaml.h"
-#include "hydraulics/effects_yaml.h"
+#include "phs_model/effects_yaml.h"
+#include "phs_model/phs_model.h"
 #include "rail/creep_law.h"
 #include "vehicle/running_effects.h"
 
@@ -97,7 +98,7 @@ Result<Scenario> LoadScenario(const std::string& name_or_path) {
   s.record_interval_s =
       map.Number("record_interval_s", {.min = 1e-6, .max = 60}, s.record_interval_s);
   if (map.Has("running")) ReadRunning(map.Map("running"), &s);
-  s.phs_changes.failures = effects::ReadFailures(&map, s.speed_m_s, s.start_s_m);
+  s.phs_changes.failures = phs_model::ReadFailures(&map, s.speed_m_s, s.start_s_m);
   if (map.Has("phs_parameters")) {
     YamlMap changes = map.Map("phs_parameters");
     for (const std::string& name : changes.Keys()) {
@@ -105,7 +106,7 @@ Result<Scenario> LoadScenario(const std::string& name_or_path) {
     }
   }
   if (map.Has("effects")) {
-    for (const auto& effect : hydraulics::ReadEffects(map.Map("effects"))) {
+    for (const auto& effect : phs_model::ReadEffects(map.Map("effects"))) {
       if (Status added = AddEffect(effect, &s); !added.ok()) {
         const Error& e = added.error();
         map.Fail("effects", e.where + ": " + e.what, e.allowed, e.mend);

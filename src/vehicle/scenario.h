@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "base/result.h"
-#include "effects/failures.h"
+#include "phs_model/phs_model.h"
 #include "plugin/running_forces.h"
 #include "rail/creep_conditions.h"
 #include "rail/track.h"
@@ -31,10 +31,10 @@ struct Scenario {
   double duration_s = 0;            ///< 0: until the vehicle reaches the end of the track
   double start_s_m = 1;             ///< arc length of the rearmost wheelset at the start
   double record_interval_s = 0.01;
-  plugin::RunningForces running;    ///< traction and braking; inactive: the drives hold the speed
-  effects::PhsChanges phs_changes;  ///< parameters, effects and failures of the PHS
-  rail::TrackErrors track_errors;   ///< on top of the track file
-  rail::TreadWear wear;             ///< of every wheel
+  plugin::RunningForces running;      ///< traction and braking; inactive: the drives hold the speed
+  phs_model::PhsChanges phs_changes;  ///< parameters, effects and failures of the PHS
+  rail::TrackErrors track_errors;     ///< on top of the track file
+  rail::TreadWear wear;               ///< of every wheel
   /// As written; what they do is already in the fields above (running_effects.h).
   std::vector<hydraulics::EffectParams> effects;
   /// Springs and dampers of single joints of the vehicle, instead of the file's.

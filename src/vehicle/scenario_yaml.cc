@@ -3,7 +3,8 @@
 
 #include "base/data_path.h"
 #include "base/numbers.h"
-#include "hydraulics/effects_yaml.h"
+#include "phs_model/effects_yaml.h"
+#include "phs_model/phs_model.h"
 #include "vehicle/scenario.h"
 
 namespace phs::vehicle {
@@ -55,13 +56,13 @@ void WriteFriction(const rail::FrictionSettings& f, Lines* out) {
   WriteMap("friction", set, f.condition.empty() ? "" : "condition: " + f.condition, out);
 }
 
-void WriteFailures(const std::vector<effects::Failure>& failures, Lines* out) {
+void WriteFailures(const std::vector<phs_model::Failure>& failures, Lines* out) {
   if (failures.empty()) return;
   out->Raw("failures:\n");
-  for (const effects::Failure& f : failures) {
+  for (const phs_model::Failure& f : failures) {
     std::string item = "kind: " + f.kind + ", line: \"" + f.line + "\"";
     if (!f.system.empty()) item += ", system: " + f.system;
-    if (effects::HasTime(f)) item += ", at_s: " + Shortest(f.at_s);
+    if (phs_model::HasTime(f)) item += ", at_s: " + Shortest(f.at_s);
     if (f.kind == "line_leak") {
       item += ", conductance_m3_per_Pas: " + Shortest(f.conductance_m3_per_Pas);
     }
@@ -109,7 +110,7 @@ std::string ToYaml(const Scenario& s) {
     if (joint.damping >= 0) set.emplace_back("damping", joint.damping);
     WriteMap("  " + joint.joint, set, "", &out);
   }
-  out.Raw(hydraulics::EffectsToYaml(s.effects));
+  out.Raw(phs_model::EffectsToYaml(s.effects));
   return out.out();
 }
 

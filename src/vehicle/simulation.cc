@@ -7,6 +7,7 @@
 #include "base/data_path.h"
 #include "base/numbers.h"
 #include "base/words.h"
+#include "phs_model/phs_model.h"
 #include "plugin/model_text.h"
 #include "plugin/registry.h"
 #include "plugin/settle.h"
@@ -86,7 +87,7 @@ Status ChangeJoints(const Scenario& scenario, mjModel* m) {
 
 /// A failure at a place that the run never reaches would be none.
 Status CheckPlaces(const Scenario& scenario, const rail::Track& track) {
-  for (const effects::Failure& failure : scenario.phs_changes.failures) {
+  for (const phs_model::Failure& failure : scenario.phs_changes.failures) {
     if (!(failure.at_m > track.length())) continue;
     return Error{"failures: line " + Quoted(failure.line) + ": at_m",
                  Shortest(failure.at_m) + " m lies beyond the track " + track.name(),

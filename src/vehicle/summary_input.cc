@@ -1,4 +1,5 @@
 // What a run was given, as it stands in its results: scenario and track.
+#include "phs_model/phs_model.h"
 #include "vehicle/summary.h"
 
 namespace phs::vehicle {
@@ -7,12 +8,12 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-Json DescribeFailures(const std::vector<effects::Failure>& failures) {
+Json DescribeFailures(const std::vector<phs_model::Failure>& failures) {
   Json list = Json::array();
-  for (const effects::Failure& f : failures) {
+  for (const phs_model::Failure& f : failures) {
     Json one = {{"kind", f.kind}, {"line", f.line}};
     if (!f.system.empty()) one["system"] = f.system;
-    if (effects::HasTime(f)) one["at_s"] = f.at_s;
+    if (phs_model::HasTime(f)) one["at_s"] = f.at_s;
     if (f.kind == "line_leak") one["conductance_m3_per_Pas"] = f.conductance_m3_per_Pas;
     if (f.kind == "air") one["air_m3"] = f.air_m3;
     list.push_back(std::move(one));

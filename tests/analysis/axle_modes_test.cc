@@ -16,7 +16,7 @@
 
 #include <fstream>
 
-#include "effects/catalogue.h"
+#include "phs_model/phs_model.h"
 #include "tests/base/scratch_dir.h"
 #include "vehicle/simulation.h"
 
@@ -119,7 +119,7 @@ TEST(AxleModesTest, ALineOfABoreAndARodChamberCountsThemWithOppositeSigns) {
   // Each line joins the rod chamber at one axle with the bore chamber at the opposite corner: 1-3
   // and 2-4. It loses A_rod s_i - A_bore s_j, so with the strokes at the top of this file bending
   // and traction feel (A_bore + A_rod)^2, shear and antiphase (A_bore - A_rod)^2.
-  hydraulics::PhsParams params = effects::FindPhsParams("bo_bo").value();
+  hydraulics::PhsParams params = phs_model::FindPhsParams("bo_bo").value();
   const char* bore[] = {"L2", "L3", "L1", "L4"};
   const char* rod[] = {"L1", "L4", "L2", "L3"};
   for (size_t i = 0; i < 4; ++i) {
@@ -128,7 +128,7 @@ TEST(AxleModesTest, ALineOfABoreAndARodChamberCountsThemWithOppositeSigns) {
     params.lines[i].static_pressure_Pa = 1.8e6;
   }
   const std::string file = ScratchFile("crossed.yaml");
-  std::ofstream(file) << hydraulics::ToYaml(params);
+  std::ofstream(file) << phs_model::ToYaml(params);
   const AxleModes modes = MeasureOn("phs", {}, file);
   const double sum = 4 * (kBore + kRod) * (kBore + kRod) / Compliance(1.8e6);
   const double difference = 4 * (kBore - kRod) * (kBore - kRod) / Compliance(1.8e6);

@@ -3,9 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include "phs_model/phs_model.h"
 #include "tests/effects/driven_cylinder.h"
 
 namespace phs::effects {
+
+using phs_model::CreatePhsSystem;
 namespace {
 
 TEST(Catalogue, HasEveryNameOfTheDocumentOnce) {

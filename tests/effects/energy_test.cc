@@ -4,9 +4,12 @@
 #include <cmath>
 #include <string>
 
+#include "phs_model/phs_model.h"
 #include "tests/effects/driven_cylinder.h"
 
 namespace phs::effects {
+
+using phs_model::AddEffect;
 namespace {
 
 using hydraulics::BoBo;

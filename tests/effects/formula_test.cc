@@ -5,11 +5,19 @@
 
 #include <cmath>
 
-#include "effects/catalogue.h"
-#include "effects/rig_model.h"
+#include "phs_model/phs_model.h"
+#include "rigs/rig_model.h"
 #include "tests/effects/driven_cylinder.h"
 
 namespace phs::effects {
+
+using phs_model::AddEffect;
+using phs_model::CreatePhsSystem;
+using phs_model::FindPhsParams;
+using rigs::RigKind;
+using rigs::RigModel;
+using rigs::RigMotion;
+using rigs::RigPrediction;
 namespace {
 
 double Value(const std::string& text, const hydraulics::ForcePlace& place) {
@@ -176,9 +184,9 @@ TEST(Unlisted, ActsInACylinderAndIsWrittenBack) {
   params.effects[0].formula = "c1*(x/0.01[m]) + c2*s*(p/1e6[Pa])";
   params.effects[0].values["c1_N"] = 500;
   params.effects[0].values["c2_N"] = 40;
-  auto map = YamlMap::Parse(hydraulics::ToYaml(params), "again");
+  auto map = YamlMap::Parse(phs_model::ToYaml(params), "again");
   ASSERT_TRUE(map.ok());
-  auto again = hydraulics::ReadPhsParams(map.value());
+  auto again = phs_model::ReadPhsParams(map.value());
   ASSERT_TRUE(again.ok()) << again.error().Line();
   EXPECT_EQ(again.value().effects[0].formula, params.effects[0].formula);
   const auto with = CreatePhsSystem(again.value());

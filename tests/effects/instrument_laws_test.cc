@@ -3,10 +3,15 @@
 
 #include <cmath>
 
-#include "effects/rig_model.h"
+#include "rigs/rig_model.h"
 #include "tests/effects/driven_cylinder.h"
 
 namespace phs::effects {
+
+using rigs::RigKind;
+using rigs::RigModel;
+using rigs::RigMotion;
+using rigs::RigPrediction;
 namespace {
 
 TEST(Instruments, GainOffsetDriftDelayOnPredictedChannels) {

@@ -1,9 +1,9 @@
 // Manifests of rigs and identification.
-#include "identify/manifest.h"
+#include "measurement/manifest.h"
 #include "one_input.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   phs::fuzz::ExpectValueOrLine(
-      phs::identify::LoadManifest(phs::fuzz::InputFile(phs::fuzz::Text(data, size), ".yaml")));
+      phs::measurement::LoadManifest(phs::fuzz::InputFile(phs::fuzz::Text(data, size), ".yaml")));
   return 0;
 }

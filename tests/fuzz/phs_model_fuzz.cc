@@ -1,9 +1,9 @@
 // PHS models with their effects.
-#include "effects/catalogue.h"
 #include "one_input.h"
+#include "phs_model/phs_model.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   phs::fuzz::ExpectValueOrLine(
-      phs::effects::LoadPhsSystem(phs::fuzz::InputFile(phs::fuzz::Text(data, size), ".yaml")));
+      phs::phs_model::LoadPhsSystem(phs::fuzz::InputFile(phs::fuzz::Text(data, size), ".yaml")));
   return 0;
 }

@@ -9,11 +9,15 @@
 
 #include "identify/bogie_data.h"
 #include "identify/bogie_run.h"
+#include "phs_model/phs_model.h"
 #include "tests/base/scratch_dir.h"
 #include "tests/identify/bogie_measurement.h"
 #include "vehicle/scenario.h"
 
 namespace phs::identify::search {
+
+using measurement::LoadManifest;
+using measurement::Manifest;
 namespace {
 
 using nlohmann::ordered_json;
@@ -101,7 +105,7 @@ TEST_F(BogieTest, CantErrorIsNamedAndTheModelRunsAsItIs) {
   for (const auto& [name, c] : result["channels"].items()) {
     EXPECT_EQ(rig.value().result["channels"][name]["rmse"], c["after"]["rmse"]) << name;
   }
-  EXPECT_TRUE(hydraulics::LoadPhsParams(scratch_.File("out/phs.yaml")).ok());
+  EXPECT_TRUE(phs_model::LoadPhsParams(scratch_.File("out/phs.yaml")).ok());
 }
 
 TEST_F(BogieTest, PoorDataEndWithAClearWord) {

@@ -6,11 +6,15 @@
 
 #include <cmath>
 
+#include "effects/catalogue.h"
 #include "identify/effect_trials.h"
 #include "identify/near_fit.h"
+#include "phs_model/phs_model.h"
 #include "tests/identify/search_record.h"
 
 namespace phs::identify::search {
+
+using measurement::FitData;
 namespace {
 
 Candidate Of(const char* effect, const std::vector<const char*>& free,
@@ -120,7 +124,7 @@ TEST(DeclaredModelTest, TheNumbersNamedAreFreeAndNoOthers) {
 }
 
 TEST(DeclaredModelTest, FreeAirOfAChamberIsFreeByItself) {
-  const auto cylinder = effects::FindPhsParams("single_cylinder").value();
+  const auto cylinder = phs_model::FindPhsParams("single_cylinder").value();
   std::vector<std::string> names;
   for (const FreeParameter& p : DeclaredModel(cylinder).free) names.push_back(p.name);
   EXPECT_EQ(names, (std::vector<std::string>{"chamber.oil_volume_m3", "chamber.free_air_m3",

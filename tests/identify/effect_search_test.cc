@@ -9,12 +9,17 @@
 #include <set>
 #include <string>
 
-#include "identify/data_checks.h"
 #include "identify/effect_verdict.h"
 #include "identify/fit_intervals.h"
+#include "measurement/data_checks.h"
+#include "phs_model/phs_model.h"
 #include "tests/identify/search_record.h"
 
 namespace phs::identify::search {
+
+using measurement::FitData;
+using measurement::InputIsSwapped;
+using measurement::MendOutputs;
 namespace {
 
 TEST(EffectSearchTest, FindsNothingWhereTheDeclaredModelSuffices) {
@@ -26,7 +31,7 @@ TEST(EffectSearchTest, FindsNothingWhereTheDeclaredModelSuffices) {
 
 TEST(EffectSearchTest, FindsMountCompliance) {
   hydraulics::PhsParams truth = OffDeclared();
-  ASSERT_TRUE(effects::AddEffect(&truth, "mount_compliance").ok());
+  ASSERT_TRUE(phs_model::AddEffect(&truth, "mount_compliance").ok());
   const FitData data = Record(truth);
   const Identification found = Find(Declared(), data);
   ASSERT_FALSE(found.effects.empty());

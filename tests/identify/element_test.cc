@@ -10,8 +10,11 @@
 
 #include "base/data_path.h"
 #include "identify/element_run.h"
+#include "phs_model/phs_model.h"
 
 namespace phs::identify::element {
+
+using measurement::LoadManifest;
 namespace {
 
 namespace fs = std::filesystem;
@@ -63,9 +66,9 @@ class BenchRecord {
     EXPECT_TRUE(outcome.ok()) << (outcome.ok() ? "" : outcome.error().Line());
     if (!outcome.ok()) return {};
     // The corrected model is a model file like any other.
-    const auto params = hydraulics::LoadPhsParams(dir.value().File("model.yaml"));
+    const auto params = phs_model::LoadPhsParams(dir.value().File("model.yaml"));
     EXPECT_TRUE(params.ok()) << (params.ok() ? "" : params.error().Line());
-    EXPECT_TRUE(effects::RigModel::Create(effects::RigKind::kElement, params.value()).ok());
+    EXPECT_TRUE(rigs::RigModel::Create(rigs::RigKind::kElement, params.value()).ok());
     EXPECT_EQ(params.value().effects.size(), outcome.value().result["effects"].size());
     return outcome.value().result;
   }

@@ -10,6 +10,8 @@
 #include "identify/effect_search.h"
 
 namespace phs::identify::search {
+
+using measurement::FitData;
 namespace {
 
 constexpr int kBlocks = 6, kRows = 50;  // of a block

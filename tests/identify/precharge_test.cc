@@ -1,21 +1,21 @@
 // The precharge of blow-off accumulators: sought about the declared one, and not found in it.
 #include <gtest/gtest.h>
 
-#include "effects/catalogue.h"
 #include "identify/effect_verdict.h"
 #include "identify/search_fit.h"
+#include "phs_model/phs_model.h"
 
 namespace phs::identify::search {
 namespace {
 
 hydraulics::PhsParams WithPrecharge(double precharge_Pa) {
-  hydraulics::PhsParams params = effects::FindPhsParams("quarter_setup2").value();
+  hydraulics::PhsParams params = phs_model::FindPhsParams("quarter_setup2").value();
   for (auto& line : params.lines) line.accumulator_precharge_Pa = precharge_Pa;
   return params;
 }
 
 Candidate PrechargeOf(const hydraulics::PhsParams& params) {
-  for (const Candidate& c : ListCandidates(params, effects::RigKind::kQuarter)) {
+  for (const Candidate& c : ListCandidates(params, rigs::RigKind::kQuarter)) {
     if (c.effect == "accumulator_precharge" && c.params.targets.empty()) return c;
   }
   ADD_FAILURE() << "no such candidate";

@@ -1,5 +1,5 @@
 // What the measured motion leaves uncertain of a model's output.
-#include "identify/redrawn_motion.h"
+#include "measurement/redrawn_motion.h"
 
 #include <gtest/gtest.h>
 
@@ -9,6 +9,11 @@
 #include "tests/identify/search_record.h"
 
 namespace phs::identify::search {
+
+using measurement::DeviationOfDraws;
+using measurement::FitData;
+using measurement::RedrawnMotion;
+using measurement::SmoothMotion;
 namespace {
 
 TEST(RedrawnMotion, IsAsFarOffAsTheSmootherSaysItself) {

@@ -5,11 +5,14 @@
 
 #include <cmath>
 
+#include "effects/catalogue.h"
 #include "identify/near_fit.h"
 #include "identify/seen_starts.h"
 #include "tests/identify/search_record.h"
 
 namespace phs::identify::search {
+
+using measurement::FitData;
 namespace {
 
 Candidate Presliding() {

@@ -6,21 +6,21 @@
 #include <cmath>
 #include <random>
 
-#include "effects/catalogue.h"
 #include "identify/effect_search.h"
+#include "phs_model/phs_model.h"
 
 namespace phs::identify::search {
 
 /// 60 s at 100 Hz: sines of two speeds, holds at rest (or not: they begin at once, from full
 /// speed); white sensor noise.
-inline FitData Record(const hydraulics::PhsParams& truth, bool holds = true) {
-  FitData data;
+inline measurement::FitData Record(const hydraulics::PhsParams& truth, bool holds = true) {
+  measurement::FitData data;
   data.step_s = 0.01;
   data.estimation = {0, 40};
   data.validation = {40, 60};
   std::mt19937 random(7);
   std::normal_distribution<double> normal;
-  effects::RigMotion motion{0, data.step_s, {{}}, {}, {}, {}};
+  rigs::RigMotion motion{0, data.step_s, {{}}, {}, {}, {}};
   for (int i = 0; i < 6000; ++i) {
     const double t = i * data.step_s;
     data.time_s.push_back(t);
@@ -30,12 +30,12 @@ inline FitData Record(const hydraulics::PhsParams& truth, bool holds = true) {
                          : 0;
     motion.position_m[0].push_back(x);
   }
-  const auto rig = effects::RigModel::Create(effects::RigKind::kQuarter, truth);
-  effects::RigPrediction clean;
+  const auto rig = rigs::RigModel::Create(rigs::RigKind::kQuarter, truth);
+  rigs::RigPrediction clean;
   EXPECT_TRUE(rig.value().Run(motion, &clean).ok());
   data.inputs.push_back({"actuator_m", motion.position_m[0], 5e-7});
   for (double& x : data.inputs[0].values) x += 5e-7 * normal(random);
-  data.motion.push_back(SmoothPosition(data.inputs[0].values, {}, data.step_s, 5e-7));
+  data.motion.push_back(measurement::SmoothPosition(data.inputs[0].values, {}, data.step_s, 5e-7));
   const double noise[] = {1.5e-6, 40, 1e4, 1e4};
   for (size_t c = 0; c < 4; ++c) {
     data.outputs.push_back({rig.value().output_names()[c], clean.channels[c], noise[c]});
@@ -44,14 +44,17 @@ inline FitData Record(const hydraulics::PhsParams& truth, bool holds = true) {
   return data;
 }
 
-inline Identification Find(const hydraulics::PhsParams& declared, const FitData& data) {
+inline Identification Find(const hydraulics::PhsParams& declared,
+                           const measurement::FitData& data) {
   auto problem = FitProblem::Create(data, declared);
   auto found = Identify(&problem.value(), declared, {}, nullptr);
   EXPECT_TRUE(found.ok());
   return found.value();
 }
 
-inline hydraulics::PhsParams Declared() { return effects::FindPhsParams("quarter_setup2").value(); }
+inline hydraulics::PhsParams Declared() {
+  return phs_model::FindPhsParams("quarter_setup2").value();
+}
 
 inline hydraulics::PhsParams OffDeclared() {
   hydraulics::PhsParams truth = Declared();

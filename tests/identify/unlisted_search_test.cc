@@ -8,9 +8,13 @@
 
 #include "identify/result_json.h"
 #include "identify/worst_place.h"
+#include "phs_model/phs_model.h"
 #include "tests/identify/search_record.h"
 
 namespace phs::identify::search {
+
+using measurement::FitData;
+using measurement::SmoothPosition;
 namespace {
 
 hydraulics::PhsParams WithUnlisted(const std::string& formula, const std::string& coefficient,
@@ -150,7 +154,7 @@ TEST(CandidatesTest, OnlyThoseAskedForAreTried) {
 }
 
 TEST(CandidatesTest, NoNumberIsFreedTwiceWhateverOptionsAreTaken) {
-  for (Candidate c : ListCandidates(Declared(), effects::RigKind::kQuarter)) {
+  for (Candidate c : ListCandidates(Declared(), rigs::RigKind::kQuarter)) {
     while (!c.options.empty()) c = WithOption(c, 0);
     std::set<std::string> names;
     for (const FreeParameter& p : c.free) {
@@ -160,25 +164,25 @@ TEST(CandidatesTest, NoNumberIsFreedTwiceWhateverOptionsAreTaken) {
 }
 
 TEST(CandidatesTest, ALeakMayBeInOneCylinderOfFour) {
-  const auto four = effects::FindPhsParams("bo_bo").value();
+  const auto four = phs_model::FindPhsParams("bo_bo").value();
   std::vector<std::vector<std::string>> places;
-  for (const Candidate& c : ListCandidates(four, effects::RigKind::kFull)) {
+  for (const Candidate& c : ListCandidates(four, rigs::RigKind::kFull)) {
     if (c.effect == "piston_leakage") places.push_back(c.params.targets);
   }
   EXPECT_THAT(places, testing::IsSupersetOf<std::vector<std::string>>({{}, {"1"}, {"4"}}));
   int alone = 0;
-  for (const Candidate& c : ListCandidates(Declared(), effects::RigKind::kQuarter)) {
+  for (const Candidate& c : ListCandidates(Declared(), rigs::RigKind::kQuarter)) {
     alone += c.effect == "piston_leakage" && !c.params.targets.empty();
   }
   EXPECT_EQ(alone, 0) << "one cylinder is all of them";
 }
 
 TEST(CandidatesTest, OnTheFullRigTheWorstLoadCellSaysWhereACylinderIsTriedAlone) {
-  const auto four = effects::FindPhsParams("bo_bo").value();
+  const auto four = phs_model::FindPhsParams("bo_bo").value();
   FitData data;
-  data.kind = effects::RigKind::kFull;
+  data.kind = rigs::RigKind::kFull;
   data.step_s = 0.01, data.estimation = {0, 1}, data.validation = {1, 2};
-  effects::RigMotion motion{0, data.step_s, {{}, {}}, {}, {}, {}};
+  rigs::RigMotion motion{0, data.step_s, {{}, {}}, {}, {}, {}};
   for (int i = 0; i < 200; ++i) {
     data.time_s.push_back(i * data.step_s);
     for (auto& x : motion.position_m) x.push_back(1e-3 * std::sin(2 * M_PI * i * data.step_s));
@@ -195,7 +199,7 @@ TEST(CandidatesTest, OnTheFullRigTheWorstLoadCellSaysWhereACylinderIsTriedAlone)
   const auto alone = [&](std::vector<double> channel_ms) {
     FitResult fit;
     fit.channel_ms = std::move(channel_ms);
-    auto list = ListCandidates(four, effects::RigKind::kFull);
+    auto list = ListCandidates(four, rigs::RigKind::kFull);
     KeepWorstPlace(problem.value(), fit, four, &list);
     std::set<std::string> places;
     for (const Candidate& c : list) {

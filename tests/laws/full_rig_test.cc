@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "effects/catalogue.h"
-#include "effects/rig_model.h"
-#include "effects/rig_signal.h"
 #include "plugin/registry.h"
+#include "rigs/rig_model.h"
+#include "rigs/rig_signal.h"
 #include "tests/plugin/attached_model.h"
 
 namespace phs {
@@ -48,19 +48,19 @@ TEST(FullRig, HingedBeamAndEngineBodyAgree) {
   const plugin::EngineGuard guard;
   const double h = 1e-4;
   const int n = 40001;
-  effects::SignalParams signal;
+  rigs::SignalParams signal;
   signal.amplitude_m = 2e-3;
   signal.frequency_Hz = 0.5;
-  effects::RigMotion motion;
+  rigs::RigMotion motion;
   motion.step_s = h;
-  motion.position_m = {effects::GenerateSignal(signal, n, h)};
+  motion.position_m = {rigs::GenerateSignal(signal, n, h)};
   signal.amplitude_m = 1.5e-3;
   signal.frequency_Hz = 0.8;
-  motion.position_m.push_back(effects::GenerateSignal(signal, n, h));
-  const effects::RigModel rig = std::move(
-      effects::RigModel::Create(effects::RigKind::kFull, effects::FindPhsParams("bo_bo").value())
+  motion.position_m.push_back(rigs::GenerateSignal(signal, n, h));
+  const rigs::RigModel rig = std::move(
+      rigs::RigModel::Create(rigs::RigKind::kFull, phs_model::FindPhsParams("bo_bo").value())
           .value());
-  effects::RigPrediction own;
+  rigs::RigPrediction own;
   ASSERT_TRUE(rig.Run(motion, &own).ok());
 
   plugin::ModelPtr m = plugin::LoadText(kRig);

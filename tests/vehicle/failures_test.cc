@@ -1,12 +1,12 @@
 // Failures of the hydraulics on a running bogie.
-#include "effects/failures.h"
+#include "phs_model/failures.h"
 
 #include <gmock/gmock.h>
 
 #include <cmath>
 
 #include "base/data_path.h"
-#include "effects/catalogue.h"
+#include "phs_model/phs_model.h"
 #include "plugin/observer.h"
 #include "plugin/settle.h"
 #include "vehicle/scenario.h"
@@ -18,7 +18,7 @@ namespace {
 
 using testing::HasSubstr;
 
-Scenario Straight(std::vector<effects::Failure> failures) {
+Scenario Straight(std::vector<phs_model::Failure> failures) {
   Scenario s;
   s.name = "failure";
   s.track = "straight";
@@ -60,7 +60,7 @@ TEST(FailuresTest, ASlowLeakLosesThePrechargeWithItsTimeConstant) {
   const double G = 2e-12;
   auto path = FindData("PHS model", "models/phs", "bo_bo", {".yaml"});
   ASSERT_TRUE(path.ok());
-  auto system = effects::LoadPhsSystem(
+  auto system = phs_model::LoadPhsSystem(
       path.value(), {{}, {{.kind = "line_leak", .line = "L2", .conductance_m3_per_Pas = G}}},
       "bogie", 4);
   ASSERT_TRUE(system.ok());
@@ -83,12 +83,12 @@ TEST(FailuresTest, ASlowLeakLosesThePrechargeWithItsTimeConstant) {
 }
 
 TEST(FailuresTest, LostGasAndAirChangeTheLineFromTheStart) {
-  auto params = effects::FindPhsParams("bo_bo");
+  auto params = phs_model::FindPhsParams("bo_bo");
   ASSERT_TRUE(params.ok());
-  ASSERT_TRUE(effects::ApplyFailures({{.kind = "reservoir_gas_lost", .line = "L3"},
-                                      {.kind = "accumulator_gas_lost", .line = "L4"},
-                                      {.kind = "air", .line = "L1", .air_m3 = 3e-6}},
-                                     "bogie", &params.value())
+  ASSERT_TRUE(phs_model::ApplyFailures({{.kind = "reservoir_gas_lost", .line = "L3"},
+                                        {.kind = "accumulator_gas_lost", .line = "L4"},
+                                        {.kind = "air", .line = "L1", .air_m3 = 3e-6}},
+                                       "bogie", &params.value())
                   .ok());
   const auto& lines = params.value().lines;
   EXPECT_EQ(lines[2].gas_volume_m3, 0);
@@ -98,14 +98,14 @@ TEST(FailuresTest, LostGasAndAirChangeTheLineFromTheStart) {
 }
 
 TEST(FailuresTest, LostGasIsNotFilledUpByAnIdentifiedPrecharge) {
-  auto params = effects::FindPhsParams("bo_bo");
+  auto params = phs_model::FindPhsParams("bo_bo");
   ASSERT_TRUE(params.ok());
   auto& list = params.value().effects;
   list.push_back({"accumulator_precharge", {}, {{"precharge_Pa", 1.2e7}}});
   list.push_back({"diaphragm_stop", {"L3"}, {{"min_gas_volume_m3", 4e-6}}});
-  ASSERT_TRUE(effects::ApplyFailures({{.kind = "reservoir_gas_lost", .line = "L3"},
-                                      {.kind = "accumulator_gas_lost", .line = "L4"}},
-                                     "bogie", &params.value())
+  ASSERT_TRUE(phs_model::ApplyFailures({{.kind = "reservoir_gas_lost", .line = "L3"},
+                                        {.kind = "accumulator_gas_lost", .line = "L4"}},
+                                       "bogie", &params.value())
                   .ok());
   ASSERT_EQ(list.size(), 1u) << "the stop was of the failed reservoir alone";
   EXPECT_THAT(list[0].targets, testing::ElementsAre("L1", "L2", "L3"));
@@ -152,7 +152,7 @@ TEST(FailuresTest, WrongEntriesAreNamed) {
   EXPECT_THAT(none.error().Line(), HasSubstr("has no accumulator"));
   auto map = YamlMap::Parse("failures:\n  - {kind: line_brust, line: L1}\n", "s.yaml");
   ASSERT_TRUE(map.ok());
-  effects::ReadFailures(&map.value(), 20, 1);
+  phs_model::ReadFailures(&map.value(), 20, 1);
   ASSERT_FALSE(map.value().Finish().ok());
   EXPECT_THAT(map.value().Finish().error().Line(), HasSubstr("line_burst"));
 }
@@ -160,20 +160,20 @@ TEST(FailuresTest, WrongEntriesAreNamed) {
 TEST(FailuresTest, APlaceBecomesATime) {
   auto map = YamlMap::Parse("failures:\n  - {kind: line_burst, line: L1, at_m: 201}\n", "s.yaml");
   ASSERT_TRUE(map.ok());
-  const auto failures = effects::ReadFailures(&map.value(), 20, 1);
+  const auto failures = phs_model::ReadFailures(&map.value(), 20, 1);
   ASSERT_TRUE(map.value().Finish().ok());
   ASSERT_EQ(failures.size(), 1u);
   EXPECT_DOUBLE_EQ(failures[0].at_s, 10);
 }
 
 TEST(FailuresTest, APlaceBeyondTheTrackIsNoPlace) {
-  effects::Failure burst{.kind = "line_burst", .line = "L1"};
+  phs_model::Failure burst{.kind = "line_burst", .line = "L1"};
   burst.at_m = 1e6;
   const auto beyond = Simulation::Create(Straight({burst}));
   ASSERT_FALSE(beyond.ok());
   EXPECT_THAT(beyond.error().Line(), HasSubstr("at_m: 1000000 m lies beyond the track straight"));
   auto map = YamlMap::Parse("failures:\n  - {kind: line_burst, line: L1, at_m: -5}\n", "s.yaml");
-  effects::ReadFailures(&map.value(), 20, 1);
+  phs_model::ReadFailures(&map.value(), 20, 1);
   EXPECT_THAT(map.value().Finish().error().Line(), HasSubstr("at_m: -5 is out of range"));
 }
 

@@ -8,11 +8,14 @@
 #include <fstream>
 
 #include "base/data_path.h"
+#include "phs_model/phs_model.h"
 #include "tests/base/scratch_dir.h"
 #include "vehicle/simulation.h"
 #include "vehicle/summary.h"
 
 namespace phs::vehicle {
+
+using phs_model::AddEffect;
 namespace {
 
 namespace fs = std::filesystem;

@@ -14,7 +14,7 @@ int main() {
     std::printf("%s\n", path.error().Line().c_str());
     return 1;
   }
-  const auto loaded = phs::effects::LoadPhsSystem(path.value());
+  const auto loaded = phs::phs_model::LoadPhsSystem(path.value());
   if (!loaded.ok()) {
     std::printf("%s\n", loaded.error().Line().c_str());
     return 1;

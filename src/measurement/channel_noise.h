@@ -1,0 +1,19 @@
+// Noise of measured channels, from the data alone: level, colour, quantisation.
+#pragma once
+
+#include <vector>
+
+#include "measurement/rig_data.h"
+
+namespace phs::measurement {
+
+/// White part: standard deviation from fourth differences (a cubic trend drops out), the quietest
+/// half of the record deciding, so that fast motion does not count as noise.
+double WhiteNoise(const std::vector<double>& y, const std::vector<char>& bad);
+/// Smallest step between different values if all values are multiples of it, else 0.
+double Quantum(const std::vector<double>& y);
+/// Level and correlation where nothing moves: deviation from a straight line over each stretch of
+/// `rest`. Falls back on the white part when there is no rest.
+ChannelNoise EstimateNoise(const Channel& channel, const std::vector<char>& rest, double step_s);
+
+}  // namespace phs::measurement

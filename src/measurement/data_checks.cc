@@ -1,0 +1,215 @@
+#include "measurement/data_checks.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "measurement/channel_noise.h"
+#include "measurement/series.h"
+
+namespace phs::measurement {
+namespace {
+
+/// Correlation of measured and predicted, and the ratio of their swings.
+struct Likeness {
+  double correlation = 0;
+  double ratio = 1;  ///< measured over predicted standard deviation
+  double mean = 0;   ///< of the measured
+};
+
+Likeness Compare(const std::vector<double>& measured, const std::vector<double>& predicted) {
+  Likeness out;
+  double n = 0, mb = 0, aa = 0, bb = 0, ab = 0;
+  for (size_t i = 0; i < measured.size(); ++i) {
+    if (std::isfinite(measured[i])) ++n, out.mean += measured[i], mb += predicted[i];
+  }
+  if (n < 2) return out;
+  out.mean /= n, mb /= n;
+  for (size_t i = 0; i < measured.size(); ++i) {
+    if (!std::isfinite(measured[i])) continue;
+    const double a = measured[i] - out.mean, b = predicted[i] - mb;
+    aa += a * a, bb += b * b, ab += a * b;
+  }
+  if (!(aa > 0 && bb > 0)) return out;
+  out.ratio = std::sqrt(aa / bb);
+  out.correlation = ab / std::sqrt(aa * bb);
+  return out;
+}
+
+std::string Unit(const std::string& name) { return name.substr(name.rfind('_')); }
+
+bool AreSwapped(const FitData& data, const std::vector<std::vector<double>>& predicted, size_t a,
+                size_t b) {
+  const auto &ya = data.outputs[a].values, &yb = data.outputs[b].values;
+  const Likeness own_a = Compare(ya, predicted[a]), own_b = Compare(yb, predicted[b]);
+  const Likeness cross_a = Compare(ya, predicted[b]), cross_b = Compare(yb, predicted[a]);
+  // Pressures of the wrong sign would be negative; under the wrong name they stay positive.
+  const bool pressure = Unit(data.outputs[a].name) == "_Pa";
+  if (pressure && (own_a.mean < 0 || own_b.mean < 0)) return false;
+  return cross_a.correlation > 0.7 && cross_b.correlation > 0.7 && own_a.correlation < 0.5 &&
+         own_b.correlation < 0.5;
+}
+
+}  // namespace
+
+void MarkSpikes(Channel* channel, std::vector<DataFinding>* findings) {
+  int removed = 0;
+  std::vector<double>& y = channel->y;
+  const double noise = std::max(WhiteNoise(y, channel->bad), Quantum(y) / 3.46);
+  std::vector<size_t> spikes;
+  for (size_t i = 2; i + 2 < y.size(); ++i) {
+    const double around = (4 * (y[i - 1] + y[i + 1]) - (y[i - 2] + y[i + 2])) / 6;
+    const double spread = std::abs(y[i + 1] - y[i - 1]) + std::abs(y[i + 2] - y[i + 1]) +
+                          std::abs(y[i - 1] - y[i - 2]);
+    if (std::abs(y[i] - around) > 12 * noise + 4 * spread) spikes.push_back(i), ++removed;
+  }
+  for (size_t i : spikes) y[i] = 0.5 * (y[i - 1] + y[i + 1]), channel->bad[i] = 1;
+  if (removed > 0) {
+    findings->push_back({channel->name, fmt::format("{} spikes: left out", removed)});
+  }
+}
+
+void MarkStuck(Channel* channel, const RigRun& run, std::vector<DataFinding>* findings) {
+  const std::vector<double>& y = channel->y;
+  if (!(channel->noise.white > 0.8 * channel->noise.quantum)) return;  // repeats are natural
+  constexpr size_t kRepeats = 25;
+  const auto [low, high] = std::minmax_element(y.begin(), y.end());
+  size_t saturated = 0, stuck = 0;
+  double at = 0, from = 0, to = 0;
+  for (size_t i = 0; i < y.size();) {
+    size_t end = i + 1;
+    while (end < y.size() && y[end] == y[i] && !channel->bad[end]) ++end;
+    if (end - i >= kRepeats && !channel->bad[i]) {
+      const bool edge = y[i] == *low || y[i] == *high;
+      (edge ? saturated : stuck) += end - i;
+      if (edge) at = y[i];
+      if (!edge && stuck == end - i) from = run.Time(static_cast<int>(i));
+      if (!edge) to = run.Time(static_cast<int>(end - 1));
+      std::fill(channel->bad.begin() + static_cast<long>(i),
+                channel->bad.begin() + static_cast<long>(end), 1);
+    }
+    i = end;
+  }
+  if (saturated > 0) {
+    findings->push_back(
+        {channel->name, fmt::format("saturated at {:.4g}: {} samples left out", at, saturated)});
+  }
+  if (stuck > 0) {
+    findings->push_back({channel->name, fmt::format("stuck between {:.4g} and {:.4g} s: {} samples "
+                                                    "left out",
+                                                    from, to, stuck)});
+  }
+}
+
+void MendInputScale(const hydraulics::PhsParams& params, Channel* input,
+                    std::vector<DataFinding>* findings) {
+  double stroke = 0.03;
+  for (const auto& cylinder : params.cylinders)
+    stroke = std::max(stroke, 2 * cylinder.end_stop.clearance_m);
+  const double reach = Quantile(input->y, 0.99) - Quantile(input->y, 0.01);
+  double factor = 1;
+  while (reach * factor > 20 * stroke && factor > 1e-9) factor *= 1e-3;
+  if (factor == 1) return;
+  for (double& x : input->y) x *= factor;
+  findings->push_back(
+      {input->name, fmt::format("swings {:.3g} m, far beyond the stroke: taken in units of {:g} m",
+                                reach, factor)});
+}
+
+bool InputIsSwapped(const FitData& data, const std::vector<std::vector<double>>& predicted) {
+  int with = 0, against = 0;
+  for (size_t c = 0; c < data.outputs.size(); ++c) {
+    const double r = Compare(data.outputs[c].values, predicted[c]).correlation;
+    with += r > 0.5, against += r < -0.5;
+  }
+  return with == 0 && against >= 2 &&
+         !(data.outputs.size() == 2 && AreSwapped(data, predicted, 0, 1));
+}
+
+void MendOutputs(const std::vector<std::vector<double>>& predicted, FitData* data) {
+  auto& outputs = data->outputs;
+  for (size_t a = 0; a < outputs.size(); ++a) {
+    for (size_t b = a + 1; b < outputs.size(); ++b) {
+      if (Unit(outputs[a].name) != Unit(outputs[b].name)) continue;
+      if (!AreSwapped(*data, predicted, a, b)) continue;
+      std::swap(outputs[a].values, outputs[b].values);
+      std::swap(outputs[a].noise, outputs[b].noise);
+      data->findings.push_back(
+          {outputs[a].name, "and " + outputs[b].name + " follow each other's prediction: swapped"});
+    }
+  }
+  for (size_t c = 0; c < outputs.size(); ++c) {
+    MeasuredChannel& out = outputs[c];
+    const Likeness like = Compare(out.values, predicted[c]);
+    if (std::abs(like.correlation) < 0.6) continue;
+    double factor = 1;
+    if (like.correlation < 0) {
+      factor = -1;
+      data->findings.push_back(
+          {out.name, fmt::format("runs against the model (correlation {:.2f}): sign swapped; "
+                                 "tension and extension > 0, pressures absolute",
+                                 like.correlation)});
+    }
+    const double power = std::round(std::log10(like.ratio));
+    if (std::abs(power) >= 2) {
+      factor *= std::pow(10.0, -power);
+      data->findings.push_back(
+          {out.name, fmt::format("swings {:.3g} times as much as the model: unit taken as 1e{:.0f} "
+                                 "of the one its name says",
+                                 like.ratio, -power)});
+    }
+    if (factor == 1) continue;
+    for (double& y : out.values) y *= factor;
+    out.noise *= std::abs(factor);
+  }
+}
+
+namespace {
+
+/// Marks in `out` the samples about where a pressure reads below vacuum.
+void MarkBelowVacuum(const MeasuredChannel& channel, const FitData& data, std::vector<char>* out,
+                     std::vector<DataFinding>* findings) {
+  constexpr double kBelow_Pa = -1.2e5, kAbout_s = 0.01;
+  const auto about = static_cast<size_t>(std::ceil(kAbout_s / data.step_s));
+  const std::vector<double>& y = channel.values;
+  for (size_t begin = 0; begin < y.size(); ++begin) {
+    if (!(y[begin] < 0)) continue;
+    size_t end = begin;
+    double least = 0;
+    for (; end < y.size() && y[end] < 0; ++end) least = std::min(least, y[end]);
+    if (least < kBelow_Pa - 5 * channel.noise) {
+      const size_t after = std::max(about, end - begin);
+      const size_t first = begin - std::min(begin, about), last = std::min(end + after, y.size());
+      std::fill(out->begin() + static_cast<long>(first), out->begin() + static_cast<long>(last), 1);
+      findings->push_back(
+          {channel.name,
+           fmt::format("reads {:.3g} Pa, below absolute vacuum: every output left out "
+                       "from {:.5g} to {:.5g} s",
+                       least, data.time_s[first], data.time_s[last - 1])});
+    }
+    begin = end;
+  }
+}
+
+}  // namespace
+
+void LeaveOutBelowVacuum(FitData* data) {
+  constexpr double kMostOfRecord = 0.05;
+  std::vector<char> out(data->time_s.size(), 0);
+  std::vector<DataFinding> findings;
+  for (const MeasuredChannel& channel : data->outputs) {
+    if (channel.name.ends_with("_Pa")) MarkBelowVacuum(channel, *data, &out, &findings);
+  }
+  const auto count = static_cast<double>(std::count(out.begin(), out.end(), 1));
+  if (count > kMostOfRecord * static_cast<double>(out.size())) return;
+  data->findings.insert(data->findings.end(), findings.begin(), findings.end());
+  for (MeasuredChannel& channel : data->outputs) {
+    for (size_t i = 0; i < out.size(); ++i) {
+      if (out[i] != 0) channel.values[i] = std::numeric_limits<double>::quiet_NaN();
+    }
+  }
+}
+
+}  // namespace phs::measurement

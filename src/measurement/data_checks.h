@@ -1,0 +1,40 @@
+// Faults of measured channels that can be found without a fit, and mended or left out: spikes, a
+// stuck or saturated sensor, a motion in another unit; and, against the declared model, a swapped
+// sign, another unit, two channels under each other's name. Each leaves a word in the findings.
+#pragma once
+
+#include <vector>
+
+#include "hydraulics/phs_params.h"
+#include "measurement/fit_data.h"
+#include "measurement/rig_data.h"
+
+namespace phs::measurement {
+
+/// Marks lone samples that jump off both neighbours by more than 12 noise levels, and far more than
+/// the neighbours differ among themselves.
+void MarkSpikes(Channel* channel, std::vector<DataFinding>* findings);
+
+/// Marks stretches in which a channel, noisy elsewhere, repeats one value to the last digit: at an
+/// end of its range it is saturated, elsewhere stuck.
+void MarkStuck(Channel* channel, const RigRun& run, std::vector<DataFinding>* findings);
+
+/// A driving motion ten times beyond the stroke is in mm (or um): brought to metres.
+void MendInputScale(const hydraulics::PhsParams& params, Channel* input,
+                    std::vector<DataFinding>* findings);
+
+/// True if all channels that follow the model's prediction do so with the other sign: the driving
+/// motion itself has its sign swapped.
+bool InputIsSwapped(const FitData& data, const std::vector<std::vector<double>>& predicted);
+
+/// Compares the outputs with those predicted by the declared model and mends what is beyond doubt:
+/// two channels under each other's name, a swapped sign, a unit off by a power of ten.
+void MendOutputs(const std::vector<std::vector<double>>& predicted, FitData* data);
+
+/// Leaves out every output where a pressure reads below absolute vacuum by more than an atmosphere
+/// (no sensor shows that of oil, and no model gives it), from 10 ms before it crosses zero until as
+/// long after it as it lasted: a model's vacuum is longer in filling. Not where that is more than a
+/// twentieth of the record: then the reading has an offset.
+void LeaveOutBelowVacuum(FitData* data);
+
+}  // namespace phs::measurement

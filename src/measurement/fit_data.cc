@@ -1,0 +1,183 @@
+#include "measurement/fit_data.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/words.h"
+#include "measurement/channel_noise.h"
+#include "measurement/data_checks.h"
+#include "measurement/rig_data.h"
+#include "measurement/standstill.h"
+
+namespace phs::measurement {
+namespace {
+
+constexpr double kEnoughStandstill_s = 4;  // to tell noise by it
+
+/// Only what both say; `flags` empty: not said yet.
+void Restrict(const std::vector<char>& by, std::vector<char>* flags) {
+  if (flags->empty()) *flags = by;
+  for (size_t i = 0; i < flags->size(); ++i) (*flags)[i] = (*flags)[i] && by[i];
+}
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr int kMinSamples = 200;
+
+Status CheckExcitation(const FitData& data) {
+  for (const MeasuredChannel& input : data.inputs) {
+    double low = 1e300, high = -1e300, turn = 0;
+    int reversals = 0, direction = 0;
+    bool first = true;
+    const double step = std::max(20 * input.noise, 1e-7);
+    for (size_t i = 0; i < data.time_s.size(); ++i) {
+      const double t = data.time_s[i], x = input.values[i];
+      if (t < data.estimation[0] || t >= data.estimation[1] || !std::isfinite(x)) continue;
+      low = std::min(low, x), high = std::max(high, x);
+      if (first) turn = x, first = false;
+      if ((x - turn) * direction > 0) turn = x;
+      if (std::abs(x - turn) <= step) continue;
+      if (direction != 0) ++reversals;
+      direction = x > turn ? 1 : -1, turn = x;
+    }
+    if (high - low < 2 * step) {
+      return Error{data.source,
+                   fmt::format("{} does not move in the estimation window ({:.2g} m)", input.name,
+                               high - low),
+                   "motion well above its noise",
+                   "nothing can be identified from a constant input; choose another window"};
+    }
+    if (reversals < 2) {
+      return Error{
+          data.source,
+          fmt::format("{} reverses {} times in the estimation window", input.name, reversals),
+          "2 reversals or more",
+          "friction and stiffness cannot be told apart without; choose a longer window"};
+    }
+  }
+  return {};
+}
+
+/// Samples at which the driving motion is bridged over more than a few samples: what the model is
+/// driven with there is not what happened.
+std::vector<char> LostInput(const std::vector<Channel>& inputs) {
+  constexpr size_t kShort = 4;
+  std::vector<char> lost(inputs.front().y.size(), 0);
+  for (const Channel& input : inputs) {
+    for (size_t i = 0; i < lost.size();) {
+      size_t end = i;
+      while (end < lost.size() && input.bad[end]) ++end;
+      if (end - i > kShort) std::fill(lost.begin() + i, lost.begin() + end, 1);
+      i = end + 1;
+    }
+  }
+  return lost;
+}
+
+std::string Words(const std::vector<DataFinding>& findings) {
+  std::vector<std::string> words;
+  for (const DataFinding& f : findings) words.push_back(f.channel + " " + f.text);
+  return JoinWords(words);
+}
+
+}  // namespace
+
+Status CheckWindows(const RigRun& run) {
+  for (const auto& [name, window] :
+       {std::pair{"estimation", run.estimation}, std::pair{"validation", run.validation}}) {
+    const int n = run.Last(window) - run.First(window);
+    if (n >= kMinSamples) continue;
+    return Error{run.source, fmt::format("{} samples in the {} window", n, name),
+                 fmt::format("{} or more", kMinSamples),
+                 "too little to tell an effect from noise; record longer or widen the window"};
+  }
+  return {};
+}
+
+void TakeOutput(Channel* channel, const RigRun& run, const std::vector<char>& input_lost,
+                FitData* data) {
+  if (!channel->present()) {
+    data->findings.push_back({channel->name, "was not measured"});
+    return;
+  }
+  if (!(channel->noise.level > 0)) {
+    data->findings.push_back({channel->name, "never changes: dead, left out"});
+    return;
+  }
+  MarkStuck(channel, run, &data->findings);
+  MarkSpikes(channel, &data->findings);
+  MeasuredChannel out{channel->name, channel->y, channel->noise.level};
+  size_t good = 0, asked = 0;
+  for (size_t i = 0; i < out.values.size(); ++i) {
+    if (channel->bad[i] || input_lost[i]) out.values[i] = kNone;
+    if (!data->InEstimation(i)) continue;
+    ++asked, good += std::isfinite(out.values[i]);
+  }
+  if (good < kMinSamples || 10 * good < asked) {
+    data->findings.push_back(
+        {channel->name, fmt::format("only {} of {} samples of the estimation window can be used: "
+                                    "left out",
+                                    good, asked)});
+    return;
+  }
+  data->outputs.push_back(std::move(out));
+}
+
+FitData StartData(const RigRun& run) {
+  FitData data;
+  data.source = run.source;
+  data.step_s = run.step_s;
+  data.estimation = {run.estimation.begin, run.estimation.end};
+  data.validation = {run.validation.begin, run.validation.end};
+  for (int i = 0; i < run.num_samples; ++i) data.time_s.push_back(run.Time(i));
+  data.findings = run.findings;
+  return data;
+}
+
+Result<FitData> ReadFitData(const Manifest& manifest, const hydraulics::PhsParams& params) {
+  Result<rigs::RigKind> kind = rigs::ParseRigKind(manifest.rig);
+  if (!kind.ok()) return kind.error();
+  Result<rigs::RigModel> model = rigs::RigModel::Create(kind.value(), params, manifest.options);
+  if (!model.ok()) return model.error();
+  Result<RigRun> read = ReadRigRun(manifest.runs.front(), manifest, model.value().input_names(),
+                                   model.value().output_names());
+  if (!read.ok()) return read.error();
+  RigRun& run = read.value();
+  if (Status s = CheckWindows(run); !s.ok()) return s.error();
+  FitData data = StartData(run);
+  data.kind = kind.value();
+  data.options = manifest.options;
+  data.candidates = manifest.candidates;
+  data.free = manifest.free;
+  data.row_time_s = run.row_time;
+  std::vector<char> rest, standstill;
+  for (Channel& input : run.inputs) {
+    MendInputScale(params, &input, &data.findings);
+    MarkSpikes(&input, &data.findings);
+    const double noise = std::max(WhiteNoise(input.y, input.bad), Quantum(input.y) / 3.46);
+    data.inputs.push_back({input.name, input.y, noise});
+    data.motion.push_back(SmoothPosition(input.y, input.bad, run.step_s, std::max(noise, 1e-12)));
+    Restrict(FindRest(data.motion.back(), run.step_s, 4, 2e-6, 0.5), &rest);
+    Restrict(FindStandstill(input.y, input.bad, run.step_s, noise), &standstill);
+  }
+  Restrict(rest, &standstill);
+  if (std::count(standstill.begin(), standstill.end(), 1) * run.step_s > kEnoughStandstill_s) {
+    rest = std::move(standstill);
+  }
+  if (Status s = CheckExcitation(data); !s.ok()) return s.error();
+  if (run.pressure.present()) data.pressure_Pa = run.pressure.y;
+  const std::vector<char> lost = LostInput(run.inputs);
+  for (Channel& output : run.outputs) {
+    if (output.present()) output.noise = EstimateNoise(output, rest, run.step_s);
+    TakeOutput(&output, run, lost, &data);
+  }
+  if (data.outputs.empty()) {
+    return Error{data.source, "no output channel can be used: " + Words(data.findings),
+                 "a measured channel that changes", ""};
+  }
+  return data;
+}
+
+}  // namespace phs::measurement

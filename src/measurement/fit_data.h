@@ -1,0 +1,57 @@
+// One measured run made ready for fitting: motion smoothed, noise known, checks passed.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "measurement/manifest.h"
+#include "measurement/motion_smoother.h"
+#include "measurement/rig_data.h"
+#include "rigs/rig_model.h"
+
+namespace phs::measurement {
+
+struct MeasuredChannel {
+  std::string name;            ///< "load_cell_N"
+  std::vector<double> values;  ///< NaN where a sample takes no part
+  double noise = 0;            ///< standard deviation of the sensor noise, unit of the channel
+};
+
+struct FitData {
+  rigs::RigKind kind = rigs::RigKind::kQuarter;
+  rigs::RigOptions options;             ///< steps per sample, beam of the full rig
+  std::vector<std::string> candidates;  ///< effects to look for; empty = all
+  std::vector<std::string> free;        ///< numbers of the declared model; empty = the usual
+  std::string source;
+  std::vector<double> time_s;      ///< uniform
+  std::vector<double> row_time_s;  ///< of the file's rows; empty: as time_s
+  double step_s = 0;
+  std::array<double, 2> estimation = {0, 0}, validation = {0, 0};  ///< [s]
+  std::vector<MeasuredChannel> inputs;                             ///< as measured
+  std::vector<SmoothMotion> motion;                                ///< the same smoothed
+  std::vector<double> pressure_Pa;                                 ///< element rig, else empty
+  std::vector<MeasuredChannel> outputs;  ///< those measured, in the order of the model
+  bool InEstimation(size_t i) const {
+    return time_s[i] >= estimation[0] && time_s[i] < estimation[1];
+  }
+  std::vector<DataFinding> findings;  ///< what was found wrong, and mended or left out
+};
+
+/// What a record says of itself: source, clock, windows, findings; no channel yet.
+FitData StartData(const RigRun& run);
+
+/// Both windows hold enough samples to tell an effect from noise.
+Status CheckWindows(const RigRun& run);
+/// Takes one channel into `data` as an output to be explained, its stuck stretches, spikes and the
+/// samples of `input_lost` left out; or leaves a finding why not.
+void TakeOutput(Channel* channel, const RigRun& run, const std::vector<char>& input_lost,
+                FitData* data);
+
+/// Reads and checks the (first) run of a manifest against its declared model. Errors say what
+/// cannot be identified and why: fewer than 200 samples in a window, an input that stands still or
+/// never reverses, no output.
+Result<FitData> ReadFitData(const Manifest& manifest, const hydraulics::PhsParams& params);
+
+}  // namespace phs::measurement

@@ -1,0 +1,131 @@
+#include "measurement/manifest.h"
+
+#include <cstdlib>
+#include <filesystem>
+
+#include "base/data_path.h"
+#include "base/yaml.h"
+
+namespace phs::measurement {
+namespace {
+
+namespace fs = std::filesystem;
+
+Window ReadWindow(YamlMap& map, const std::string& key) {
+  if (!map.Has(key)) return {};
+  const std::vector<double> ends = map.Numbers(key, {});
+  if (ends.size() != 2 || !(ends[1] > ends[0])) {
+    map.Fail(key, "is no window", "[begin, end] in seconds, begin < end");
+    return {};
+  }
+  return {ends[0], ends[1]};
+}
+
+std::string Resolve(const std::string& manifest, const std::string& data) {
+  const fs::path given(data);
+  if (given.is_absolute()) return data;
+  const fs::path beside = fs::path(manifest).parent_path() / given;
+  return fs::exists(beside) || !fs::exists(given) ? beside.string() : data;
+}
+
+/// Puts the value of ${NAME} in place; a variable that is not set fails at "data".
+std::string ExpandEnvironment(YamlMap& map, std::string text) {
+  for (size_t begin = text.find("${"); begin != std::string::npos; begin = text.find("${")) {
+    const size_t end = text.find('}', begin);
+    if (end == std::string::npos) {
+      map.Fail("data", "a ${ is not closed", "${NAME}");
+      return text;
+    }
+    const std::string name = text.substr(begin + 2, end - begin - 2);
+    const char* value = std::getenv(name.c_str());
+    if (value == nullptr || std::string(value).find("${") != std::string::npos) {
+      map.Fail("data", "the environment variable " + name + " is not set", "",
+               "set it to the folder that holds the data (models/rigs/README.md says where they "
+               "come from)");
+      return text;
+    }
+    text.replace(begin, end + 1 - begin, value);
+  }
+  return text;
+}
+
+RunSpec ReadRun(YamlMap& map, const std::string& path) {
+  RunSpec run;
+  run.data = Resolve(path, ExpandEnvironment(map, map.Text("data")));
+  run.estimation = ReadWindow(map, "estimation");
+  run.validation = ReadWindow(map, "validation");
+  const Window &e = run.estimation, &v = run.validation;
+  if (!e.empty() && !v.empty() && e.begin < v.end && v.begin < e.end) {
+    map.Fail("validation", "overlaps the estimation window", "windows apart from each other",
+             "data used for fitting cannot judge the fit");
+  }
+  return run;
+}
+
+rigs::RigOptions ReadOptions(YamlMap& map) {
+  rigs::RigOptions options;
+  options.substeps = map.Integer("substeps", 1, 1000, options.substeps);
+  if (map.Has("beam")) {
+    YamlMap b = map.Map("beam");
+    rigs::BeamParams& beam = options.beam;
+    const Range positive{.min = 0, .open_min = true}, not_negative{.min = 0};
+    beam.lever_m = b.Number("lever_m", positive, beam.lever_m);
+    beam.inertia_kg_m2 = b.Number("inertia_kg_m2", positive, beam.inertia_kg_m2);
+    beam.damping_Nms_per_rad =
+        b.Number("damping_Nms_per_rad", not_negative, beam.damping_Nms_per_rad);
+    beam.hinge_friction_Nm = b.Number("hinge_friction_Nm", not_negative, beam.hinge_friction_Nm);
+  }
+  return options;
+}
+
+/// What a run is driven by: signals, or measured runs.
+void ReadDrive(YamlMap& map, WindowNeed need, Manifest* m) {
+  if (map.Has("signal")) {
+    if (map.Has("data") || map.Has("runs")) {
+      map.Fail("signal", "is given together with data", "either `data:` or `signal:`");
+    }
+    if (need == WindowNeed::kEstimation || m->rig == "steps") {
+      map.Fail("signal", "nothing was measured", "`data:`", "generated motion is for phs rig");
+    }
+    m->signal = rigs::ReadRigSignals(map.Map("signal"));
+  } else if (map.Has("runs")) {
+    for (YamlMap& run : map.Maps("runs")) m->runs.push_back(ReadRun(run, m->path));
+    if (m->runs.empty()) map.Fail("runs", "names no run", "at least one");
+  } else {
+    m->runs.push_back(ReadRun(map, m->path));
+  }
+}
+
+}  // namespace
+
+Result<Manifest> LoadManifest(const std::string& path, WindowNeed need) {
+  Result<YamlMap> loaded = YamlMap::Load(path);
+  if (!loaded.ok()) return loaded.error();
+  YamlMap& map = loaded.value();
+  Manifest m;
+  m.path = path;
+  m.rig = map.Word("rig", {"cylinder", "quarter", "full", "element", "steps", "bogie"});
+  m.model = BesideFile(path, map.Text("model"));
+  ReadDrive(map, need, &m);
+  m.setup = map.Integer("setup", 1, 1000000, 0);
+  m.options = ReadOptions(map);
+  YamlMap columns = map.Map("columns"), factors = map.Map("factors");
+  for (const std::string& key : columns.Keys()) m.columns[key] = columns.Text(key);
+  for (const std::string& key : factors.Keys()) m.factors[key] = factors.Number(key, {});
+  m.free = map.Texts("free");
+  m.candidates = map.Texts("candidates");
+  if (!m.candidates.empty() && (m.rig == "element" || m.rig == "steps")) {
+    map.Fail("candidates", "is not for rig: " + m.rig, "cylinder, quarter, full, bogie");
+  }
+  m.compare_below_Hz = map.Number("compare_below_Hz", {.min = 0}, 0.0);
+  m.low_pass_Hz = map.Number("low_pass_Hz", {.min = 0}, 0.0);
+  bool any_estimation = false;
+  for (const RunSpec& run : m.runs) any_estimation |= !run.estimation.empty();
+  if (need == WindowNeed::kEstimation && !any_estimation && m.rig != "steps") {
+    map.Fail("estimation", "no run has an estimation window", "[begin, end] in seconds");
+  }
+  if (Status s = map.Finish(); !s.ok()) return s.error();
+  return m;
+}
+
+}  // namespace phs::measurement

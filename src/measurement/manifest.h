@@ -1,0 +1,73 @@
+// What an identification is asked to do: rig, declared model, measured runs and their windows.
+//
+// `data` may name environment variables: ${PHS_EMPS_DIR}/emps_train.csv.
+//
+//   rig: quarter            # cylinder | quarter | full | element | steps | bogie
+//   model: quarter_setup2   # name in models/phs, or a path
+//   data: run01.csv
+//   estimation: [0.0, 79.0]     # s
+//   validation: [79.0, 128.0]   # s, never used for fitting or choosing
+//
+// Beyond that, where wanted:
+//   runs: [{data: a.csv, estimation: [0, 60], validation: [60, 90]}, …]   instead of the three
+//   columns: {x_m: x_mm, force_N: F_N}    names in the file, where they differ; the unit is read
+//                                         from the ending: _mm, _ms, _bar, _MPa, _kPa, _kN, …
+//   factors: {force_N: 35.15}             on top of that, for a channel given in another quantity
+//   free: [L1.gas_volume_m3, …]           free parameters of the baseline, instead of the usual
+//   candidates: [cant_error, …]           effects to look for, instead of all (driven
+//                                         rigs and bogie; there also unlisted: a formula)
+//   compare_below_Hz: 40                  element bench: model and measurement are compared below
+//                                         this frequency, both filtered alike (band_limit.h)
+//   low_pass_Hz: 20                       all channels, forwards and backwards (no lag)
+//   signal: {duration_s: 40, actuator_m: {kind: sine, …}}   generated motion instead of data
+//   setup: 2                              rows of a step table (default: by the model's name)
+//   beam: {lever_m: 1.0, …}, substeps: 1  how the rig is simulated (full rig, time step)
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "rigs/rig_model.h"
+#include "rigs/rig_signal.h"
+
+namespace phs::measurement {
+
+/// Half-open span of time [s].
+struct Window {
+  double begin = 0;
+  double end = 0;
+  bool empty() const { return !(end > begin); }
+  bool Contains(double t) const { return t >= begin && t < end; }
+};
+
+struct RunSpec {
+  std::string data;  ///< path, already resolved against the manifest's folder
+  Window estimation, validation;
+};
+
+struct Manifest {
+  std::string path;
+  std::string rig;
+  std::string model;  ///< name, or path already resolved against the manifest's folder
+  std::vector<RunSpec> runs;
+  std::map<std::string, std::string> columns;  ///< our channel -> column of the file
+  std::map<std::string, double> factors;       ///< our channel -> factor
+  std::vector<std::string> free;
+  std::vector<std::string> candidates;     ///< empty: all
+  double low_pass_Hz = 0;                  ///< 0: none
+  double compare_below_Hz = 0;             ///< 0: all frequencies
+  std::optional<rigs::RigSignals> signal;  ///< then no run is read
+  int setup = 0;                           ///< of a step table; 0: by the model's name
+  rigs::RigOptions options;
+};
+
+enum class WindowNeed {
+  kEstimation,  ///< some run has an estimation window, nothing is generated: to fit
+  kNone,        ///< to run only
+};
+Result<Manifest> LoadManifest(const std::string& path, WindowNeed need = WindowNeed::kEstimation);
+
+}  // namespace phs::measurement

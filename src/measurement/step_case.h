@@ -1,0 +1,34 @@
+// The rows of a step table that a manifest asks for, and scores of settled pressures.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "measurement/manifest.h"
+#include "rigs/step_table.h"
+
+namespace phs::measurement {
+
+struct StepCase {
+  hydraulics::PhsParams declared;
+  std::string source;
+  int setup = 0;  ///< 0: the rows of all setups
+  std::vector<rigs::StepRow> rows;
+};
+
+/// The setup: as in the manifest; else the number at the end of the model's name if the table has
+/// it; else all rows.
+Result<StepCase> ReadStepCase(const measurement::Manifest& manifest);
+
+/// RMSE, NRMSE, bias, largest error, m%RE and shares of rows.
+nlohmann::ordered_json ScoreSteps(const std::vector<double>& measured,
+                                  const std::vector<double>& predicted);
+
+/// A table with the columns of Table B-1; pressures in gauge Pa by row.
+Status WriteStepTable(const std::string& path, const std::vector<rigs::StepRow>& rows,
+                      const std::vector<double>& begin_Pa, const std::vector<double>& end_Pa,
+                      const std::vector<double>& tau_s);
+
+}  // namespace phs::measurement

@@ -1,0 +1,82 @@
+#include "phs_model/phs_model.h"
+
+#include "base/data_path.h"
+#include "base/words.h"
+#include "effects/catalogue.h"
+#include "phs_model/bogie_spread.h"
+
+namespace phs::phs_model {
+
+using hydraulics::EffectInfo;
+using hydraulics::EffectParameter;
+using hydraulics::EffectParams;
+using hydraulics::PhsParams;
+using hydraulics::PhsSystem;
+
+Result<PhsParams> FindPhsParams(const std::string& name_or_path) {
+  Result<std::string> path = FindData("PHS model", "models/phs", name_or_path, {".yaml"});
+  if (!path.ok()) return path.error();
+  return phs_model::LoadPhsParams(path.value());
+}
+
+Result<PhsSystem> LoadPhsSystem(const std::string& path) {
+  Result<PhsParams> params = LoadPhsParams(path);
+  if (!params.ok()) return params.error();
+  return CreatePhsSystem(params.value());
+}
+
+Result<PhsSystem> CreatePhsSystem(const PhsParams& params) {
+  return PhsSystem::Create(params, &effects::Catalogue());
+}
+
+Status AddEffect(PhsParams* params, const std::string& effect) {
+  const EffectInfo* info = effects::Catalogue().Find(effect);
+  if (info == nullptr) {
+    std::vector<std::string> names;
+    for (const EffectInfo& known : effects::Catalogue().effects()) names.push_back(known.name);
+    const std::string nearest = NearestWord(effect, names);
+    return Error{effect, "no such effect", "",
+                 nearest.empty() ? "" : "did you mean " + nearest + "?"};
+  }
+  for (const EffectParams& present : params->effects) {
+    if (present.name == effect) return Error{effect, "this effect is switched on already"};
+  }
+  EffectParams added;
+  added.name = effect;
+  for (const EffectParameter& p : info->parameters) added.values[p.name] = p.otherwise;
+  params->effects.push_back(std::move(added));
+  return {};
+}
+
+Result<PhsParams> LoadChangedParams(const std::string& path, const PhsChanges& changes,
+                                    const std::string& system, int actuators) {
+  auto params = LoadPhsParams(path);
+  if (!params.ok()) return params.error();
+  if (actuators >= 4 && IsQuarter(params.value())) params = SpreadOverBogie(params.value());
+  for (const EffectParams& effect : changes.effects) {
+    for (const EffectParams& present : params.value().effects) {
+      if (present.name != effect.name) continue;
+      return Error{"effects: " + effect.name, "is in PHS model " + params.value().name + " already",
+                   "each effect once", "phs_parameters: {effects." + effect.name + ".KEY: …}"};
+    }
+    params.value().effects.push_back(effect);
+  }
+  for (const auto& [name, value] : changes.parameters) {
+    if (Status s = SetParameter(&params.value(), name, value); !s.ok()) {
+      return s.error();
+    }
+  }
+  if (Status s = ApplyFailures(changes.failures, system, &params.value()); !s.ok()) {
+    return s.error();
+  }
+  return params;
+}
+
+Result<hydraulics::PhsSystem> LoadPhsSystem(const std::string& path, const PhsChanges& changes,
+                                            const std::string& system, int actuators) {
+  auto params = LoadChangedParams(path, changes, system, actuators);
+  if (!params.ok()) return params.error();
+  return CreatePhsSystem(params.value());
+}
+
+}  // namespace phs::phs_model

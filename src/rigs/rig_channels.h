@@ -1,0 +1,14 @@
+// Instrument errors on predicted channels: shown = gain * true(t - delay) + offset + drift * t +
+// what a formula says of the true state (effect `unlisted`).
+#pragma once
+
+#include "rigs/rig_model.h"
+
+namespace phs::rigs {
+
+/// Changes the channels in place. Delays interpolate between samples; before the first sample the
+/// first value holds. Line pressures of the full rig take the errors of the first cylinder on them.
+void ApplyInstruments(RigKind kind, const hydraulics::PhsSystem& system, double t0_s, double step_s,
+                      RigPrediction* prediction);
+
+}  // namespace phs::rigs

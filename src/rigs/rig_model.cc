@@ -1,0 +1,241 @@
+#include "rigs/rig_model.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "effects/catalogue.h"
+#include "effects/unlisted.h"
+#include "phs_model/phs_model.h"
+#include "rigs/element_bench.h"
+#include "rigs/hinged_beam.h"
+#include "rigs/rig_channels.h"
+#include "rigs/rig_cylinder.h"
+
+namespace phs::rigs {
+
+using phs_model::CreatePhsSystem;
+
+using hydraulics::PhsOutputs;
+using hydraulics::PhsParams;
+using hydraulics::PhsSystem;
+
+namespace {
+
+const std::vector<std::string> kKinds = {"cylinder", "quarter", "full", "element"};
+
+std::vector<std::string> InputNames(RigKind kind) {
+  switch (kind) {
+    case RigKind::kFull:
+      return {"actuator1_m", "actuator2_m"};
+    case RigKind::kElement:
+      return {"x_m"};
+    default:
+      return {"actuator_m"};
+  }
+}
+
+std::vector<std::string> OutputNames(RigKind kind, const PhsParams& params) {
+  if (kind == RigKind::kElement) return {"force_N"};
+  if (kind != RigKind::kFull) return {"piston_m", "load_cell_N", "p_bore_Pa", "p_rod_Pa"};
+  std::vector<std::string> names;
+  for (const auto& c : params.cylinders) names.push_back("piston" + c.name + "_m");
+  for (const auto& c : params.cylinders) names.push_back("load" + c.name + "_N");
+  for (const auto& l : params.lines) names.push_back("p" + l.name + "_Pa");
+  return names;
+}
+
+Status CheckFits(RigKind kind, const PhsParams& params, const RigOptions& options) {
+  const size_t need = kind == RigKind::kFull ? 4 : 1;
+  if (params.cylinders.size() != need) {
+    return Error{
+        "rig",
+        "model " + params.name + " has " + std::to_string(params.cylinders.size()) + " cylinders",
+        std::to_string(need) + " for this rig", "choose a model of this rig"};
+  }
+  if (options.substeps < 1 || options.substeps > 1000) {
+    return Error{"substeps", std::to_string(options.substeps) + " is out of range", "1 to 1000"};
+  }
+  if (!(options.beam.lever_m > 0 && options.beam.inertia_kg_m2 > 0 &&
+        options.beam.damping_Nms_per_rad >= 0 && options.beam.hinge_friction_Nm >= 0)) {
+    return Error{"beam", "a number is out of range", "lever and inertia > 0, others >= 0"};
+  }
+  return {};
+}
+
+Status CheckMotion(RigKind kind, const RigMotion& motion) {
+  const size_t need = kind == RigKind::kFull ? 2 : 1;
+  const size_t n = static_cast<size_t>(motion.num_samples());
+  if (motion.position_m.size() != need || n < 2) {
+    return Error{"motion",
+                 "has " + std::to_string(motion.position_m.size()) + " channels of " +
+                     std::to_string(n) + " samples",
+                 std::to_string(need) + " channels, at least 2 samples"};
+  }
+  if (!(std::isfinite(motion.step_s) && motion.step_s > 0)) {
+    return Error{"motion.step_s", "the clock does not advance", "step_s > 0"};
+  }
+  auto check = [n](const std::vector<double>& row, const std::string& name) -> Status {
+    if (row.size() != n) return Error{name, "has another length than the first channel", ""};
+    for (size_t i = 0; i < n; ++i) {
+      if (std::isfinite(row[i])) continue;
+      return Error{name, "sample " + std::to_string(i) + " is no number", "finite numbers",
+                   "fill or cut the gap first"};
+    }
+    return {};
+  };
+  for (const auto& row : motion.position_m) {
+    if (Status s = check(row, "position_m"); !s.ok()) return s;
+  }
+  if (!motion.speed_m_s.empty() && motion.speed_m_s.size() != need) {
+    return Error{"speed_m_s", "not as many channels as positions", ""};
+  }
+  for (const auto& row : motion.speed_m_s) {
+    if (Status s = check(row, "speed_m_s"); !s.ok()) return s;
+  }
+  if (!motion.pressure_Pa.empty()) {
+    if (Status s = check(motion.pressure_Pa, "pressure_Pa"); !s.ok()) return s;
+  }
+  if (!motion.temperature_K.empty()) return check(motion.temperature_K, "temperature_K");
+  return {};
+}
+
+}  // namespace
+
+Result<RigKind> ParseRigKind(const std::string& word) {
+  for (size_t i = 0; i < kKinds.size(); ++i) {
+    if (kKinds[i] == word) return static_cast<RigKind>(i);
+  }
+  const std::string nearest = NearestWord(word, kKinds);
+  return Error{"rig", "unknown rig \"" + word + "\"", "cylinder, quarter, full, element",
+               nearest.empty() ? "" : "did you mean " + nearest + "?"};
+}
+
+PhsParams HydraulicsOf(const PhsParams& params) {
+  PhsParams out = params;
+  out.friction = {};
+  out.element = {};
+  std::erase_if(out.effects, [](const hydraulics::EffectParams& effect) {
+    const hydraulics::EffectInfo* info = effects::Catalogue().Find(effect.name);
+    if (info == nullptr) return false;
+    if (effect.name == effects::UnlistedInfo().name) return !effects::ActsOnOil(effect);
+    return info->family == "friction" || info->family == "instrument" || info->family == "element";
+  });
+  return out;
+}
+
+std::vector<double> DifferentiateMotion(const std::vector<double>& position, double step_s) {
+  const size_t n = position.size();
+  std::vector<double> speed(n, 0.0);
+  if (n < 2) return speed;
+  for (size_t i = 1; i + 1 < n; ++i) speed[i] = (position[i + 1] - position[i - 1]) / (2 * step_s);
+  speed[0] = (position[1] - position[0]) / step_s;
+  speed[n - 1] = (position[n - 1] - position[n - 2]) / step_s;
+  return speed;
+}
+
+struct RigModel::Impl {
+  RigKind kind;
+  PhsParams params;
+  RigOptions options;
+  PhsSystem system;
+  std::vector<std::string> inputs, outputs;
+
+  void RunFull(const RigMotion& motion, const std::vector<std::vector<double>>& speed,
+               RigPrediction* out) const;
+};
+
+RigModel::RigModel(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+RigModel::RigModel(RigModel&&) noexcept = default;
+RigModel& RigModel::operator=(RigModel&&) noexcept = default;
+RigModel::~RigModel() = default;
+RigKind RigModel::kind() const { return impl_->kind; }
+const std::vector<std::string>& RigModel::input_names() const { return impl_->inputs; }
+const std::vector<std::string>& RigModel::output_names() const { return impl_->outputs; }
+const PhsSystem& RigModel::system() const { return impl_->system; }
+
+Result<RigModel> RigModel::Create(RigKind kind, const PhsParams& params,
+                                  const RigOptions& options) {
+  if (Status s = CheckFits(kind, params, options); !s.ok()) return s.error();
+  Result<PhsSystem> system = CreatePhsSystem(params);
+  if (!system.ok()) return system.error();
+  auto impl = std::unique_ptr<Impl>(
+      new Impl{kind, params, options, std::move(system.value()), InputNames(kind), {}});
+  impl->outputs = OutputNames(kind, params);
+  return RigModel(std::move(impl));
+}
+
+void RigModel::Impl::RunFull(const RigMotion& motion, const std::vector<std::vector<double>>& speed,
+                             RigPrediction* out) const {
+  const int n = motion.num_samples(), lines = system.num_lines();
+  const double h = motion.step_s / options.substeps;
+  HingedBeam beam(system, options.beam);
+  double piston[4], force[4];
+  std::vector<double> pressure(lines);
+  PhsOutputs at;
+  at.energy = false;
+  at.piston = piston;
+  at.force = force;
+  at.pressure = pressure.data();
+  for (int i = 0; i < n; ++i) {
+    const double t = motion.t0_s + i * motion.step_s;
+    const double x1 = motion.position_m[0][i], x2 = motion.position_m[1][i];
+    beam.Calc(t, x1, x2, speed[0][i], speed[1][i], &at);
+    for (int c = 0; c < 4; ++c) {
+      out->channels[c][i] = piston[c];
+      out->channels[4 + c][i] = force[c];
+    }
+    for (int l = 0; l < lines; ++l) out->channels[8 + l][i] = pressure[l];
+    if (i + 1 == n) continue;
+    const double v1 = (motion.position_m[0][i + 1] - x1) / motion.step_s;
+    const double v2 = (motion.position_m[1][i + 1] - x2) / motion.step_s;
+    for (int k = 0; k < options.substeps; ++k) {
+      beam.Step(t + k * h, h, x1 + k * h * v1, x2 + k * h * v2, v1, v2);
+    }
+  }
+}
+
+/// Force of a mass that moves with the actuator behind the load cell, tension > 0.
+void AddMovedMass(double mass_kg, const std::vector<double>& speed, double step_s,
+                  std::vector<double>* load) {
+  if (mass_kg == 0) return;
+  const std::vector<double> acceleration = DifferentiateMotion(speed, step_s);
+  for (size_t i = 0; i < load->size(); ++i) (*load)[i] += mass_kg * acceleration[i];
+}
+
+Status RigModel::Run(const RigMotion& motion, RigPrediction* prediction) const {
+  std::shared_ptr<const RigPressures> pressures;
+  return Run(motion, prediction, &pressures);
+}
+
+Status RigModel::Run(const RigMotion& motion, RigPrediction* prediction,
+                     std::shared_ptr<const RigPressures>* pressures) const {
+  if (Status s = CheckMotion(impl_->kind, motion); !s.ok()) return s;
+  const size_t n = static_cast<size_t>(motion.num_samples());
+  prediction->channels.resize(impl_->outputs.size());
+  for (auto& row : prediction->channels) row.resize(n);
+  std::vector<std::vector<double>> derived;
+  if (motion.speed_m_s.empty()) {
+    for (const auto& row : motion.position_m) {
+      derived.push_back(DifferentiateMotion(row, motion.step_s));
+    }
+  }
+  const auto& speed = motion.speed_m_s.empty() ? derived : motion.speed_m_s;
+  switch (impl_->kind) {
+    case RigKind::kFull:
+      impl_->RunFull(motion, speed, prediction);
+      break;
+    case RigKind::kElement:
+      RunElementBench(impl_->system, motion, speed[0], &prediction->channels[0], nullptr);
+      break;
+    default:
+      RunCylinder(impl_->system, impl_->options, motion, speed[0], pressures, prediction);
+      AddMovedMass(impl_->system.element().mass_kg, speed[0], motion.step_s,
+                   &prediction->channels[1]);
+      break;
+  }
+  ApplyInstruments(impl_->kind, impl_->system, motion.t0_s, motion.step_s, prediction);
+  return {};
+}
+
+}  // namespace phs::rigs

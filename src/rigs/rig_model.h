@@ -1,0 +1,108 @@
+// The rigs of the thesis as models: a PHS driven by measured or generated motion on a uniform
+// clock. `phs rig` and the identification call the same object; thousands of runs are made per fit.
+//
+//   cylinder  one cylinder, bore chamber closed, driven
+//   quarter   cylinder "1", lines of its bore and rod side
+//   full      cylinders 1 and 2 driven by actuators, 3 and 4 on a beam hinged at the frame (bogie
+//             yaw of the trailing axle), with the beam's own inertia, friction and play
+//   steps     a quarter rig moved in steps and held (Table B-1), see steps_table.h
+//   element   any part moved by a prescribed motion (element_bench.h)
+//
+// Channel names are those of the measured data: quarter and cylinder
+// `piston_m,load_cell_N,p_bore_Pa,p_rod_Pa` from `actuator_m`; full `piston1_m…piston4_m,
+// load1_N…load4_N,pL1_Pa…pL4_Pa` from `actuator1_m,actuator2_m`; element `force_N` from `x_m`
+// (optionally `v_m_s`, `p_Pa`, `temperature_K`). Signs: extension > 0, tension > 0; pressures
+// absolute.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "hydraulics/phs_params.h"
+#include "hydraulics/phs_system.h"
+
+namespace phs::rigs {
+
+enum class RigKind { kCylinder, kQuarter, kFull, kElement };
+Result<RigKind> ParseRigKind(const std::string& word);
+
+/// The hinged beam that carries cylinders 3 and 4 of the full rig: y = ±lever * angle.
+struct BeamParams {
+  double lever_m = 1.0;               ///< hinge to cylinder, > 0
+  double inertia_kg_m2 = 60;          ///< about the hinge, > 0
+  double damping_Nms_per_rad = 2000;  ///< >= 0
+  double hinge_friction_Nm = 0;       ///< >= 0, regularised over 1e-4 rad/s
+};
+
+struct RigOptions {
+  int substeps = 1;  ///< integration steps per sample (1 … 1000); more where a line rings
+  /// Of a ringing line, unless more are asked for; none for one that needs three times as many.
+  int most_substeps = 8;
+  BeamParams beam;  ///< full rig only
+};
+
+/// What drives the rig: one row per driven actuator, samples at t0 + i step.
+struct RigMotion {
+  double t0_s = 0;
+  double step_s = 0;                            ///< > 0
+  std::vector<std::vector<double>> position_m;  ///< [actuator][sample]
+  std::vector<std::vector<double>> speed_m_s;   ///< same shape; empty: central differences
+  std::vector<double> pressure_Pa;              ///< element rig: side channel; else empty
+  std::vector<double> temperature_K;            ///< element rig: side channel; else empty
+  int num_samples() const {
+    return position_m.empty() ? 0 : static_cast<int>(position_m[0].size());
+  }
+};
+
+/// Predicted channels; [channel][sample]. Reused between runs without reallocation.
+struct RigPrediction {
+  std::vector<std::vector<double>> channels;
+};
+
+/// Chamber pressures of a driven cylinder [Pa], at the start of every step of its integration.
+/// With rigid mountings they follow from motion and oil alone; see HydraulicsOf.
+struct RigPressures {
+  std::vector<double> bore, rod;
+};
+
+class RigModel {
+ public:
+  /// Checks that the model fits the rig (number of cylinders, effects known, ranges).
+  static Result<RigModel> Create(RigKind kind, const hydraulics::PhsParams& params,
+                                 const RigOptions& options = {});
+  RigModel(RigModel&&) noexcept;
+  RigModel& operator=(RigModel&&) noexcept;
+  ~RigModel();
+
+  RigKind kind() const;
+  /// Driving channels, e.g. {"actuator_m"}.
+  const std::vector<std::string>& input_names() const;
+  /// Predicted channels, e.g. {"piston_m","load_cell_N","p_bore_Pa","p_rod_Pa"}.
+  const std::vector<std::string>& output_names() const;
+  const hydraulics::PhsSystem& system() const;
+
+  /// Simulates the whole motion. Deterministic, thread-safe. Errors: shapes that do not match,
+  /// numbers that are not finite.
+  Status Run(const RigMotion& motion, RigPrediction* prediction) const;
+  /// The same from pressures of an earlier run on this motion by a model with the same
+  /// HydraulicsOf; null: computed, and kept in `pressures`. Stays null where friction acts back on
+  /// the pressures (yielding mountings, several cylinders).
+  Status Run(const RigMotion& motion, RigPrediction* prediction,
+             std::shared_ptr<const RigPressures>* pressures) const;
+
+ private:
+  struct Impl;
+  explicit RigModel(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+/// What the pressures depend on as long as mountings are rigid: the model without friction,
+/// instruments and what else acts on forces alone.
+hydraulics::PhsParams HydraulicsOf(const hydraulics::PhsParams& params);
+
+/// Speeds by central differences (one-sided at the ends).
+std::vector<double> DifferentiateMotion(const std::vector<double>& position, double step_s);
+
+}  // namespace phs::rigs

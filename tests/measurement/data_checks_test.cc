@@ -1,0 +1,188 @@
+// Faults of single channels: each is found, named and left out or mended; sound data stay as is.
+#include "measurement/data_checks.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "measurement/channel_noise.h"
+#include "measurement/standstill.h"
+#include "measurement/time_wave.h"
+#include "phs_model/phs_model.h"
+
+namespace phs::identify::search {
+
+using measurement::Channel;
+using measurement::DataFinding;
+using measurement::EstimateNoise;
+using measurement::FindStandstill;
+using measurement::FindTimeWave;
+using measurement::FitData;
+using measurement::LeaveOutBelowVacuum;
+using measurement::MarkSpikes;
+using measurement::MarkStuck;
+using measurement::MeasuredChannel;
+using measurement::MendInputScale;
+using measurement::RigRun;
+namespace {
+
+constexpr double kStep = 0.005;
+
+/// 40 s of a sine with white noise of 1/1000, in steps of a quarter of the noise.
+Channel Sine() {
+  Channel channel{"p_bore_Pa", "p_bore_Pa", 1, {}, {}, {}};
+  std::mt19937 random(3);
+  std::normal_distribution<double> normal;
+  for (int i = 0; i < 8000; ++i) {
+    const double y = 2e6 + 1e6 * std::sin(i * kStep) + 1e3 * normal(random);
+    channel.y.push_back(250 * std::round(y / 250));
+  }
+  channel.bad.assign(channel.y.size(), 0);
+  channel.noise = EstimateNoise(channel, std::vector<char>(channel.y.size(), 0), kStep);
+  return channel;
+}
+
+RigRun Clock() {
+  RigRun run;
+  run.step_s = kStep;
+  return run;
+}
+
+TEST(DataChecksTest, SoundChannelStaysAsItIs) {
+  Channel channel = Sine();
+  const std::vector<double> before = channel.y;
+  std::vector<DataFinding> findings;
+  MarkStuck(&channel, Clock(), &findings);
+  MarkSpikes(&channel, &findings);
+  EXPECT_TRUE(findings.empty());
+  EXPECT_EQ(channel.y, before);
+}
+
+/// 10 s of a pressure that reads -0.8 MPa for 50 ms in the middle, and a load cell beside it; with
+/// `offset` [Pa] on the whole pressure.
+FitData BelowVacuum(double offset) {
+  FitData data;
+  data.step_s = kStep;
+  data.outputs = {{"load_cell_N", {}, 10}, {"p_bore_Pa", {}, 5e3}};
+  for (int i = 0; i < 2000; ++i) {
+    data.time_s.push_back(i * kStep);
+    data.outputs[0].values.push_back(100);
+    data.outputs[1].values.push_back(offset + (i >= 1000 && i < 1010 ? -8e5 : 1e5));
+  }
+  return data;
+}
+
+TEST(DataChecksTest, NothingIsAskedOfAModelWhereAPressureReadsBelowVacuum) {
+  FitData data = BelowVacuum(0);
+  LeaveOutBelowVacuum(&data);
+  ASSERT_EQ(data.findings.size(), 1u);
+  EXPECT_EQ(data.findings[0].channel, "p_bore_Pa");
+  EXPECT_THAT(data.findings[0].text, testing::HasSubstr("from 4.99 to 5.095 s"));
+  for (const MeasuredChannel& channel : data.outputs) {
+    const auto lost = std::count_if(channel.values.begin(), channel.values.end(),
+                                    [](double y) { return std::isnan(y); });
+    EXPECT_EQ(lost, 2 + 10 + 10) << channel.name;
+    EXPECT_FALSE(std::isnan(channel.values[997]));
+    EXPECT_TRUE(std::isnan(channel.values[998]) && std::isnan(channel.values[1019]));
+  }
+}
+
+TEST(DataChecksTest, AnOffsetPressureIsNotBelowVacuum) {
+  FitData data = BelowVacuum(-3e5);
+  LeaveOutBelowVacuum(&data);
+  EXPECT_TRUE(data.findings.empty());
+  for (const double y : data.outputs[0].values) ASSERT_EQ(y, 100);
+}
+
+/// 60 s of a load cell with noise of 30 N: the actuator stands still, creeps (the load drifts by
+/// turns) and stands again; and the actuator's own record with noise of 1 um.
+struct Still {
+  std::vector<double> actuator;
+  Channel load{"load_cell_N", "load_cell_N", 1, {}, {}, {}};
+};
+Still CreepBetweenRests(double wave_N) {
+  Still out;
+  std::mt19937 random(5);
+  std::normal_distribution<double> normal;
+  for (int i = 0; i < 12000; ++i) {
+    const double t = i * kStep;
+    const bool creeps = t > 10 && t < 50;
+    out.actuator.push_back((creeps ? 2e-4 * std::sin(0.5 * (t - 10)) : 0) + 1e-6 * normal(random));
+    out.load.y.push_back((creeps ? 800 * std::sin(3 * t) : 0) + wave_N * std::sin(48 * t) +
+                         30 * normal(random));
+  }
+  out.load.bad.assign(out.load.y.size(), 0);
+  return out;
+}
+
+TEST(ChannelNoiseTest, CreepIsNoStandstill) {
+  const Still still = CreepBetweenRests(0);
+  const std::vector<char> rest = FindStandstill(still.actuator, {}, kStep, 1e-6);
+  EXPECT_GT(std::count(rest.begin(), rest.begin() + 2000, 1), 1500);
+  EXPECT_LT(std::count(rest.begin() + 2200, rest.begin() + 9800, 1), 300) << "turning points only";
+  EXPECT_NEAR(EstimateNoise(still.load, rest, kStep).level, 30, 3);
+}
+
+TEST(ChannelNoiseTest, AVibrationIsNoNoise) {
+  const Still still = CreepBetweenRests(300);
+  const std::vector<char> rest = FindStandstill(still.actuator, {}, kStep, 1e-6);
+  EXPECT_NEAR(EstimateNoise(still.load, rest, kStep).level, 30, 4);
+}
+
+TEST(TimeWaveTest, FindsAFrequencyBetweenTheLinesOfTheRecord) {
+  std::mt19937 random(9);
+  std::normal_distribution<double> normal;
+  std::vector<double> y;
+  for (int i = 0; i < 8000; ++i) {
+    y.push_back(i % 7 == 0 ? 0 : std::sin(2 * M_PI * 7.6391 * i * kStep) + normal(random));
+  }
+  // Cramer-Rao: sqrt(6/n) sigma/(pi A T) = 2.4e-4 Hz (D. C. Rife and R. R. Boorstyn, IEEE Trans. IT
+  // 20 (1974) 591).
+  EXPECT_NEAR(FindTimeWave(y, kStep).frequency_Hz, 7.6391, 4 * 2.4e-4);
+  EXPECT_EQ(FindTimeWave({1, 2, 3}, kStep).frequency_Hz, 0);
+}
+
+TEST(DataChecksTest, FindsSpikes) {
+  Channel channel = Sine();
+  channel.y[1000] += 4e5, channel.y[5000] -= 4e5;
+  std::vector<DataFinding> findings;
+  MarkSpikes(&channel, &findings);
+  ASSERT_EQ(findings.size(), 1u);
+  EXPECT_THAT(findings[0].text, testing::HasSubstr("2 spikes"));
+  EXPECT_TRUE(channel.bad[1000] && channel.bad[5000]);
+  EXPECT_EQ(std::count(channel.bad.begin(), channel.bad.end(), 1), 2);
+}
+
+TEST(DataChecksTest, FindsSaturation) {
+  Channel channel = Sine();
+  for (double& y : channel.y) y = std::min(y, 2.8e6);
+  std::vector<DataFinding> findings;
+  MarkStuck(&channel, Clock(), &findings);
+  ASSERT_EQ(findings.size(), 1u);
+  EXPECT_THAT(findings[0].text, testing::HasSubstr("saturated at 2.8e+06"));
+}
+
+TEST(DataChecksTest, FindsAStuckSensor) {
+  Channel channel = Sine();
+  for (int i = 2000; i < 3000; ++i) channel.y[i] = channel.y[2000];
+  std::vector<DataFinding> findings;
+  MarkStuck(&channel, Clock(), &findings);
+  ASSERT_EQ(findings.size(), 1u);
+  EXPECT_THAT(findings[0].text, testing::HasSubstr("stuck between 10 and 15 s"));
+}
+
+TEST(DataChecksTest, TakesMillimetresForMetres) {
+  Channel channel{"actuator_m", "actuator_m", 1, {}, {}, {}};
+  for (int i = 0; i < 8000; ++i) channel.y.push_back(5 * std::sin(i * kStep));
+  channel.bad.assign(channel.y.size(), 0);
+  std::vector<DataFinding> findings;
+  MendInputScale(phs_model::FindPhsParams("quarter_setup2").value(), &channel, &findings);
+  ASSERT_EQ(findings.size(), 1u);
+  EXPECT_NEAR(channel.y[314], 5e-3, 1e-5);
+}
+
+}  // namespace
+}  // namespace phs::identify::search

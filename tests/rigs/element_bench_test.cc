@@ -1,0 +1,153 @@
+#include "rigs/element_bench.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <complex>
+
+#include "phs_model/phs_model.h"
+
+namespace phs::effects {
+
+using phs_model::AddEffect;
+using phs_model::CreatePhsSystem;
+using phs_model::FindPhsParams;
+using rigs::RigKind;
+using rigs::RigModel;
+using rigs::RigMotion;
+using rigs::RigPrediction;
+namespace {
+
+hydraulics::PhsParams Part() {
+  hydraulics::PhsParams p;
+  p.name = "part";
+  p.cylinders.push_back({});
+  p.cylinders[0].name = "1";
+  p.friction.model = hydraulics::FrictionModel::kNone;
+  return p;
+}
+
+hydraulics::PhsParams With(hydraulics::PhsParams p, const std::string& effect,
+                           const std::map<std::string, double>& values) {
+  EXPECT_TRUE(AddEffect(&p, effect).ok());
+  for (const auto& [key, value] : values) p.effects.back().values[key] = value;
+  return p;
+}
+
+std::vector<double> Force(const hydraulics::PhsParams& params, const RigMotion& motion) {
+  const auto model = RigModel::Create(RigKind::kElement, params);
+  EXPECT_TRUE(model.ok()) << (model.ok() ? "" : model.error().Line());
+  RigPrediction out;
+  EXPECT_TRUE(model.value().Run(motion, &out).ok());
+  return out.channels[0];
+}
+
+RigMotion Sine(double amplitude, double hertz, double step, int n) {
+  RigMotion m;
+  m.step_s = step;
+  m.position_m.resize(1), m.speed_m_s.resize(1);
+  const double w = 2 * M_PI * hertz;
+  for (int i = 0; i < n; ++i) {
+    m.position_m[0].push_back(amplitude * std::sin(w * i * step));
+    m.speed_m_s[0].push_back(amplitude * w * std::cos(w * i * step));
+  }
+  return m;
+}
+
+TEST(ElementBench, MassSpringAreaAndOffsetAddUp) {
+  hydraulics::PhsParams p = Part();
+  p.element = {.mass_kg = 2, .stiffness_N_per_m = 300, .pressure_area_m2 = 1e-4, .offset_N = 5};
+  p = With(With(p, "moving_mass", {{"mass_kg", 1}}), "pressure_area", {{"area_m2", 4e-4}});
+  RigMotion m = Sine(0.01, 1.5, 1e-4, 20000);
+  m.pressure_Pa.assign(20000, 2e5);
+  const std::vector<double> f = Force(p, m);
+  const double w = 2 * M_PI * 1.5, x = m.position_m[0][7777];
+  EXPECT_NEAR(f[7777], -3 * w * w * x + 300 * x + 5e-4 * 2e5 + 5, 1e-4);
+}
+
+TEST(ElementBench, FlexibleLoadFollowsItsTransferFunctionBelowAtAndAboveResonance) {
+  const double m = 10, mf = 3, f0 = 20, zeta = 0.07;
+  hydraulics::PhsParams p = Part();
+  p.element.mass_kg = m;
+  p = With(p, "load_flexibility", {{"mass_kg", mf}, {"frequency_Hz", f0}, {"damping_ratio", zeta}});
+  for (const double hertz : {2.0, 20.0, 55.0}) {
+    const double step = 2e-5, w = 2 * M_PI * hertz, w0 = 2 * M_PI * f0;
+    const int n = static_cast<int>(3.0 / step);
+    const std::vector<double> force = Force(p, Sine(1e-3, hertz, step, n));
+    const std::complex<double> i(0, 1);
+    const std::complex<double> passed =
+        (w0 * w0 + 2.0 * i * zeta * w0 * w) / (w0 * w0 - w * w + 2.0 * i * zeta * w0 * w);
+    const std::complex<double> expected = -w * w * 1e-3 * (m - mf + mf * passed);
+    std::complex<double> seen = 0;  // over whole periods at the end, long after the start
+    const int whole = static_cast<int>(std::lround(std::floor(1.5 * hertz) / hertz / step));
+    for (int k = n - whole; k < n; ++k)
+      seen += force[k] * std::exp(-i * (w * k * step)) * 2.0 / double(whole);
+    EXPECT_NEAR(std::abs(seen * i - expected), 0, 2e-3 * std::abs(expected)) << hertz;
+  }
+}
+
+TEST(ElementBench, BehindAGapNothingRubsAndBehindASpringFrictionComesLate) {
+  hydraulics::PhsParams p = Part();
+  p.friction.model = hydraulics::FrictionModel::kStatic;
+  p.friction.curve = hydraulics::FrictionCurve::kCoulomb;
+  p.friction.coulomb_extension_N = p.friction.coulomb_retraction_N = 50;
+  p.friction.breakaway_extension_N = p.friction.breakaway_retraction_N = 50;
+  p.friction.viscous_extension_Ns_per_m = p.friction.viscous_retraction_Ns_per_m = 0;
+  p.friction.ramp_speed_m_s = 1e-5;
+  RigMotion m;
+  m.step_s = 1e-3;
+  m.position_m.resize(1);
+  for (int i = 0; i < 2000; ++i) m.position_m[0].push_back(1e-6 * i);  // 1 mm/s
+  const std::vector<double> gap =
+      Force(With(p, "backlash", {{"gap_m", 4e-4}, {"contact_N_per_m", 1e7}}), m);
+  EXPECT_NEAR(gap[150], 0, 1e-6) << "inside half the play";
+  EXPECT_NEAR(gap[400], 50, 0.5) << "carried along";
+  const std::vector<double> spring =
+      Force(With(p, "mount_compliance", {{"stiffness_N_per_m", 1e5}}), m);
+  EXPECT_NEAR(spring[200], 20, 2.0) << "1e5 N/m over 0.2 mm, less the creep of the ramp";
+  EXPECT_NEAR(spring[1500], 50, 0.1);
+}
+
+TEST(ElementBench, WarmFrictionIsLowerByItsSlope) {
+  hydraulics::PhsParams p = Part();
+  p.friction.model = hydraulics::FrictionModel::kStatic;
+  RigMotion m = Sine(0.05, 0.1, 1e-2, 1000);
+  m.temperature_K.assign(1000, p.temperature_K);
+  const std::vector<double> cold =
+      Force(With(p, "temperature_friction", {{"slope_1_per_K", 0.02}}), m);
+  m.temperature_K.assign(1000, p.temperature_K + 10);
+  const std::vector<double> warm =
+      Force(With(p, "temperature_friction", {{"slope_1_per_K", 0.02}}), m);
+  EXPECT_NEAR(warm[10] / cold[10], 0.8, 1e-12);
+}
+
+TEST(ElementBench, MassBehindTheLoadCellOfARigAddsItsInertia) {
+  const hydraulics::PhsParams p = FindPhsParams("quarter_setup2").value();
+  const double w = 2 * M_PI * 5, a = 1e-3, step = 1e-3;
+  const RigMotion motion = Sine(a, 5, step, 1000);
+  RigPrediction plain, heavy;
+  for (auto [params, out] :
+       {std::pair{p, &plain}, std::pair{With(p, "moving_mass", {{"mass_kg", 200}}), &heavy}}) {
+    const auto rig = RigModel::Create(RigKind::kQuarter, params);
+    ASSERT_TRUE(rig.ok()) << rig.error().Line();
+    ASSERT_TRUE(rig.value().Run(motion, out).ok());
+  }
+  for (size_t i = 50; i < 950; i += 37) {
+    const double inertia = -200 * a * w * w * std::sin(w * step * static_cast<double>(i));
+    EXPECT_NEAR(heavy.channels[1][i] - plain.channels[1][i], inertia, 1e-3 * 200 * a * w * w);
+    EXPECT_EQ(heavy.channels[2][i], plain.channels[2][i]) << "pressures know nothing of it";
+  }
+}
+
+TEST(ElementBench, BenchEffectsAreRefusedInACylinderWithLines) {
+  for (const char* effect : {"pressure_area", "load_flexibility"}) {
+    hydraulics::PhsParams p = FindPhsParams("quarter_setup2").value();
+    ASSERT_TRUE(AddEffect(&p, effect).ok());
+    const auto system = CreatePhsSystem(p);
+    ASSERT_FALSE(system.ok());
+    EXPECT_NE(system.error().Line().find("bench only"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace phs::effects
