@@ -11,6 +11,9 @@
 namespace phs::identify::search {
 namespace {
 
+using measurement::FitData;
+using measurement::SmoothPosition;
+
 constexpr double kStep = 0.005, kNoise = 5e-7;
 
 hydraulics::PhsParams Quarter(const std::string& effect) {

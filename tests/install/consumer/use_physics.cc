@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "base/data_path.h"
-#include "effects/catalogue.h"
 #include "hydraulics/phs_system.h"
+#include "phs_model/phs_model.h"
 #include "rail/creep_law.h"
 
 int main() {
