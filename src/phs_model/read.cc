@@ -1,7 +1,10 @@
 // Reading model files (docs/phs_models.md).
+#include <map>
+
+#include "hydraulics/phs_numbers.h"
 #include "phs_model/effects_yaml.h"
+#include "phs_model/keys.h"
 #include "phs_model/phs_model.h"
-#include "phs_model/words.h"
 
 namespace phs::phs_model {
 
@@ -9,7 +12,6 @@ using hydraulics::BalanceMethod;
 using hydraulics::CalcGas;
 using hydraulics::CylinderParams;
 using hydraulics::EffectParams;
-using hydraulics::EndStopParams;
 using hydraulics::FrictionCurve;
 using hydraulics::FrictionModel;
 using hydraulics::FrictionParams;
@@ -22,10 +24,7 @@ using hydraulics::PhsParams;
 
 namespace {
 
-const Range kPositive{.min = 0, .open_min = true};
-const Range kNotNegative{.min = 0};
-/// Absolute pressures at rest: what is smaller was written in MPa or bar.
-const Range kPressure{.min = 1e4, .max = 1e8};
+const Range kChargePressure{.min = 1e4, .max = 1e8};
 
 int IndexOf(const std::string& word, const std::vector<std::string>& words) {
   for (size_t i = 0; i < words.size(); ++i) {
@@ -34,28 +33,47 @@ int IndexOf(const std::string& word, const std::vector<std::string>& words) {
   return 0;
 }
 
-void ReadEndStop(YamlMap map, EndStopParams* stop) {
-  stop->clearance_m = map.Number("clearance_m", kPositive, stop->clearance_m);
-  stop->stiffness_N_per_m = map.Number("stiffness_N_per_m", kPositive, stop->stiffness_N_per_m);
-  stop->damping_Ns_per_m = map.Number("damping_Ns_per_m", kNotNegative, stop->damping_Ns_per_m);
-  stop->transition_m = map.Number("transition_m", kPositive, stop->transition_m);
+/// The maps inside a part's map, each opened once: "end_stop", "reservoir".
+class Blocks {
+ public:
+  explicit Blocks(YamlMap* part) : part_(part) {}
+  /// Null: the file has no such block.
+  YamlMap* Find(const std::string& name) {
+    if (name.empty()) return part_;
+    if (!part_->Has(name)) return nullptr;
+    return &open_.try_emplace(name, part_->Map(name)).first->second;
+  }
+
+ private:
+  YamlMap* part_;
+  std::map<std::string, YamlMap> open_;
+};
+
+/// Every number of the part that the file has.
+template <typename Part>
+void ReadNumbers(Blocks* blocks, Part* part) {
+  for (const auto& row : hydraulics::Numbers<Part>()) {
+    const std::string& where = row.info.where;
+    const size_t dot = where.find('.');
+    const bool inside = dot != std::string::npos;
+    YamlMap* map = blocks->Find(inside ? where.substr(0, dot) : "");
+    if (map == nullptr) continue;
+    double& value = row.of(*part);
+    value = map->Number(inside ? where.substr(dot + 1) : where, row.info.allowed, value);
+  }
 }
 
 // Keys shared by `cylinder_defaults` and each entry of `cylinders`.
 void ReadCylinder(YamlMap& map, CylinderParams* c) {
-  c->bore_m = map.Number("bore_m", kPositive, c->bore_m);
-  c->rod_m = map.Number("rod_m", kNotNegative, c->rod_m);
-  if (map.Has("end_stop")) ReadEndStop(map.Map("end_stop"), &c->end_stop);
+  Blocks blocks(&map);
+  ReadNumbers(&blocks, c);
 }
 
-void ReadGas(YamlMap& map, GasChargeParams* gas) {
-  const std::string law = map.Word("law", GasLawNames(), GasLawNames()[static_cast<int>(gas->law)]);
+void ReadGasLaw(YamlMap* map, GasChargeParams* gas) {
+  if (map == nullptr) return;
+  const std::string law =
+      map->Word("law", GasLawNames(), GasLawNames()[static_cast<int>(gas->law)]);
   gas->law = static_cast<GasLaw>(IndexOf(law, GasLawNames()));
-  gas->volume_m3 = map.Number("volume_m3", kNotNegative, gas->volume_m3);
-  gas->polytropic_exponent =
-      map.Number("polytropic_exponent", {.min = 0.9, .max = 2}, gas->polytropic_exponent);
-  gas->thermal_time_s = map.Number("thermal_time_s", kPositive, gas->thermal_time_s);
-  gas->min_gas_volume_m3 = map.Number("min_gas_volume_m3", kNotNegative, gas->min_gas_volume_m3);
 }
 
 // `charge_pressure_Pa`: the shell was filled with gas at this pressure and then brought to the
@@ -75,52 +93,27 @@ double GasAfterCharging(const LineParams& line, double charge, double T) {
 // A charge given for all lines depends on each line's own static pressure, so it is kept in
 // `charge` [Pa] and turned into a gas volume only by the lines themselves.
 void ReadLine(YamlMap& map, LineParams* line, double* charge) {
-  line->static_pressure_Pa = map.Number("static_pressure_Pa", kPressure, line->static_pressure_Pa);
-  line->oil_volume_m3 = map.Number("oil_volume_m3", kPositive, line->oil_volume_m3);
-  line->bulk_modulus_Pa = map.Number("bulk_modulus_Pa", kPositive, line->bulk_modulus_Pa);
-  line->bulk_modulus_slope =
-      map.Number("bulk_modulus_slope", {.min = 0, .max = 20}, line->bulk_modulus_slope);
-  line->free_air_m3 = map.Number("free_air_m3", kNotNegative, line->free_air_m3);
-  if (map.Has("reservoir")) {
-    YamlMap r = map.Map("reservoir");
-    ReadGas(r, &line->reservoir);
-    if (r.Has("charge_pressure_Pa") && r.Has("gas_volume_m3")) {
-      r.Fail("gas_volume_m3", "given together with charge_pressure_Pa", "one of the two");
-    }
-    if (r.Has("gas_volume_m3")) *charge = 0;
-    *charge = r.Number("charge_pressure_Pa", kPressure, *charge);
-    line->gas_volume_m3 = r.Number("gas_volume_m3", kNotNegative, line->gas_volume_m3);
+  Blocks blocks(&map);
+  ReadNumbers(&blocks, line);
+  YamlMap* reservoir = blocks.Find("reservoir");
+  ReadGasLaw(reservoir, &line->reservoir);
+  ReadGasLaw(blocks.Find("accumulator"), &line->accumulator);
+  if (reservoir == nullptr) return;
+  if (reservoir->Has("charge_pressure_Pa") && reservoir->Has("gas_volume_m3")) {
+    reservoir->Fail("gas_volume_m3", "given together with charge_pressure_Pa", "one of the two");
   }
-  if (map.Has("accumulator")) {
-    YamlMap a = map.Map("accumulator");
-    ReadGas(a, &line->accumulator);
-    line->accumulator_precharge_Pa =
-        a.Number("precharge_Pa", kPressure, line->accumulator_precharge_Pa);
-  }
+  if (reservoir->Has("gas_volume_m3")) *charge = 0;
+  *charge = reservoir->Number("charge_pressure_Pa", kChargePressure, *charge);
 }
 
-void ReadFriction(YamlMap map, FrictionParams* f) {
-  const std::string model = map.Word("model", kModels, kModels[static_cast<int>(f->model)]);
+void ReadFriction(YamlMap* map, FrictionParams* f) {
+  if (map == nullptr) return;
+  const std::string model = map->Word("model", kModels, kModels[static_cast<int>(f->model)]);
   f->model = static_cast<FrictionModel>(IndexOf(model, kModels));
-  const std::string curve = map.Word("curve", kCurves, kCurves[static_cast<int>(f->curve)]);
+  const std::string curve = map->Word("curve", kCurves, kCurves[static_cast<int>(f->curve)]);
   f->curve = static_cast<FrictionCurve>(IndexOf(curve, kCurves));
-  f->scale = map.Number("scale", kNotNegative, f->scale);
-  f->speed_m_s = map.Numbers("speed_m_s", {}, f->speed_m_s);
-  f->force_N = map.Numbers("force_N", {}, f->force_N);
-  auto number = [&map](const char* key, const Range& range, double* value) {
-    *value = map.Number(key, range, *value);
-  };
-  number("coulomb_extension_N", kNotNegative, &f->coulomb_extension_N);
-  number("coulomb_retraction_N", kNotNegative, &f->coulomb_retraction_N);
-  number("breakaway_extension_N", kNotNegative, &f->breakaway_extension_N);
-  number("breakaway_retraction_N", kNotNegative, &f->breakaway_retraction_N);
-  number("stribeck_speed_m_s", kPositive, &f->stribeck_speed_m_s);
-  number("viscous_extension_Ns_per_m", kNotNegative, &f->viscous_extension_Ns_per_m);
-  number("viscous_retraction_Ns_per_m", kNotNegative, &f->viscous_retraction_Ns_per_m);
-  number("ramp_speed_m_s", kPositive, &f->ramp_speed_m_s);
-  number("stiffness_N_per_m", kPositive, &f->stiffness_N_per_m);
-  number("damping_Ns_per_m", kNotNegative, &f->damping_Ns_per_m);
-  number("breakaway_ratio", {.min = 0, .max = 0.99}, &f->breakaway_ratio);
+  f->speed_m_s = map->Numbers("speed_m_s", {}, f->speed_m_s);
+  f->force_N = map->Numbers("force_N", {}, f->force_N);
 }
 
 }  // namespace
@@ -150,7 +143,8 @@ Result<PhsParams> ReadPhsParams(YamlMap& map) {
   params.name = map.Text("name");
   params.description = map.Text("description", "");
   params.source = map.Text("source", "");
-  params.temperature_K = map.Number("temperature_K", {.min = 200, .max = 400}, 293.15);
+  Blocks blocks(&map);
+  ReadNumbers(&blocks, &params);
   const std::string balance = map.Word("balance", kBalances, kBalances[0]);
   params.balance = static_cast<BalanceMethod>(IndexOf(balance, kBalances));
   CylinderParams cylinder;
@@ -182,14 +176,7 @@ Result<PhsParams> ReadPhsParams(YamlMap& map) {
     }
     params.lines.push_back(l);
   }
-  if (map.Has("friction")) ReadFriction(map.Map("friction"), &params.friction);
-  if (map.Has("element")) {
-    YamlMap e = map.Map("element");
-    params.element.mass_kg = e.Number("mass_kg", kNotNegative, 0);
-    params.element.stiffness_N_per_m = e.Number("stiffness_N_per_m", kNotNegative, 0);
-    params.element.pressure_area_m2 = e.Number("pressure_area_m2", {}, 0);
-    params.element.offset_N = e.Number("offset_N", {}, 0);
-  }
+  ReadFriction(blocks.Find("friction"), &params.friction);
   if (map.Has("effects")) params.effects = ReadEffects(map.Map("effects"));
   if (Status s = map.Finish(); !s.ok()) return s.error();
   if (Status s = Validate(params); !s.ok()) {

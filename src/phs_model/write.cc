@@ -1,10 +1,12 @@
 // Writing model files (docs/phs_models.md).
 #include <cstdio>
 #include <cstdlib>
+#include <utility>
 
+#include "hydraulics/phs_numbers.h"
 #include "phs_model/effects_yaml.h"
+#include "phs_model/keys.h"
 #include "phs_model/phs_model.h"
-#include "phs_model/words.h"
 
 namespace phs::phs_model {
 
@@ -12,7 +14,6 @@ using hydraulics::CylinderParams;
 using hydraulics::EffectParams;
 using hydraulics::FrictionCurve;
 using hydraulics::FrictionParams;
-using hydraulics::GasChargeParams;
 using hydraulics::GasLawNames;
 using hydraulics::LineParams;
 using hydraulics::PhsParams;
@@ -60,63 +61,50 @@ class Writer {
   std::string out_;
 };
 
-void WriteGas(Writer* w, int indent, const GasChargeParams& gas) {
-  w->Raw(indent, "law", GasLawNames()[static_cast<int>(gas.law)]);
-  w->Num(indent, "volume_m3", gas.volume_m3);
-  w->Num(indent, "polytropic_exponent", gas.polytropic_exponent);
-  w->Num(indent, "thermal_time_s", gas.thermal_time_s);
-  w->Num(indent, "min_gas_volume_m3", gas.min_gas_volume_m3);
+/// The numbers of `part` that stand in the block `block` ("": beside the blocks).
+template <typename Part>
+void WriteNumbers(Writer* w, int indent, const std::string& block, const Part& part) {
+  Part copy = part;
+  for (const auto& row : hydraulics::Numbers<Part>()) {
+    const std::string& where = row.info.where;
+    const size_t dot = where.find('.');
+    const bool inside = dot != std::string::npos;
+    if ((inside ? where.substr(0, dot) : "") != block) continue;
+    if (row.written != nullptr && !row.written(part)) continue;
+    w->Num(indent, inside ? where.substr(dot + 1) : where, row.of(copy));
+  }
 }
 
-void WriteFriction(Writer* w, const FrictionParams& f) {
+void WriteFriction(Writer* w, const PhsParams& params) {
+  const FrictionParams& f = params.friction;
   w->Open(0, "friction");
   w->Raw(2, "model", kModels[static_cast<int>(f.model)]);
   w->Raw(2, "curve", kCurves[static_cast<int>(f.curve)]);
-  w->Num(2, "scale", f.scale);
   if (f.curve == FrictionCurve::kTable) {
     w->Nums(2, "speed_m_s", f.speed_m_s);
     w->Nums(2, "force_N", f.force_N);
-  } else {
-    w->Num(2, "coulomb_extension_N", f.coulomb_extension_N);
-    w->Num(2, "coulomb_retraction_N", f.coulomb_retraction_N);
-    w->Num(2, "breakaway_extension_N", f.breakaway_extension_N);
-    w->Num(2, "breakaway_retraction_N", f.breakaway_retraction_N);
-    w->Num(2, "stribeck_speed_m_s", f.stribeck_speed_m_s);
-    w->Num(2, "viscous_extension_Ns_per_m", f.viscous_extension_Ns_per_m);
-    w->Num(2, "viscous_retraction_Ns_per_m", f.viscous_retraction_Ns_per_m);
-    w->Num(2, "ramp_speed_m_s", f.ramp_speed_m_s);
   }
-  w->Num(2, "stiffness_N_per_m", f.stiffness_N_per_m);
-  w->Num(2, "damping_Ns_per_m", f.damping_Ns_per_m);
-  w->Num(2, "breakaway_ratio", f.breakaway_ratio);
+  WriteNumbers(w, 2, "friction", params);
 }
 
 void WriteCylinder(Writer* w, const CylinderParams& c) {
   w->out() += "  - name: \"" + c.name + "\"\n";
   w->Text(4, "bore_line", c.bore_line);
   w->Text(4, "rod_line", c.rod_line);
-  w->Num(4, "bore_m", c.bore_m);
-  w->Num(4, "rod_m", c.rod_m);
+  WriteNumbers(w, 4, "", c);
   w->Open(4, "end_stop");
-  w->Num(6, "clearance_m", c.end_stop.clearance_m);
-  w->Num(6, "stiffness_N_per_m", c.end_stop.stiffness_N_per_m);
-  w->Num(6, "damping_Ns_per_m", c.end_stop.damping_Ns_per_m);
-  w->Num(6, "transition_m", c.end_stop.transition_m);
+  WriteNumbers(w, 6, "end_stop", c);
 }
 
 void WriteLine(Writer* w, const LineParams& l) {
   w->out() += "  - name: \"" + l.name + "\"\n";
-  w->Num(4, "static_pressure_Pa", l.static_pressure_Pa);
-  w->Num(4, "oil_volume_m3", l.oil_volume_m3);
-  w->Num(4, "bulk_modulus_Pa", l.bulk_modulus_Pa);
-  w->Num(4, "bulk_modulus_slope", l.bulk_modulus_slope);
-  w->Num(4, "free_air_m3", l.free_air_m3);
-  w->Open(4, "reservoir");
-  WriteGas(w, 6, l.reservoir);
-  w->Num(6, "gas_volume_m3", l.gas_volume_m3);
-  w->Open(4, "accumulator");
-  WriteGas(w, 6, l.accumulator);
-  w->Num(6, "precharge_Pa", l.accumulator_precharge_Pa);
+  WriteNumbers(w, 4, "", l);
+  for (const auto& [block, gas] :
+       {std::pair{"reservoir", &l.reservoir}, std::pair{"accumulator", &l.accumulator}}) {
+    w->Open(4, block);
+    w->Raw(6, "law", GasLawNames()[static_cast<int>(gas->law)]);
+    WriteNumbers(w, 6, block, l);
+  }
 }
 
 void WriteEffects(Writer* w, const std::vector<EffectParams>& effects) {
@@ -154,18 +142,15 @@ std::string ToYaml(const PhsParams& params) {
   w.Text(0, "name", params.name);
   w.Text(0, "description", params.description);
   w.Text(0, "source", params.source);
-  w.Num(0, "temperature_K", params.temperature_K);
+  WriteNumbers(&w, 0, "", params);
   w.Raw(0, "balance", kBalances[static_cast<int>(params.balance)]);
   w.Open(0, "cylinders");
   for (const CylinderParams& c : params.cylinders) WriteCylinder(&w, c);
   if (!params.lines.empty()) w.Open(0, "lines");
   for (const LineParams& l : params.lines) WriteLine(&w, l);
-  WriteFriction(&w, params.friction);
+  WriteFriction(&w, params);
   w.Open(0, "element");
-  w.Num(2, "mass_kg", params.element.mass_kg);
-  w.Num(2, "stiffness_N_per_m", params.element.stiffness_N_per_m);
-  w.Num(2, "pressure_area_m2", params.element.pressure_area_m2);
-  w.Num(2, "offset_N", params.element.offset_N);
+  WriteNumbers(&w, 2, "element", params);
   WriteEffects(&w, params.effects);
   return w.out();
 }

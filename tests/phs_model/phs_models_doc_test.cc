@@ -1,4 +1,5 @@
-// docs/phs_models.md names every key of a model file and every effect as the program has them.
+// docs/phs_models.md is made from the rows of the program: every key of a model file with unit,
+// range and default, and every effect. PHS_WRITE_DOCS=1 writes it anew.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -8,24 +9,60 @@
 #include <string>
 
 #include "effects/catalogue.h"
+#include "hydraulics/phs_numbers.h"
+#include "phs_model/keys.h"
 #include "phs_model/phs_model.h"
 
-namespace phs::effects {
-
-using phs_model::FindPhsParams;
+namespace phs::phs_model {
 namespace {
 
-const std::string kDocument = std::string(PHS_SOURCE_DIR) + "/docs/phs_models.md";
-const std::string kBegin =
-    "<!-- effects: written by PHS_WRITE_DOCS=1 test_phs_model --gtest_filter=PhsModelsDoc.* -->\n";
-const std::string kEnd = "<!-- /effects -->";
+using hydraulics::CylinderParams;
+using hydraulics::LineParams;
+using hydraulics::PhsParams;
 
-std::string Document() {
-  std::ifstream file(kDocument);
+const std::string kDocument = std::string(PHS_SOURCE_DIR) + "/docs/phs_models.md";
+
+std::string ReadText(const std::string& path) {
+  std::ifstream file(path);
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-std::string Bounds(double low, double high) { return fmt::format("{:g} … {:g}", low, high); }
+std::string Bounds(const Range& range) {
+  if (range.open_min && range.min == 0) return fmt::format("> 0, ≤ {:g}", range.max);
+  return fmt::format("{:g} … {:g}", range.min, range.max);
+}
+
+std::string Line(const std::string& key, const std::string& allowed, const std::string& otherwise,
+                 const std::string& text) {
+  return fmt::format("| `{}` | {} | {} | {} |\n", key, allowed, otherwise, text);
+}
+
+bool InBlock(const std::string& where, const std::string& block, bool nested) {
+  if (nested) return true;
+  const size_t dot = where.find('.');
+  return (dot == std::string::npos ? "" : where.substr(0, dot)) == block;
+}
+
+/// The keys of a part; of the whole only those of `block`.
+template <typename Part>
+std::string KeysText(FilePart part, const std::string& block) {
+  std::string text = "| key | unit, range | default | meaning |\n|---|---|---|---|\n";
+  const bool nested = part != FilePart::kWhole;
+  for (const KeyRow& row : OtherKeys()) {
+    if (row.part != part || !InBlock(row.where, block, nested)) continue;
+    text += Line(row.where, row.allowed, row.otherwise, row.text);
+  }
+  Part otherwise;
+  for (const auto& row : hydraulics::Numbers<Part>()) {
+    if (!InBlock(row.info.where, block, nested)) continue;
+    std::string meaning = row.info.text;
+    if (row.info.where != row.info.key) meaning += ". As a parameter: `" + row.info.key + "`";
+    text += Line(row.info.where,
+                 (row.info.unit == "-" ? "" : row.info.unit + ", ") + Bounds(row.info.allowed),
+                 fmt::format("{:g}", row.of(otherwise)), meaning);
+  }
+  return text;
+}
 
 std::string EffectText(const hydraulics::EffectInfo& effect) {
   std::string text = fmt::format("### `{}`\n{}: {}.", effect.name, effect.family, effect.text);
@@ -37,41 +74,45 @@ std::string EffectText(const hydraulics::EffectInfo& effect) {
   }
   text += "\n\n| key | unit | default | allowed | plausible | |\n|---|---|---|---|---|---|\n";
   for (const hydraulics::EffectParameter& p : effect.parameters) {
-    text += fmt::format("| `{}` | {} | {:g} | {} | {} | {} |\n", p.name, p.unit, p.otherwise,
-                        Bounds(p.min, p.max), Bounds(p.low, p.high), p.text);
+    text += fmt::format("| `{}` | {} | {:g} | {:g} … {:g} | {:g} … {:g} | {} |\n", p.name, p.unit,
+                        p.otherwise, p.min, p.max, p.low, p.high, p.text);
   }
   return text + "\n";
 }
 
 std::string EffectsText() {
   std::string text;
-  for (const hydraulics::EffectInfo& effect : Catalogue().effects()) text += EffectText(effect);
+  for (const auto& effect : effects::Catalogue().effects()) text += EffectText(effect);
   return text;
 }
 
-TEST(PhsModelsDoc, HasEveryEffectAsTheCatalogueSaysIt) {
-  std::string document = Document();
-  const size_t begin = document.find(kBegin), end = document.find(kEnd);
-  ASSERT_NE(begin, std::string::npos);
-  ASSERT_NE(end, std::string::npos);
-  const size_t from = begin + kBegin.size();
+/// The part of the page called `name` says what `expected` says, or is made to.
+void ExpectSection(const std::string& name, const std::string& expected) {
+  SCOPED_TRACE(name);
+  const std::string begin = "<!-- " + name +
+                            ": written by PHS_WRITE_DOCS=1 test_phs_model "
+                            "--gtest_filter=PhsModelsDoc.* -->\n";
+  const std::string end = "<!-- /" + name + " -->";
+  std::string page = ReadText(kDocument);
+  ASSERT_NE(page.find(begin), std::string::npos);
+  const size_t from = page.find(begin) + begin.size();
+  ASSERT_NE(page.find(end, from), std::string::npos);
   if (std::getenv("PHS_WRITE_DOCS") != nullptr) {
-    std::ofstream(kDocument) << document.replace(from, end - from, EffectsText());
-    document = Document();
+    page.replace(from, page.find(end, from) - from, expected);
+    std::ofstream(kDocument) << page;
   }
-  EXPECT_EQ(document.substr(from, document.find(kEnd) - from), EffectsText())
+  EXPECT_EQ(page.substr(from, page.find(end, from) - from), expected)
       << "write it anew: see the comment in docs/phs_models.md";
 }
 
-TEST(PhsModelsDoc, HasEveryNumberOfTheModel) {
-  const std::string document = Document();
-  const auto params = FindPhsParams("bo_bo");
-  ASSERT_TRUE(params.ok());
-  for (const phs_model::ParameterInfo& p : phs_model::ListParameters(params.value())) {
-    const std::string key = p.name.substr(p.name.rfind('.') + 1);
-    EXPECT_NE(document.find(key), std::string::npos) << p.name;
-  }
+TEST(PhsModelsDoc, HasEveryKeyAndEffectAsTheProgramSaysIt) {
+  ExpectSection("whole", KeysText<PhsParams>(FilePart::kWhole, ""));
+  ExpectSection("cylinder", KeysText<CylinderParams>(FilePart::kCylinder, ""));
+  ExpectSection("line", KeysText<LineParams>(FilePart::kLine, ""));
+  ExpectSection("friction", KeysText<PhsParams>(FilePart::kWhole, "friction"));
+  ExpectSection("element", KeysText<PhsParams>(FilePart::kWhole, "element"));
+  ExpectSection("effects", EffectsText());
 }
 
 }  // namespace
-}  // namespace phs::effects
+}  // namespace phs::phs_model
