@@ -20,7 +20,7 @@
 #include "vehicle/compose.h"
 #include "vehicle/discretisation.h"
 #include "vehicle/result_files.h"
-#include "vehicle/scenario.h"
+#include "vehicle/scenario_file.h"
 #include "vehicle/simulation.h"
 #include "vehicle/summary.h"
 

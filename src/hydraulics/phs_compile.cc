@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "hydraulics/phs_impl.h"
+#include "hydraulics/phs_validate.h"
 #include "hydraulics/pipe.h"
 
 namespace phs::hydraulics {

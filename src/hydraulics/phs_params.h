@@ -149,6 +149,4 @@ struct PhsParams {
   bool operator==(const PhsParams&) const = default;
 };
 
-Status Validate(const PhsParams& params);
-
 }  // namespace phs::hydraulics

@@ -9,6 +9,7 @@
 #include "base/words.h"
 #include "measurement/channel_noise.h"
 #include "measurement/data_checks.h"
+#include "measurement/fit_run.h"
 #include "measurement/series.h"
 #include "rail/track.h"
 

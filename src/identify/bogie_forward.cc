@@ -12,6 +12,7 @@
 #include "phs_model/phs_model.h"
 #include "vehicle/compose.h"
 #include "vehicle/running_effects.h"
+#include "vehicle/scenario_file.h"
 
 namespace phs::identify::search {
 

@@ -7,6 +7,7 @@
 #include "identify/driven_run.h"
 #include "phs_model/phs_model.h"
 #include "vehicle/running_effects.h"
+#include "vehicle/scenario_file.h"
 
 namespace phs::identify::search {
 

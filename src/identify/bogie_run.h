@@ -1,7 +1,10 @@
 // `rig: bogie`: a bogie in a measured curve, identified or only compared (docs/identify_bogie.md).
 #pragma once
 
-#include "identify/identify_run.h"
+#include "base/result.h"
+#include "base/result_dir.h"
+#include "identify/effect_search.h"
+#include "identify/outcome.h"
 #include "measurement/manifest.h"
 
 namespace phs::identify::search {

@@ -7,6 +7,7 @@
 #include "base/table.h"
 #include "identify/result_json.h"
 #include "measurement/data_checks.h"
+#include "measurement/fit_run.h"
 #include "phs_model/phs_model.h"
 
 namespace phs::identify::search {

@@ -4,7 +4,10 @@
 
 #include <functional>
 
-#include "identify/identify_run.h"
+#include "base/result.h"
+#include "base/result_dir.h"
+#include "identify/effect_search.h"
+#include "identify/outcome.h"
 #include "identify/result_json.h"
 #include "measurement/manifest.h"
 

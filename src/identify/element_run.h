@@ -5,8 +5,11 @@
 // beyond it. That is a diagnosis: it does not enter the corrected model or its score.
 #pragma once
 
+#include "base/result.h"
+#include "base/result_dir.h"
+#include "identify/effect_search.h"
 #include "identify/element_search.h"
-#include "identify/identify_run.h"
+#include "identify/outcome.h"
 
 namespace phs::identify::element {
 

@@ -2,20 +2,14 @@
 // (docs/identify.md, docs/program.md).
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "base/result.h"
 #include "base/result_dir.h"
 #include "identify/effect_search.h"
+#include "identify/outcome.h"
 
 namespace phs::identify::search {
-
-struct IdentifyOutcome {
-  nlohmann::ordered_json result;  ///< what went into result.json
-  std::string summary;            ///< about ten lines for the terminal
-  bool cancelled = false;
-};
 
 /// Writes result.json, measured.csv (checked and mended), predicted.csv, baseline.csv and
 /// model.yaml into `dir` (not the report, not committed). A cancelled run writes nothing.

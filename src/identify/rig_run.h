@@ -2,20 +2,12 @@
 // was measured (docs/rig.md). No parameter is fitted.
 #pragma once
 
-#include <nlohmann/json.hpp>
-#include <string>
-
 #include "base/result.h"
 #include "base/result_dir.h"
+#include "identify/outcome.h"
 #include "measurement/manifest.h"
 
 namespace phs::identify {
-
-struct RigOutcome {
-  nlohmann::ordered_json result;  ///< what went into result.json
-  std::string summary;            ///< some lines for the terminal
-  std::string measured;           ///< data file on the clock of predicted.csv; empty: none measured
-};
 
 /// Writes result.json and predicted.csv (and measured.csv: the data as used) into `dir`; neither
 /// report nor commit. Errors: what the manifest, the data or the model say wrongly; a driven stroke

@@ -3,7 +3,10 @@
 // settled pressures, every step predicted from the others (`phs identify`). docs/rig_table_b1.md.
 #pragma once
 
-#include "identify/rig_run.h"
+#include "base/result.h"
+#include "base/result_dir.h"
+#include "identify/outcome.h"
+#include "measurement/manifest.h"
 
 namespace phs::identify {
 

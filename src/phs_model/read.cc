@@ -2,6 +2,7 @@
 #include <map>
 
 #include "hydraulics/phs_numbers.h"
+#include "hydraulics/phs_validate.h"
 #include "phs_model/effects_yaml.h"
 #include "phs_model/keys.h"
 #include "phs_model/phs_model.h"

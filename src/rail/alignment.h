@@ -30,7 +30,7 @@
 
 #include "base/result.h"
 #include "rail/alignment_polyline.h"
-#include "rail/track.h"
+#include "rail/track_frame.h"
 
 namespace phs::rail {
 

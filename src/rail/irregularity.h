@@ -22,7 +22,7 @@
 
 #include "base/result.h"
 #include "rail/frames.h"
-#include "rail/track.h"
+#include "rail/track_frame.h"
 
 namespace phs::rail {
 

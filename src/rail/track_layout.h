@@ -10,7 +10,7 @@
 #include "rail/alignment.h"
 #include "rail/irregularity.h"
 #include "rail/irregularity_psd.h"
-#include "rail/track.h"
+#include "rail/track_frame.h"
 
 namespace phs::rail {
 

@@ -9,22 +9,9 @@
 #include <vector>
 
 #include "base/result.h"
+#include "report/curving_input.h"
 
 namespace phs::report {
-
-/// The files a curving report is made from.
-struct CurvingReportInput {
-  std::string results;  ///< compare.json, or summary.json of a single run
-  struct Run {
-    std::string bogie;   ///< as named in the results
-    std::string series;  ///< HDF5 time series (base/hdf5_series.h); empty = tables only
-  };
-  std::vector<Run> runs;  ///< in the order of the report; the first is the one compared with
-
-  /// Finds the files of a result directory: compare.json or summary.json, and of each bogie
-  /// `NAME_timeseries.h5` or `NAME/timeseries.h5`; for a single run `timeseries.h5`.
-  static Result<CurvingReportInput> FromDirectory(const std::string& directory);
-};
 
 /// Writes the page. Channels that a run does not have are left out.
 Status WriteCurvingReport(const CurvingReportInput& input, const std::string& path);

@@ -7,7 +7,7 @@
 
 #include "base/hdf5_series.h"
 #include "base/result.h"
-#include "report/curving_report.h"
+#include "report/curving_input.h"
 #include "report/report_page.h"
 
 namespace phs::report {

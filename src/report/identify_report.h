@@ -14,15 +14,9 @@
 #include <string>
 
 #include "base/result.h"
+#include "report/identify_input.h"
 
 namespace phs::report {
-
-struct IdentifyReportInput {
-  std::string result = {};     ///< result.json
-  std::string measured = {};   ///< the measured data (CSV or .mat)
-  std::string predicted = {};  ///< predicted.csv: the corrected model (or the model of a rig run)
-  std::string baseline = {};   ///< the same of the declared model fitted; empty = none saved
-};
 
 /// Writes the page. Plots need `measured` and `predicted`; without them the tables remain.
 Status WriteIdentifyReport(const IdentifyReportInput& input, const std::string& path);

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/result.h"
-#include "report/identify_report.h"
+#include "report/identify_input.h"
 #include "report/readable_name.h"
 #include "report/report_page.h"
 

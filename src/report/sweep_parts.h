@@ -6,7 +6,7 @@
 
 #include "base/table.h"
 #include "report/report_page.h"
-#include "report/sweep_report.h"
+#include "report/sweep_input.h"
 
 namespace phs::report::sweep_page {
 

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "hydraulics/phs_system.h"
-#include "rigs/rig_model.h"
+#include "rigs/rig.h"
 
 namespace phs::rigs {
 

@@ -8,7 +8,8 @@
 
 #include <vector>
 
-#include "rigs/rig_model.h"
+#include "hydraulics/phs_system.h"
+#include "rigs/rig.h"
 
 namespace phs::rigs {
 

@@ -2,7 +2,8 @@
 // what a formula says of the true state (effect `unlisted`).
 #pragma once
 
-#include "rigs/rig_model.h"
+#include "hydraulics/phs_system.h"
+#include "rigs/rig.h"
 
 namespace phs::rigs {
 

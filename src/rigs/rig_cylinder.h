@@ -5,7 +5,8 @@
 #include <memory>
 #include <vector>
 
-#include "rigs/rig_model.h"
+#include "hydraulics/phs_system.h"
+#include "rigs/rig.h"
 
 namespace phs::rigs {
 

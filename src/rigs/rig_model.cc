@@ -22,8 +22,6 @@ using hydraulics::PhsSystem;
 
 namespace {
 
-const std::vector<std::string> kKinds = {"cylinder", "quarter", "full", "element"};
-
 std::vector<std::string> InputNames(RigKind kind) {
   switch (kind) {
     case RigKind::kFull:
@@ -102,15 +100,6 @@ Status CheckMotion(RigKind kind, const RigMotion& motion) {
 
 }  // namespace
 
-Result<RigKind> ParseRigKind(const std::string& word) {
-  for (size_t i = 0; i < kKinds.size(); ++i) {
-    if (kKinds[i] == word) return static_cast<RigKind>(i);
-  }
-  const std::string nearest = NearestWord(word, kKinds);
-  return Error{"rig", "unknown rig \"" + word + "\"", "cylinder, quarter, full, element",
-               nearest.empty() ? "" : "did you mean " + nearest + "?"};
-}
-
 PhsParams HydraulicsOf(const PhsParams& params) {
   PhsParams out = params;
   out.friction = {};
@@ -122,16 +111,6 @@ PhsParams HydraulicsOf(const PhsParams& params) {
     return info->family == "friction" || info->family == "instrument" || info->family == "element";
   });
   return out;
-}
-
-std::vector<double> DifferentiateMotion(const std::vector<double>& position, double step_s) {
-  const size_t n = position.size();
-  std::vector<double> speed(n, 0.0);
-  if (n < 2) return speed;
-  for (size_t i = 1; i + 1 < n; ++i) speed[i] = (position[i + 1] - position[i - 1]) / (2 * step_s);
-  speed[0] = (position[1] - position[0]) / step_s;
-  speed[n - 1] = (position[n - 1] - position[n - 2]) / step_s;
-  return speed;
 }
 
 struct RigModel::Impl {

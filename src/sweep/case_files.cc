@@ -14,7 +14,7 @@
 #include "hydraulics/phs_params.h"
 #include "phs_model/phs_model.h"
 #include "vehicle/compose.h"
-#include "vehicle/scenario.h"
+#include "vehicle/scenario_file.h"
 
 namespace phs::sweep {
 namespace {

@@ -10,6 +10,7 @@
 #include "base/local_folder.h"
 #include "sweep/case_files.h"
 #include "sweep/study_case.h"
+#include "vehicle/scenario_file.h"
 #include "vehicle/simulation.h"
 #include "vehicle/summary.h"
 

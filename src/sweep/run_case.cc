@@ -12,6 +12,7 @@
 #include "base/json_path.h"
 #include "base/result_dir.h"
 #include "sweep/case_files.h"
+#include "vehicle/scenario_file.h"
 
 namespace phs::sweep {
 namespace {

@@ -5,6 +5,7 @@
 #include <future>
 
 #include "vehicle/compose.h"
+#include "vehicle/scenario_file.h"
 #include "vehicle/summary.h"
 
 namespace phs::vehicle {

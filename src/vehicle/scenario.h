@@ -46,12 +46,6 @@ struct Scenario {
   std::vector<JointChange> joints;
 };
 
-/// Paths in the file are looked up from its own folder first, then from the current one. Errors
-/// name file:line and key.
-Result<Scenario> LoadScenario(const std::string& name_or_path);
-/// The same form: reading it back gives an equal scenario. Paths are made absolute.
-std::string ToYaml(const Scenario& scenario);
-
 /// Puts a bogie into a scenario: "phs", a path, or "phs@out/model.yaml" for one with another PHS
 /// model than its own.
 void UseBogie(const std::string& asked, Scenario* scenario);

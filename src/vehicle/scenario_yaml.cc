@@ -5,7 +5,7 @@
 #include "base/numbers.h"
 #include "phs_model/effects_yaml.h"
 #include "phs_model/phs_model.h"
-#include "vehicle/scenario.h"
+#include "vehicle/scenario_file.h"
 
 namespace phs::vehicle {
 namespace {

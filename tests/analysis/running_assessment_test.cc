@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "vehicle/scenario_file.h"
 #include "vehicle/simulation.h"
 #include "vehicle/summary.h"
 

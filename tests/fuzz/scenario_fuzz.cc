@@ -1,6 +1,6 @@
 // Scenarios with running forces, changed joints and failures.
 #include "one_input.h"
-#include "vehicle/scenario.h"
+#include "vehicle/scenario_file.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   phs::fuzz::ExpectValueOrLine(

@@ -12,7 +12,7 @@
 #include "phs_model/phs_model.h"
 #include "tests/base/scratch_dir.h"
 #include "tests/identify/bogie_measurement.h"
-#include "vehicle/scenario.h"
+#include "vehicle/scenario_file.h"
 
 namespace phs::identify::search {
 

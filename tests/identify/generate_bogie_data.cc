@@ -4,7 +4,7 @@
 #include <cstdlib>
 
 #include "tests/identify/bogie_measurement.h"
-#include "vehicle/scenario.h"
+#include "vehicle/scenario_file.h"
 
 int main(int argc, char** argv) {
   if (argc < 3) {

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "hydraulics/phs_numbers.h"
+#include "hydraulics/phs_validate.h"
 #include "phs_model/keys.h"
 #include "phs_model/phs_model.h"
 

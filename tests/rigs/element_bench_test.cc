@@ -6,6 +6,7 @@
 #include <complex>
 
 #include "phs_model/phs_model.h"
+#include "rigs/rig_model.h"
 
 namespace phs::effects {
 

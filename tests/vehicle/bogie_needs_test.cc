@@ -10,6 +10,7 @@
 #include "analysis/axle_modes.h"
 #include "analysis/load_cases.h"
 #include "tests/base/scratch_dir.h"
+#include "vehicle/scenario_file.h"
 #include "vehicle/simulation.h"
 
 namespace phs::vehicle {

@@ -10,6 +10,7 @@
 #include "base/data_path.h"
 #include "phs_model/phs_model.h"
 #include "tests/base/scratch_dir.h"
+#include "vehicle/scenario_file.h"
 #include "vehicle/simulation.h"
 #include "vehicle/summary.h"
 

@@ -1,4 +1,4 @@
-#include "measurement/fit_data.h"
+#include "measurement/fit_run.h"
 
 #include <fmt/format.h>
 

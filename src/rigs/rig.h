@@ -1,0 +1,57 @@
+// What all rigs have in common: kinds, options, driving motion, predicted channels. Signs:
+// extension > 0, tension > 0; pressures absolute.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+
+namespace phs::rigs {
+
+enum class RigKind { kCylinder, kQuarter, kFull, kElement };
+Result<RigKind> ParseRigKind(const std::string& word);
+
+/// The hinged beam that carries cylinders 3 and 4 of the full rig: y = ±lever * angle.
+struct BeamParams {
+  double lever_m = 1.0;               ///< hinge to cylinder, > 0
+  double inertia_kg_m2 = 60;          ///< about the hinge, > 0
+  double damping_Nms_per_rad = 2000;  ///< >= 0
+  double hinge_friction_Nm = 0;       ///< >= 0, regularised over 1e-4 rad/s
+};
+
+struct RigOptions {
+  int substeps = 1;  ///< integration steps per sample (1 … 1000); more where a line rings
+  /// Of a ringing line, unless more are asked for; none for one that needs three times as many.
+  int most_substeps = 8;
+  BeamParams beam;  ///< full rig only
+};
+
+/// What drives the rig: one row per driven actuator, samples at t0 + i step.
+struct RigMotion {
+  double t0_s = 0;
+  double step_s = 0;                            ///< > 0
+  std::vector<std::vector<double>> position_m;  ///< [actuator][sample]
+  std::vector<std::vector<double>> speed_m_s;   ///< same shape; empty: central differences
+  std::vector<double> pressure_Pa;              ///< element rig: side channel; else empty
+  std::vector<double> temperature_K;            ///< element rig: side channel; else empty
+  int num_samples() const {
+    return position_m.empty() ? 0 : static_cast<int>(position_m[0].size());
+  }
+};
+
+/// Predicted channels; [channel][sample]. Reused between runs without reallocation.
+struct RigPrediction {
+  std::vector<std::vector<double>> channels;
+};
+
+/// Chamber pressures of a driven cylinder [Pa], at the start of every step of its integration.
+/// With rigid mountings they follow from motion and oil alone; see HydraulicsOf.
+struct RigPressures {
+  std::vector<double> bore, rod;
+};
+
+/// Speeds by central differences (one-sided at the ends).
+std::vector<double> DifferentiateMotion(const std::vector<double>& position, double step_s);
+
+}  // namespace phs::rigs

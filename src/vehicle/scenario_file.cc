@@ -1,0 +1,121 @@
+#include "vehicle/scenario_file.h"
+
+#include <filesystem>
+
+#include "base/data_path.h"
+#include "base/yaml.h"
+#include "phs_model/effects_yaml.h"
+#include "phs_model/phs_model.h"
+#include "rail/creep_law.h"
+#include "vehicle/running_effects.h"
+
+namespace phs::vehicle {
+
+namespace {
+
+/// `running:` torque and block forces on the axles; the train holds the speed.
+void ReadRunning(YamlMap map, Scenario* s) {
+  plugin::RunningForces& r = s->running;
+  r.active = true;
+  r.drive_torque_Nm = map.Number("drive_torque_Nm", {.min = -1e6, .max = 1e6}, 0.0);
+  r.block_force_N = map.Number("block_force_N", {.min = 0, .max = 1e6}, 0.0);
+  r.block_friction =
+      map.Number("block_friction", {.min = 0, .max = 1, .open_min = true}, r.block_friction);
+  r.begin_s = map.Number("begin_s", {.min = 0, .max = 1e6}, r.begin_s);
+  r.ramp_s = map.Number("ramp_s", {.min = 0, .max = 1e6, .open_min = true}, r.ramp_s);
+}
+
+/// `friction:` a coefficient, or a block with a condition by name and single values of its own.
+void ReadFriction(YamlMap* map, rail::FrictionSettings* f) {
+  const Range coefficients{.min = 0.01, .max = 1.0};
+  if (!map->IsMap("friction")) {
+    f->tread = map->Number("friction", coefficients, f->tread);
+    f->flange = map->Number("flange_friction", coefficients, f->flange);
+    return;
+  }
+  if (map->Has("flange_friction")) {
+    map->Fail("flange_friction", "stands beside a friction block", "flange in that block");
+  }
+  YamlMap block = map->Map("friction");
+  if (block.Has("condition")) {
+    f->condition = block.Word("condition", rail::FrictionConditionNames());
+  }
+  f->tread = block.Number("tread", coefficients, f->tread);
+  f->flange = block.Number("flange", coefficients, f->flange);
+  f->falling_ratio =
+      block.Number("falling_ratio", {.min = 0, .max = 1, .open_min = true}, f->falling_ratio);
+  f->falling_rate_s_m =
+      block.Number("falling_rate_s_m", {.min = 0, .max = 100}, f->falling_rate_s_m);
+}
+
+/// `joints:` springs and dampers by joint name.
+void ReadJoints(YamlMap map, Scenario* s) {
+  for (const std::string& joint : map.Keys()) {
+    YamlMap entry = map.Map(joint);
+    Scenario::JointChange change;
+    change.joint = joint;
+    change.stiffness = entry.Number("stiffness", {.min = 0, .max = 1e12}, change.stiffness);
+    change.damping = entry.Number("damping", {.min = 0, .max = 1e9}, change.damping);
+    s->joints.push_back(std::move(change));
+  }
+}
+
+}  // namespace
+
+Result<Scenario> LoadScenario(const std::string& name_or_path) {
+  auto path = FindData("scenario", "models/scenarios", name_or_path, {".yaml"});
+  if (!path.ok()) return path.error();
+  auto doc = YamlMap::Load(path.value());
+  if (!doc.ok()) return doc.error();
+  YamlMap& map = doc.value();
+
+  Scenario s;
+  s.name = std::filesystem::path(path.value()).stem().string();
+  const auto file = [&](const char* key, const std::string& otherwise) {
+    return BesideFile(path.value(), map.Text(key, otherwise));
+  };
+  s.track = BesideFile(path.value(), map.Text("track"));
+  s.bogie = file("bogie", s.bogie);
+  s.vehicle = map.Word("vehicle", {"bogie", "locomotive"}, s.vehicle);
+  s.wheel = file("wheel", s.wheel);
+  s.rail = file("rail", s.rail);
+  s.creep = map.Text("creep", s.creep);
+  rail::CreepLawParams law;
+  if (Status e = rail::ChooseCreepLaw(s.creep.empty() ? law.method : s.creep, &law); !e.ok()) {
+    map.Fail("creep", e.error().what, e.error().allowed, e.error().mend);
+  }
+  s.phs = file("phs", s.phs);
+  if (map.Has("speed_m_s")) {
+    s.speed_m_s = map.Number("speed_m_s", {.min = 1, .max = 120});
+    if (map.Has("speed_km_h")) map.Fail("speed_km_h", "repeats speed_m_s", "one of the two");
+  } else {
+    s.speed_m_s = map.Number("speed_km_h", {.min = 3.6, .max = 432}) / 3.6;
+  }
+  ReadFriction(&map, &s.friction);
+  s.timestep_s = map.Number("timestep_s", {.min = 1e-6, .max = 0.05}, s.timestep_s);
+  s.duration_s = map.Number("duration_s", {.min = 0, .max = 1e5, .open_min = true}, s.duration_s);
+  s.start_s_m = map.Number("start_s_m", {.min = -1e4, .max = 1e7}, s.start_s_m);
+  s.record_interval_s =
+      map.Number("record_interval_s", {.min = 1e-6, .max = 60}, s.record_interval_s);
+  if (map.Has("running")) ReadRunning(map.Map("running"), &s);
+  s.phs_changes.failures = phs_model::ReadFailures(&map, s.speed_m_s, s.start_s_m);
+  if (map.Has("phs_parameters")) {
+    YamlMap changes = map.Map("phs_parameters");
+    for (const std::string& name : changes.Keys()) {
+      s.phs_changes.parameters[name] = changes.Number(name, {});
+    }
+  }
+  if (map.Has("effects")) {
+    for (const auto& effect : phs_model::ReadEffects(map.Map("effects"))) {
+      if (Status added = AddEffect(effect, &s); !added.ok()) {
+        const Error& e = added.error();
+        map.Fail("effects", e.where + ": " + e.what, e.allowed, e.mend);
+      }
+    }
+  }
+  if (map.Has("joints")) ReadJoints(map.Map("joints"), &s);
+  if (Status status = map.Finish(); !status.ok()) return status.error();
+  return s;
+}
+
+}  // namespace phs::vehicle
