@@ -33,3 +33,11 @@ expect FAULT "more than one file sees urdfdom"
 rm "$tree/src/vehicle/c.cc"
 mkdir "$tree/src/misc"
 expect FAULT "src/misc: no rule says what it may include"
+
+# Two parts of a folder that include each other.
+chains="$(dirname "$check")/check_chains.py"
+"$chains" "$tree" || { echo "check_chains: a circle that is none"; exit 1; }
+echo '#include "rail/two.h"' >"$tree/src/rail/one.h"
+echo '#include "rail/one.h"' >"$tree/src/rail/two.cc"
+if found="$("$chains" "$tree")"; then echo "check_chains: circle not found"; exit 1; fi
+grep -qF "rail/one, rail/two" <<<"$found" || { echo "check_chains: got $found"; exit 1; }
