@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "base/result_dir.h"
-#include "cli/verbs.h"
+#include "cli/verb_table.h"
 #include "validate/known_misses.h"
 
 namespace phs::cli {
@@ -178,9 +178,7 @@ int RunValidate(const ValidateOptions& options) {
 
 }  // namespace
 
-void AddValidate(CLI::App* app, Action* action) {
-  CLI::App* verb = app->add_subcommand(
-      "validate", "Every published check: ours, reference, difference, tolerance");
+void AddValidate(CLI::App* verb, Action* action) {
   auto options = std::make_shared<ValidateOptions>();
   AddCommonOptions(verb, &options->common);
   verb->add_option("--group", options->groups, "Only these groups (all without it)");
