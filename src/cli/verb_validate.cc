@@ -7,6 +7,7 @@
 
 #include "base/result_dir.h"
 #include "cli/verb_table.h"
+#include "validate/check_groups.h"
 #include "validate/known_misses.h"
 
 namespace phs::cli {
@@ -108,10 +109,10 @@ void PrintTable(const validate::Judgement& judgement) {
     const validate::Check& check = rows[i].check;
     if (check.group != group) {
       group = check.group;
-      for (const auto& known : validate::AllCheckGroups()) {
+      for (const auto& known : validate::kCheckGroups) {
         if (group == known.name) {
           fmt::print("{}{}: {}\n  {:<66}{:>11}  {:>11}{:>11}{:>10}  unit\n", i == 0 ? "" : "\n",
-                     known.name, known.about, "", "ours", "reference", "difference", "tolerance");
+                     known.name, known.text, "", "ours", "reference", "difference", "tolerance");
         }
       }
     }

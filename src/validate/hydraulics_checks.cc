@@ -5,7 +5,7 @@
 #include "effects/catalogue.h"
 #include "effects/step_table.h"
 #include "hydraulics/bwr_nitrogen.h"
-#include "validate/check.h"
+#include "validate/check_groups.h"
 
 namespace phs::validate {
 namespace {
