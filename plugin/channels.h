@@ -10,6 +10,7 @@
 //   bogie      none, or front …           of each pair of wheelsets in one frame
 //   cylinder   cylinder_1, PHS_cylinder_1 of each cylinder
 //   line       line_L1, PHS_line_L1       of each line
+//   element    damper_yaw_left …          of each element between bodies that is no joint or tendon
 //
 // A value is a pure function of the model at one instant.
 #pragma once
@@ -41,8 +42,8 @@ struct Instant {
 
 /// Which thing of its kind a channel belongs to.
 struct ChannelPlace {
-  int index = 0;  ///< wheelset, bogie (Instant::bogies) or PHS
-  int part = 0;   ///< wheel of the wheelset (rail::Side); cylinder or line of the PHS
+  int index = 0;  ///< wheelset, bogie (Instant::bogies), PHS, elements of one kind
+  int part = 0;   ///< wheel of the wheelset (rail::Side), cylinder or line of the PHS, element
 };
 
 struct ChannelRow {
@@ -59,6 +60,7 @@ std::span<const ChannelRow> WheelChannels();
 std::span<const ChannelRow> BogieChannels();
 std::span<const ChannelRow> CylinderChannels();
 std::span<const ChannelRow> LineChannels();
+std::span<const ChannelRow> ElementChannels();
 
 /// All tables, for the reference page.
 struct ChannelKind {

@@ -1,6 +1,5 @@
 // Channels of each wheelset.
 #include "plugin/channels.h"
-#include "plugin/tendon_forces.h"
 
 namespace phs::plugin {
 namespace {
@@ -25,22 +24,15 @@ double Slip(const Instant& at, ChannelPlace place) {
   return state.spin * at.binding->wheel_rail().params().wheel_radius / state.speed - 1;
 }
 
-/// Moment of springs and dampers on the yaw joint, its own and those of the linkages that end on
-/// it.
+/// Moment of springs, dampers and linkages on the yaw joint.
 double PrimaryMoment(const Instant& at, ChannelPlace place) {
   const int joint = YawJoint(at, place);
   if (joint < 0) return 0;
-  const mjModel* m = at.m;
-  const mjData* d = at.d;
-  const int dof = m->jnt_dofadr[joint];
-  double force =
-      -m->jnt_stiffness[joint] * (at.Joint(joint) - m->qpos_spring[m->jnt_qposadr[joint]]) -
-      m->dof_damping[dof] * d->qvel[dof];
-  ForEachTendonDof(m, d, [&](int t, int moved, double moment) {
-    if (moved != dof) return;
-    force += moment * (TendonSpringForce(m, d, t) - m->tendon_damping[t] * d->ten_velocity[t]);
-  });
-  return force;
+  double moment = -0.0;  // so that a single part keeps its sign at zero
+  for (const auto& elements : at.binding->elements()) {
+    elements->AddForceOnDof(at.m, at.d, at.binding->Speed(at.d), at.m->jnt_dofadr[joint], &moment);
+  }
+  return moment;
 }
 
 /// Yaw moment on the wheelset from a part of every cylinder's force.

@@ -17,7 +17,8 @@ std::vector<ChannelKind> ChannelKinds() {
           {"wheel", "WHEELSET_left_, WHEELSET_right_", WheelChannels()},
           {"bogie", "(BOGIE_)", BogieChannels()},
           {"cylinder", "(PHS_)cylinder_NAME_", CylinderChannels()},
-          {"line", "(PHS_)line_NAME_", LineChannels()}};
+          {"line", "(PHS_)line_NAME_", LineChannels()},
+          {"element", "KIND_NAME_", ElementChannels()}};
 }
 
 void Observer::Add(std::span<const ChannelRow> rows, const std::string& prefix,
@@ -50,6 +51,17 @@ Observer::Observer(const mjModel* m, const Binding& binding)
     part = 0;
     for (const std::string& name : phs.system->line_names()) {
       Add(LineChannels(), prefix + "line_" + name + "_", {i, part++});
+    }
+  }
+  AddElements(m);
+}
+
+void Observer::AddElements(const mjModel* m) {
+  for (int i = 0; i < static_cast<int>(binding_.elements().size()); ++i) {
+    const Elements& elements = *binding_.elements()[static_cast<size_t>(i)];
+    if (elements.InEngine()) continue;
+    for (int part = 0; part < elements.Count(); ++part) {
+      Add(ElementChannels(), elements.Name(m, part) + "_", {i, part});
     }
   }
 }

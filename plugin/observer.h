@@ -27,6 +27,7 @@ class Observer {
   };
   /// A channel for each row, called `prefix` and the row's name.
   void Add(std::span<const ChannelRow> rows, const std::string& prefix, ChannelPlace place);
+  void AddElements(const mjModel* m);
   Instant InstantOf(const mjModel* m, const mjData* d) const;
 
   const Binding& binding_;
