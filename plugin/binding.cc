@@ -5,7 +5,9 @@
 
 #include "base/data_path.h"
 #include "phs_model/phs_model.h"
+#include "plugin/dof_chain.h"
 #include "plugin/model_checks.h"
+#include "plugin/model_mark.h"
 #include "plugin/model_text.h"
 
 namespace phs::plugin {
@@ -45,16 +47,6 @@ rail::LinearContactParams LinearContact(const mjModel* m) {
   return p;
 }
 
-/// Dofs of `body` and its ancestors: those that a force on the body acts on.
-std::vector<int> DofChain(const mjModel* m, int body) {
-  std::vector<int> dofs;
-  for (int b = body; b > 0; b = m->body_parentid[b]) {
-    for (int k = 0; k < m->body_dofnum[b]; ++k) dofs.push_back(m->body_dofadr[b] + k);
-  }
-  std::sort(dofs.begin(), dofs.end());
-  return dofs;
-}
-
 /// Dofs that may move an actuator: those of the bodies at both ends of its tendon.
 std::vector<int> DofsOfActuator(const mjModel* m, int actuator) {
   std::vector<char> moves(static_cast<size_t>(m->nv), 0);
@@ -80,9 +72,7 @@ std::vector<int> DofsOfActuator(const mjModel* m, int actuator) {
 
 }  // namespace
 
-bool Binding::Concerns(const mjModel* m) {
-  return !TuplesWithPrefix(m, "wheelset:").empty() || !TuplesWithPrefix(m, "phs:").empty();
-}
+bool Binding::Concerns(const mjModel* m) { return MarkSlot(m) >= 0; }
 
 Result<std::unique_ptr<Binding>> Binding::Create(mjModel* m, const AttachOptions& options) {
   if (m->opt.integrator == mjINT_IMPLICIT) {
@@ -101,6 +91,9 @@ Result<std::unique_ptr<Binding>> Binding::Create(mjModel* m, const AttachOptions
   }
   if (Status s = binding->BindCoupler(m, options); !s.ok()) return s.error();
   if (Status s = binding->BindPhs(m, options); !s.ok()) return s.error();
+  auto elements = FindElements(m);
+  if (!elements.ok()) return elements.error();
+  binding->elements_ = std::move(elements).value();
   return binding;
 }
 

@@ -20,6 +20,7 @@
 #include "base/result.h"
 #include "hydraulics/phs_system.h"
 #include "phs_model/phs_model.h"
+#include "plugin/elements.h"
 #include "plugin/running_forces.h"
 #include "rail/creep_conditions.h"
 #include "rail/track.h"
@@ -91,7 +92,7 @@ struct UserData {
   static constexpr int kMaxLateral = 7;     ///< largest |lateral| of a wheelset [m]
   static constexpr int kTrainPower = 8;     ///< given by the train at the coupler [W]
   static constexpr int kBrakePower = 9;     ///< lost at the brake blocks [W]
-  static constexpr int kDamperPower = 10;   ///< lost in dampers of joints and tendons [W]
+  static constexpr int kDamperPower = 10;   ///< lost in elements between bodies [W]
   static constexpr int kDrivePower = 11;    ///< given by the drives [W]
   static constexpr int kHeader = 12;
 };
@@ -139,7 +140,7 @@ class Binding {
  public:
   /// Resolves names and loads data. Errors name the MJCF element.
   static Result<std::unique_ptr<Binding>> Create(mjModel* m, const AttachOptions& options);
-  /// True if the model names at least one wheelset or PHS system.
+  /// True if the model names at least one wheelset, PHS system or element.
   static bool Concerns(const mjModel* m);
 
   void Passive(const mjModel* m, mjData* d) const noexcept;
@@ -162,6 +163,7 @@ class Binding {
   const rail::WheelRail& wheel_rail() const { return *wheel_rail_; }
   const std::vector<WheelsetBinding>& wheelsets() const { return wheelsets_; }
   const std::vector<PhsBinding>& phs() const { return phs_; }
+  const ElementList& elements() const { return elements_; }
   double target_speed() const { return target_speed_; }
   double start_s() const { return start_s_; }
   double friction() const { return friction_; }
@@ -178,9 +180,9 @@ class Binding {
   void PressWheelset(const mjData* d, int index, PressedWheelset* at) const noexcept;
   void MoveWheelset(const mjModel* m, const mjData* d, int index, const double* speed,
                     PressedWheelset* at, rail::WheelDamping* damping) const noexcept;
-  /// Forces of wheels, train, brakes and cylinders at `speed` [nv] into work->force; powers and
-  /// cylinder forces into userdata. With `slopes` also the rows of the contacts' damping into
-  /// work->matrix.
+  /// Forces of wheels, train, brakes, elements and cylinders at `speed` [nv] into work->force;
+  /// powers and cylinder forces into userdata. With `slopes` also the rows of the contacts' damping
+  /// into work->matrix.
   void CalcForces(const mjModel* m, mjData* d, const double* speed, bool slopes,
                   Work* work) const noexcept;
   void AddWheelsetForces(const mjModel* m, mjData* d, const double* speed, bool slopes,
@@ -195,6 +197,11 @@ class Binding {
   void HalfStep(const mjModel* m, mjData* d, Work* work) const noexcept;
   void CalcRest(const mjModel* m, mjData* d, Work* work) const noexcept;
   void CalcRates(mjData* d, double h) const noexcept;
+  void AddElementForces(const mjModel* m, const mjData* d, const double* speed,
+                        Work* work) const noexcept;
+  /// Forces of MuJoCo's own dampers at `speed`, which may be a difference of speeds.
+  void AddEngineDampers(const mjModel* m, const mjData* d, const double* speed,
+                        double* force) const noexcept;
   void BookPowers(const mjModel* m, mjData* d, Work* work) const noexcept;
   double DriveControl(const mjModel* m, const mjData* d, const WheelsetBinding& w) const noexcept;
 
@@ -202,6 +209,7 @@ class Binding {
   std::unique_ptr<rail::WheelRail> wheel_rail_;
   std::vector<WheelsetBinding> wheelsets_;
   std::vector<PhsBinding> phs_;
+  ElementList elements_;
   std::vector<const PhsBinding*> owner_;  ///< [actuator]
   std::vector<int> cylinder_at_;          ///< [actuator] userdata index of its force, or -1
   std::vector<int> rate_at_;              ///< [actuator] userdata index of its state rate, or -1

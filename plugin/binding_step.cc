@@ -1,4 +1,4 @@
-// The part of Binding that runs inside MuJoCo's step: the half step, cylinders, drives, train. No
+// The part of Binding that runs inside MuJoCo's step: the half step, drives, train, elements. No
 // allocation, no locks, no exceptions.
 #include <algorithm>
 #include <cmath>
@@ -21,22 +21,6 @@ Vec3 CentreVelocity(const mjModel* m, const mjData* d, int body) {
   Add(&velocity, Cross(Load(d->cvel + 6 * body),
                        {centre[0] - com[0], centre[1] - com[1], centre[2] - com[2]}));
   return velocity;
-}
-
-/// Rate of length of a cylinder at `speed` of the dofs.
-double SpeedOf(const mjModel* m, const mjData* d, const PhsBinding& p, int cylinder,
-               const double* speed) {
-  const mjtNum* row = d->actuator_moment + p.cylinder[cylinder] * m->nv;
-  double rate = 0;
-  for (const int dof : p.dofs[cylinder]) rate += row[dof] * speed[dof];
-  return rate;
-}
-
-/// Adds the generalised force of a cylinder that pushes its ends apart with `force`.
-void AddForceOf(const mjModel* m, const mjData* d, const PhsBinding& p, int cylinder, double force,
-                double* out) {
-  const mjtNum* row = d->actuator_moment + p.cylinder[cylinder] * m->nv;
-  for (const int dof : p.dofs[cylinder]) out[dof] += force * row[dof];
 }
 
 }  // namespace
@@ -73,37 +57,6 @@ void Binding::AddRunningForces(const mjModel* m, mjData* d, const double* speed,
   const Vec3 pull = {force * forward[0], force * forward[1], force * forward[2]};
   AddWrench(d, coupler_dofs_, pull, Cross(arm, pull), work->force);
   d->userdata[UserData::kTrainPower] = force * along;
-}
-
-void Binding::AddCylinderForces(const mjModel* m, mjData* d, const double* speed, bool slopes,
-                                Work* work) const noexcept {
-  mjtNum* user = d->userdata;
-  std::fill(work->cylinder, work->cylinder + m->nv, 0.0);
-  double* slope = work->slope;
-  for (const PhsBinding& p : phs_) {
-    double x[kMaxCylinders], force[kMaxCylinders];
-    const int num_cylinders = p.system->num_cylinders();
-    mjtNum* v = user + p.speeds_at;
-    for (int i = 0; i < num_cylinders; ++i) {
-      x[i] = d->actuator_length[p.cylinder[i]] - p.length0[i];
-      v[i] = SpeedOf(m, d, p, i, speed);
-    }
-    hydraulics::PhsOutputs out;
-    out.force = force;
-    out.piston = user + p.pistons_at;
-    out.pressure = user + p.pressures_at;
-    if (slopes) out.damping = slope;  // the second round has a secant
-    out.energy = !slopes;             // of the last round alone
-    p.system->Calc(d->time, x, v, user + p.states_at, &out);
-    // MuJoCo's actuator force pushes the ends apart, ours pulls them together.
-    for (int i = 0; i < num_cylinders; ++i) {
-      user[p.forces_at + i] = -force[i];
-      AddForceOf(m, d, p, i, -force[i], work->cylinder);
-    }
-    user[UserData::kPhsPower] += out.lost_power;
-    user[UserData::kPhsEnergy] += out.stored_energy;
-    slope += kCylinderNumbers;
-  }
 }
 
 bool Binding::Factor(const mjModel* m, const mjData* d, bool again, Work* work) const noexcept {
@@ -146,18 +99,19 @@ bool Binding::Factor(const mjModel* m, const mjData* d, bool again, Work* work) 
   return work->matrix->Factor();
 }
 
-void Binding::FollowCylinders(const mjModel* m, mjData* d, const double* speed,
-                              Work* work) const noexcept {
-  const double* numbers = work->slope;
-  for (const PhsBinding& p : phs_) {
-    for (int i = 0; i < static_cast<int>(p.cylinder.size()); ++i) {
-      const double now = SpeedOf(m, d, p, i, speed);
-      const double less = numbers[kMaxCylinders + i] * (now - d->userdata[p.speeds_at + i]);
-      d->userdata[p.speeds_at + i] = now;
-      d->userdata[p.forces_at + i] -= less;
-      AddForceOf(m, d, p, i, -less, work->cylinder);
-    }
-    numbers += kCylinderNumbers;
+void Binding::AddElementForces(const mjModel* m, const mjData* d, const double* speed,
+                               Work* work) const noexcept {
+  for (const auto& elements : elements_) {
+    if (elements->InEngine()) continue;
+    elements->AddSprings(m, d, work->force);
+    elements->AddDampers(m, d, speed, work->force);
+  }
+}
+
+void Binding::AddEngineDampers(const mjModel* m, const mjData* d, const double* speed,
+                               double* force) const noexcept {
+  for (const auto& elements : elements_) {
+    if (elements->InEngine()) elements->AddDampers(m, d, speed, force);
   }
 }
 
@@ -167,6 +121,7 @@ void Binding::CalcForces(const mjModel* m, mjData* d, const double* speed, bool 
   std::fill(work->force, work->force + m->nv, 0.0);
   if (has_rail()) AddWheelsetForces(m, d, speed, slopes, work);
   if (coupler_site_ >= 0) AddRunningForces(m, d, speed, slopes, work);
+  AddElementForces(m, d, speed, work);
   AddCylinderForces(m, d, speed, slopes, work);
 }
 
@@ -208,7 +163,9 @@ void Binding::HalfStep(const mjModel* m, mjData* d, Work* work) const noexcept {
   mj_rne(m, d, 0, bias_before);
   std::copy(bias_before, bias_before + nv, bias);
   work->matrix->SetMass(d);
-  AddDamperSlopes(m, d, work->half, work->row, work->matrix);
+  for (const auto& elements : elements_) {
+    elements->AddSlopes(m, d, speed, work->half, work->row, work->matrix);
+  }
   for (int round = 0; round < 2; ++round) {
     CalcForces(m, d, speed, round == 0, work);
     if (round == 1) {
@@ -219,7 +176,7 @@ void Binding::HalfStep(const mjModel* m, mjData* d, Work* work) const noexcept {
       r[i] = work->rest[i] + work->force[i] + work->cylinder[i] - bias[i] - r[i];
       work->row[i] = speed[i] - d->qvel[i];
     }
-    AddDampers(m, d, work->row, r);
+    AddEngineDampers(m, d, work->row, r);
     if (!Factor(m, d, round == 1, work)) break;
     work->matrix->Solve(r);
     for (int i = 0; i < nv; ++i) {
@@ -241,39 +198,15 @@ void Binding::CalcRest(const mjModel* m, mjData* d, Work* work) const noexcept {
   AddApplied(m, d, work->rest);
 }
 
-void Binding::CalcRates(mjData* d, double h) const noexcept {
-  for (const PhsBinding& p : phs_) {
-    double x[kMaxCylinders], mean[kMaxCylinders];
-    for (int i = 0; i < p.system->num_cylinders(); ++i) {
-      x[i] = d->actuator_length[p.cylinder[i]] - p.length0[i];
-      // The speed of the whole step, v + h a = 2 w - v.
-      mean[i] = 2 * d->userdata[p.speeds_at + i] - d->actuator_velocity[p.cylinder[i]];
-    }
-    p.system->CalcStateRate(d->time, h, x, mean, d->userdata + p.states_at,
-                            d->userdata + p.rates_at);
-  }
-}
-
-void Binding::AdvanceStates(const mjModel* m, mjData* d, double h) const noexcept {
-  mjtNum* act = d->act - (m->nu - m->na);
-  for (const PhsBinding& p : phs_) {
-    double x[kMaxCylinders], mean[kMaxCylinders], state[kMaxStates], rate[kMaxStates];
-    for (int i = 0; i < p.system->num_cylinders(); ++i) {
-      x[i] = d->actuator_length[p.cylinder[i]] - p.length0[i];
-      mean[i] = SpeedOf(m, d, p, i, d->qvel);
-    }
-    const int num_states = p.system->num_states();
-    for (int i = 0; i < num_states; ++i) state[i] = act[p.state_actuator[i]];
-    p.system->CalcStateRate(d->time, h, x, mean, state, rate);
-    for (int i = 0; i < num_states; ++i) act[p.state_actuator[i]] += h * rate[i];
-  }
-}
-
 void Binding::BookPowers(const mjModel* m, mjData* d, Work* work) const noexcept {
   const double* speed = Speed(d);
   std::fill(work->row, work->row + m->nv, 0.0);
-  AddDampers(m, d, speed, work->row);
+  AddEngineDampers(m, d, speed, work->row);
   d->userdata[UserData::kDamperPower] = -mju_dot(work->row, speed, m->nv);
+  for (const auto& elements : elements_) {
+    if (elements->InEngine()) continue;
+    d->userdata[UserData::kDamperPower] += elements->LostPower(m, d, speed);
+  }
   d->userdata[UserData::kDrivePower] = mju_dot(work->drive, speed, m->nv);
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "base/yaml.h"
+#include "phs_model/phs_model.h"
 #include "plugin/observer.h"
 #include "plugin/phs_mujoco.h"
 #include "plugin/registry.h"

@@ -2,34 +2,7 @@
 
 #include <algorithm>
 
-#include "plugin/tendon_forces.h"
-
 namespace phs::plugin {
-
-void AddDampers(const mjModel* m, const mjData* d, const double* speed, double* force) {
-  for (int i = 0; i < m->nv; ++i) force[i] -= m->dof_damping[i] * speed[i];
-  for (int t = 0; t < m->ntendon; ++t) {
-    if (m->tendon_damping[t] == 0) continue;
-    double rate = 0;
-    ForEachDofOfTendon(m, d, t, [&](int dof, double moment) { rate += moment * speed[dof]; });
-    ForEachDofOfTendon(m, d, t, [&](int dof, double moment) {
-      force[dof] -= moment * m->tendon_damping[t] * rate;
-    });
-  }
-}
-
-void AddDamperSlopes(const mjModel* m, const mjData* d, double scale, double* row,
-                     StepMatrix* matrix) {
-  for (int i = 0; i < m->nv; ++i) {
-    if (m->dof_damping[i] != 0) matrix->AddDiagonal(i, scale * m->dof_damping[i]);
-  }
-  for (int t = 0; t < m->ntendon; ++t) {
-    if (m->tendon_damping[t] == 0) continue;
-    std::fill(row, row + m->nv, 0.0);
-    ForEachDofOfTendon(m, d, t, [&](int dof, double moment) { row[dof] = moment; });
-    matrix->AddOuter(scale * m->tendon_damping[t], row);
-  }
-}
 
 void CalcBiasAt(const mjModel* m, mjData* d, const double* speed, double* bias) {
   mjMARKSTACK;

@@ -14,7 +14,7 @@
 // x_{n+1}.
 //
 // (1) is solved by two Newton steps from w = v_n with (M + h/2 C) da = f(w) - M a, C the symmetric
-// part of -df/dw: contacts, cylinders, dampers of joints and tendons. C of the contacts is that at
+// part of -df/dw: contacts, cylinders, elements (elements.h). C of contacts and elements is that at
 // v_n; that of the cylinders is, in the second step, the secant of both, so that dry friction that
 // would be thrown across zero is caught. Nothing else is iterated, so a is a pure function of (m,
 // time, qpos, qvel, act, ctrl) and comes out the same from every mj_forward.
@@ -28,16 +28,7 @@
 
 #include <mujoco/mujoco.h>
 
-#include "plugin/step_matrix.h"
-
 namespace phs::plugin {
-
-/// Forces of dampers of joints and tendons at `speed` [nv], added to `force` [nv]. `speed` may be a
-/// difference of speeds: the forces are linear.
-void AddDampers(const mjModel* m, const mjData* d, const double* speed, double* force);
-/// Their part of C times `scale`; tendons that couple branches of the tree are left out.
-void AddDamperSlopes(const mjModel* m, const mjData* d, double scale, double* row,
-                     StepMatrix* matrix);
 
 /// Coriolis, gyroscopic and weight forces (MuJoCo's bias) at `speed` [nv]; velocities of `d` are
 /// then again those of qvel.

@@ -5,6 +5,7 @@
 
 #include "base/words.h"
 #include "phs_model/phs_model.h"
+#include "plugin/elements.h"
 #include "plugin/model_text.h"
 
 namespace phs::plugin {
@@ -75,15 +76,20 @@ Status CheckFields(const mjModel* m) {
 
 /// `kind:NAME` of tuples and texts.
 Status CheckKinds(const mjModel* m) {
-  static const Names kinds = {"wheelset", "phs"};
+  Names kinds = {"wheelset", "phs"};
+  for (const ElementKind& kind : ElementKinds()) {
+    if (!kind.keys.empty()) kinds.emplace_back(kind.name);
+  }
   for (int i = 0; i < m->ntuple; ++i) {
     const std::string name = ObjectName(m, mjOBJ_TUPLE, i);
     const size_t colon = name.find(':');
     if (colon == std::string::npos) continue;
     const std::string kind = name.substr(0, colon);
     if (Contains(kinds, kind) || NearestWord(kind, kinds).empty()) continue;
-    return Error{"MJCF tuple '" + name + "'", "is of no kind that is read",
-                 "wheelset:NAME, phs:NAME", DidYouMean(kind, kinds)};
+    const std::string nearest = DidYouMean(kind, kinds);
+    for (std::string& known : kinds) known += ":NAME";
+    return Error{"MJCF tuple '" + name + "'", "is of no kind that is read", JoinWords(kinds),
+                 nearest};
   }
   for (int i = 0; i < m->ntext; ++i) {
     const std::string name = ObjectName(m, mjOBJ_TEXT, i);

@@ -6,6 +6,8 @@
 #include <cstring>
 #include <random>
 
+#include "plugin/elements.h"
+
 namespace phs::plugin {
 namespace {
 
@@ -25,7 +27,8 @@ uint64_t RandomBits() {
 int MarkSlot(const mjModel* m) noexcept {
   for (int i = 0; i < m->ntuple; ++i) {
     const char* name = m->names + m->name_tupleadr[i];
-    if (m->tuple_size[i] > 0 && (StartsWith(name, "wheelset:") || StartsWith(name, "phs:"))) {
+    if (m->tuple_size[i] > 0 &&
+        (StartsWith(name, "wheelset:") || StartsWith(name, "phs:") || DeclaresElement(name))) {
       return m->tuple_adr[i];
     }
   }

@@ -1,5 +1,5 @@
 // Named results of a bound model at one instant: what the recorder writes and what the C API
-// offers.
+// offers. The channels are the rows of channels.h.
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -8,19 +8,9 @@
 #include <vector>
 
 #include "base/hdf5_series.h"
-#include "plugin/binding.h"
+#include "plugin/channels.h"
 
 namespace phs::plugin {
-
-/// Two wheelsets of one frame, for bending and shear: names "lead"/"trail" with a common prefix.
-struct BogiePair {
-  std::string prefix;  ///< "" or "front_"
-  int lead = -1;
-  int trail = -1;
-};
-
-/// Finds the pairs among the wheelsets by their names.
-std::vector<BogiePair> FindBogies(const Binding& binding);
 
 /// Values of all channels; reads (m, d) after mj_forward or mj_step, changes nothing.
 class Observer {
@@ -31,14 +21,20 @@ class Observer {
   void Observe(const mjModel* m, const mjData* d, double* row) const;
 
  private:
-  void Name(const std::string& name, const std::string& unit, const std::string& description);
-  void NameWheelset(const std::string& name);
-  void NamePhs(const PhsBinding& phs, const std::string& prefix);
+  struct Source {
+    const ChannelRow* row;
+    ChannelPlace place;
+  };
+  /// A channel for each row, called `prefix` and the row's name.
+  void Add(std::span<const ChannelRow> rows, const std::string& prefix, ChannelPlace place);
+  void AddElements(const mjModel* m);
+  Instant InstantOf(const mjModel* m, const mjData* d) const;
 
   const Binding& binding_;
   int car_body_;  ///< the heaviest body
   std::vector<BogiePair> bogies_;
   std::vector<Channel> channels_;
+  std::vector<Source> sources_;  ///< of each channel
 };
 
 }  // namespace phs::plugin

@@ -3,27 +3,19 @@
 #include <complex>
 #include <numbers>
 
-#include "plugin/tendon_forces.h"
-
 namespace phs::analysis {
 namespace {
 
 constexpr double kAtmosphere_Pa = 101325;
 constexpr double kAdiabatic = 1.4;  ///< nitrogen
 
-double CalcSprings(const mjModel* m, const mjData* d, const AxlePattern& pattern,
-                   const PatternJoints& joints) {
+double CalcSprings(const plugin::Binding& binding, const mjModel* m, const mjData* d,
+                   const AxlePattern& pattern, const PatternJoints& joints) {
+  std::vector<double> along(static_cast<size_t>(m->nv), 0.0);
+  for (int k = 0; k < 2; ++k) along[static_cast<size_t>(joints.dof[k])] += pattern.sign[k];
   double sum = 0;
-  for (const int joint : joints.joint) sum += m->jnt_stiffness[joint];  // sign^2 = 1
-  std::vector<double> along(static_cast<size_t>(m->ntendon), 0.0);
-  plugin::ForEachTendonDof(m, d, [&](int tendon, int dof, double moment) {
-    for (int k = 0; k < 2; ++k) {
-      if (dof == joints.dof[k]) along[static_cast<size_t>(tendon)] += pattern.sign[k] * moment;
-    }
-  });
-  for (int t = 0; t < m->ntendon; ++t) {
-    const double moment = along[static_cast<size_t>(t)];
-    sum += m->tendon_stiffness[t] * moment * moment;
+  for (const auto& elements : binding.elements()) {
+    elements->AddStiffness(m, d, along.data(), &sum);
   }
   return sum;
 }
@@ -80,7 +72,7 @@ ModeClosedForm CalcModeClosedForm(const plugin::Binding& binding, const mjModel*
                                   double frequency_Hz) {
   const double omega = 2 * std::numbers::pi * frequency_Hz;
   ModeClosedForm form;
-  form.springs = CalcSprings(m, d, pattern, joints);
+  form.springs = CalcSprings(binding, m, d, pattern, joints);
   for (const plugin::PhsBinding& phs : binding.phs()) {
     const std::vector<double> strokes = CalcStrokes(phs, m, d, pattern, joints);
     const hydraulics::PhsParams& params = phs.system->params();

@@ -1,12 +1,28 @@
 // phs: Passive Hydraulic Steering on MuJoCo. Chooses the verb, maps outcomes to exit codes.
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <exception>
+#include <string>
 #include <system_error>
+#include <vector>
 
-#include "cli/verbs.h"
+#include "base/words.h"
+#include "cli/verb_table.h"
 
 namespace {
+
+/// What is wrong with the first argument where it should name a verb; empty if nothing is.
+std::string UnknownVerb(int argc, char** argv) {
+  if (argc < 2 || argv[1][0] == '-') return "";
+  std::vector<std::string> names;
+  for (const phs::cli::Verb& verb : phs::cli::kVerbs) names.emplace_back(verb.name);
+  const std::string asked = argv[1];
+  if (std::find(names.begin(), names.end(), asked) != names.end()) return "";
+  return phs::Error{"phs", "no verb " + phs::Quoted(asked), phs::JoinWords(names),
+                    phs::DidYouMean(asked, names, "see phs --help")}
+      .Line();
+}
 
 int Main(int argc, char** argv) {
   CLI::App app{"Passive Hydraulic Steering of locomotive bogies on MuJoCo", "phs"};
@@ -16,19 +32,13 @@ int Main(int argc, char** argv) {
     return std::string("phs: ") + e.what() + "; see phs --help\n";
   });
   phs::cli::Action action;
-  phs::cli::AddSimulate(&app, &action);
-  phs::cli::AddCompare(&app, &action);
-  phs::cli::AddContact(&app, &action);
-  phs::cli::AddModes(&app, &action);
-  phs::cli::AddIdentify(&app, &action);
-  phs::cli::AddImport(&app, &action);
-  phs::cli::AddLoads(&app, &action);
-  phs::cli::AddStability(&app, &action);
-  phs::cli::AddRig(&app, &action);
-  phs::cli::AddCurving(&app, &action);
-  phs::cli::AddReport(&app, &action);
-  phs::cli::AddSweep(&app, &action);
-  phs::cli::AddValidate(&app, &action);
+  for (const phs::cli::Verb& verb : phs::cli::kVerbs) {
+    verb.add(app.add_subcommand(verb.name, verb.text), &action);
+  }
+  if (const std::string unknown = UnknownVerb(argc, argv); !unknown.empty()) {
+    std::fprintf(stderr, "%s\n", unknown.c_str());
+    return phs::cli::kUsage;
+  }
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {

@@ -11,7 +11,7 @@
 
 #include "base/data_path.h"
 #include "base/table.h"
-#include "cli/verbs.h"
+#include "cli/verb_table.h"
 #include "rail/contact_functions.h"
 #include "rail/creep_cases.h"
 #include "rail/creep_law.h"
@@ -282,9 +282,7 @@ void AddPairOptions(CLI::App* verb, PairOptions* pair) {
 
 }  // namespace
 
-void AddContact(CLI::App* app, Action* action) {
-  CLI::App* verb = app->add_subcommand(
-      "contact", "Wheel-rail contact alone: creepage cases, or a wheelset placed on track");
+void AddContact(CLI::App* verb, Action* action) {
   verb->footer(
       "--cases: columns a_mm,b_mm,FN_N,mu,G_MPa,nu,xi,eta,phi_rad_per_mm; adds Fx_N,Fy_N,Mz_Nmm.\n"
       "--wheelset: columns y_mm, Fz_N or z_mm, roll_rad, yaw_rad, vs_mm_s, vpitch_rad_s (and "

@@ -15,7 +15,7 @@
 #include "cli/curve_table.h"
 #include "cli/run_options.h"
 #include "cli/run_remarks.h"
-#include "cli/verbs.h"
+#include "cli/verb_table.h"
 #include "report/curving_report.h"
 #include "vehicle/compose.h"
 #include "vehicle/discretisation.h"
@@ -272,16 +272,14 @@ Result<Scenario> LoadCurve(const CurveOptions& options) {
   return scenario;
 }
 
-void AddSimulate(CLI::App* app, Action* action) {
-  CLI::App* verb = app->add_subcommand("simulate", "One bogie on one track");
+void AddSimulate(CLI::App* verb, Action* action) {
   auto options = std::make_shared<CurveOptions>();
   AddCurveOptions(verb, options.get());
   verb->add_option("--bogie", options->bogies, "Bogie, instead of the scenario's")->expected(1);
   verb->callback([=] { *action = [=] { return RunCurve(*options, false); }; });
 }
 
-void AddCompare(CLI::App* app, Action* action) {
-  CLI::App* verb = app->add_subcommand("compare", "The same run with several bogies");
+void AddCompare(CLI::App* verb, Action* action) {
   auto options = std::make_shared<CurveOptions>();
   AddCurveOptions(verb, options.get());
   verb->add_option("--bogies", options->bogies,

@@ -12,7 +12,7 @@
 #include "base/axle_words.h"
 #include "base/result_dir.h"
 #include "cli/run_options.h"
-#include "cli/verbs.h"
+#include "cli/verb_table.h"
 #include "report/analysis_report.h"
 #include "vehicle/compose.h"
 #include "vehicle/summary.h"
@@ -230,9 +230,7 @@ int RunCurving(CurvingVerb verb) {
 
 }  // namespace
 
-void AddCurving(CLI::App* app, Action* action) {
-  CLI::App* verb = app->add_subcommand(
-      "curving", "Steady state in curves of many radii, found without running through time");
+void AddCurving(CLI::App* verb, Action* action) {
   auto o = std::make_shared<CurvingVerb>();
   o->scenario.name = "curving";
   AddCommonOptions(verb, &o->common);

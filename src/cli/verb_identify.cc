@@ -5,7 +5,7 @@
 #include <string>
 
 #include "base/result_dir.h"
-#include "cli/verbs.h"
+#include "cli/verb_table.h"
 #include "identify/identify_run.h"
 #include "identify/steps_run.h"
 #include "measurement/manifest.h"
@@ -72,9 +72,7 @@ int RunIdentifyVerb(const IdentifyOptions& options) {
 
 }  // namespace
 
-void AddIdentify(CLI::App* app, Action* action) {
-  CLI::App* verb = app->add_subcommand(
-      "identify", "Find the physical effect that a declared model lacks, add it, prove it");
+void AddIdentify(CLI::App* verb, Action* action) {
   auto options = std::make_shared<IdentifyOptions>();
   verb->add_option("manifest", options->manifest, "Rig, model, data and windows (YAML)")
       ->required();

@@ -8,7 +8,7 @@
 #include "base/data_path.h"
 #include "base/result_dir.h"
 #include "cli/run_options.h"
-#include "cli/verbs.h"
+#include "cli/verb_table.h"
 #include "vehicle/bogie_import.h"
 #include "vehicle/simulation.h"
 
@@ -70,8 +70,7 @@ int RunImport(const ImportOptions& options) {
 
 }  // namespace
 
-void AddImport(CLI::App* app, Action* action) {
-  CLI::App* verb = app->add_subcommand("import", "A URDF bogie as MJCF, ready for simulate");
+void AddImport(CLI::App* verb, Action* action) {
   auto options = std::make_shared<ImportOptions>();
   AddCommonOptions(verb, &options->common);
   verb->get_option("--out")->required();

@@ -9,7 +9,7 @@
 #include "analysis/plain_track.h"
 #include "base/result_dir.h"
 #include "cli/run_options.h"
-#include "cli/verbs.h"
+#include "cli/verb_table.h"
 #include "vehicle/simulation.h"
 
 namespace phs::cli {
@@ -74,9 +74,7 @@ int RunLoads(const LoadsOptions& options) {
 
 }  // namespace
 
-void AddLoads(CLI::App* app, Action* action) {
-  CLI::App* verb =
-      app->add_subcommand("loads", "Loads on the axle boxes and which part of the PHS gives first");
+void AddLoads(CLI::App* verb, Action* action) {
   auto options = std::make_shared<LoadsOptions>();
   options->scenario.speed_m_s = 20;
   AddCommonOptions(verb, &options->common);

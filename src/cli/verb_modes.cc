@@ -9,7 +9,7 @@
 #include "analysis/plain_track.h"
 #include "base/result_dir.h"
 #include "cli/run_options.h"
-#include "cli/verbs.h"
+#include "cli/verb_table.h"
 #include "report/analysis_report.h"
 #include "vehicle/simulation.h"
 
@@ -103,8 +103,7 @@ int RunModes(const ModesOptions& options) {
 
 }  // namespace
 
-void AddModes(CLI::App* app, Action* action) {
-  CLI::App* verb = app->add_subcommand("modes", "Stiffness and damping of the axle modes");
+void AddModes(CLI::App* verb, Action* action) {
   auto options = std::make_shared<ModesOptions>();
   options->scenario.speed_m_s = 20;
   AddCommonOptions(verb, &options->common);

@@ -4,15 +4,13 @@
 #include <filesystem>
 #include <memory>
 
-#include "cli/verbs.h"
+#include "cli/verb_table.h"
 #include "report/curving_report.h"
 #include "report/radius_report.h"
 
 namespace phs::cli {
 
-void AddReport(CLI::App* app, Action* action) {
-  CLI::App* verb =
-      app->add_subcommand("report", "Remake report.html of a simulate or compare result");
+void AddReport(CLI::App* verb, Action* action) {
   auto dir = std::make_shared<std::string>();
   verb->add_option("dir", *dir, "Result directory")->required();
   verb->callback([=] {

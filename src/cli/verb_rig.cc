@@ -6,7 +6,7 @@
 #include <string>
 
 #include "base/result_dir.h"
-#include "cli/verbs.h"
+#include "cli/verb_table.h"
 #include "identify/rig_run.h"
 #include "measurement/manifest.h"
 #include "report/identify_report.h"
@@ -56,9 +56,7 @@ int RunRigVerb(const RigVerbOptions& options) {
 
 }  // namespace
 
-void AddRig(CLI::App* app, Action* action) {
-  CLI::App* verb = app->add_subcommand(
-      "rig", "A hydraulic rig driven by measured or generated motion, beside what was measured");
+void AddRig(CLI::App* verb, Action* action) {
   auto options = std::make_shared<RigVerbOptions>();
   verb->add_option("manifest", options->manifest, "Rig, model, data or signal (YAML; docs/rig.md)")
       ->required();

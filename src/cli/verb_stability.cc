@@ -12,7 +12,7 @@
 #include "analysis/stability_json.h"
 #include "base/result_dir.h"
 #include "cli/run_options.h"
-#include "cli/verbs.h"
+#include "cli/verb_table.h"
 #include "report/analysis_report.h"
 
 namespace phs::cli {
@@ -138,9 +138,7 @@ int RunStability(StabilityVerb verb) {
 
 }  // namespace
 
-void AddStability(CLI::App* app, Action* action) {
-  CLI::App* verb = app->add_subcommand(
-      "stability", "Eigenvalues over speed, critical speed, limit cycle on straight track");
+void AddStability(CLI::App* verb, Action* action) {
   auto o = std::make_shared<StabilityVerb>();
   AddCommonOptions(verb, &o->common);
   verb->add_option("--bogie", o->scenario.bogie, "Bogie: a name or an MJCF file")->required();

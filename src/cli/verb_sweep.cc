@@ -12,7 +12,7 @@
 #include "base/table.h"
 #include "cli/sweep_engines.h"
 #include "cli/sweep_search.h"
-#include "cli/verbs.h"
+#include "cli/verb_table.h"
 #include "report/sweep_report.h"
 #include "sweep/case_files.h"
 #include "sweep/output_check.h"
@@ -229,9 +229,7 @@ int RunSweep(const SweepOptions& options) {
 
 }  // namespace
 
-void AddSweep(CLI::App* app, Action* action) {
-  CLI::App* verb = app->add_subcommand(
-      "sweep", "Many runs of one scenario, resumable, on all cores or a cluster");
+void AddSweep(CLI::App* verb, Action* action) {
   auto options = std::make_shared<SweepOptions>();
   AddCommonOptions(verb, &options->common);
   verb->add_option("study", options->study, "Scenario, axes and design (YAML)")->required();

@@ -6,7 +6,8 @@
 #include <optional>
 
 #include "base/result_dir.h"
-#include "cli/verbs.h"
+#include "cli/verb_table.h"
+#include "validate/check_groups.h"
 #include "validate/known_misses.h"
 
 namespace phs::cli {
@@ -108,10 +109,10 @@ void PrintTable(const validate::Judgement& judgement) {
     const validate::Check& check = rows[i].check;
     if (check.group != group) {
       group = check.group;
-      for (const auto& known : validate::AllCheckGroups()) {
+      for (const auto& known : validate::kCheckGroups) {
         if (group == known.name) {
           fmt::print("{}{}: {}\n  {:<66}{:>11}  {:>11}{:>11}{:>10}  unit\n", i == 0 ? "" : "\n",
-                     known.name, known.about, "", "ours", "reference", "difference", "tolerance");
+                     known.name, known.text, "", "ours", "reference", "difference", "tolerance");
         }
       }
     }
@@ -178,9 +179,7 @@ int RunValidate(const ValidateOptions& options) {
 
 }  // namespace
 
-void AddValidate(CLI::App* app, Action* action) {
-  CLI::App* verb = app->add_subcommand(
-      "validate", "Every published check: ours, reference, difference, tolerance");
+void AddValidate(CLI::App* verb, Action* action) {
   auto options = std::make_shared<ValidateOptions>();
   AddCommonOptions(verb, &options->common);
   verb->add_option("--group", options->groups, "Only these groups (all without it)");

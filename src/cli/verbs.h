@@ -1,4 +1,4 @@
-// The verbs of `phs`. Each file verb_NAME.cc adds one subcommand and says what it does when chosen.
+// What the verbs of `phs` share; their table is verb_table.h.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -72,19 +72,5 @@ class ProgressLine {
 
 /// What the chosen verb does; returns the exit code.
 using Action = std::function<int()>;
-
-void AddSimulate(CLI::App* app, Action* action);
-void AddCompare(CLI::App* app, Action* action);
-void AddContact(CLI::App* app, Action* action);
-void AddModes(CLI::App* app, Action* action);
-void AddImport(CLI::App* app, Action* action);
-void AddLoads(CLI::App* app, Action* action);
-void AddStability(CLI::App* app, Action* action);
-void AddCurving(CLI::App* app, Action* action);
-void AddReport(CLI::App* app, Action* action);
-void AddRig(CLI::App* app, Action* action);
-void AddIdentify(CLI::App* app, Action* action);
-void AddSweep(CLI::App* app, Action* action);
-void AddValidate(CLI::App* app, Action* action);
 
 }  // namespace phs::cli

@@ -1,8 +1,11 @@
 #include "sweep/outputs.h"
 
+#include <algorithm>
 #include <map>
 #include <sstream>
 #include <vector>
+
+#include "sweep/analyses.h"
 
 namespace phs::sweep {
 namespace {
@@ -15,8 +18,9 @@ std::vector<std::string> Parts(const std::string& path) {
 }
 
 bool NamesList(const std::string& part) {
-  return part == "wheelsets" || part == "wheels" || part == "cylinders" || part == "lines" ||
-         part == "cases";
+  return std::any_of(Analyses().begin(), Analyses().end(), [&](const Analysis& analysis) {
+    return std::find(analysis.lists.begin(), analysis.lists.end(), part) != analysis.lists.end();
+  });
 }
 
 std::string Joined(const std::vector<std::string>& parts, std::size_t first) {

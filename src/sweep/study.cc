@@ -248,7 +248,7 @@ Status ReadPlain(YamlMap* map, Study* study) {
   study->design = ReadDesign(map);
   if (IsSampled(study->design)) study->samples = map->Integer("samples", 1, kMostRuns);
   study->outputs = map->Texts("outputs");
-  if (study->outputs.empty()) study->outputs = DefaultOutputs(only.analysis);
+  if (study->outputs.empty()) study->outputs = only.analysis->outputs;
   if (study->design != DesignKind::kList) ReadAxes(map, study);
   return LayOut(map, study);
 }

@@ -3,20 +3,9 @@
 
 #include "base/data_path.h"
 #include "base/words.h"
-#include "validate/check.h"
+#include "validate/check_groups.h"
 
 namespace phs::validate {
-
-const std::vector<CheckGroup>& AllCheckGroups() {
-  static const std::vector<CheckGroup> groups = {
-      {"creep", "creep forces on given patches", &AddCreepChecks},
-      {"contact", "wheel on rail, Hertz, FASTSIM, Carter", &AddContactChecks},
-      {"stability", "linear stability on straight track", &AddStabilityChecks},
-      {"steering", "steering bogies against their claims", &AddSteeringChecks},
-      {"hydraulics", "the PHS beside what the thesis measured", &AddHydraulicsChecks},
-  };
-  return groups;
-}
 
 bool Check::Passed() const {
   if (!skipped.empty()) return true;
@@ -36,7 +25,7 @@ bool Check::Passed() const {
 
 Result<Checks> MakeChecks(const std::vector<std::string>& groups) {
   std::vector<std::string> known;
-  for (const CheckGroup& group : AllCheckGroups()) known.emplace_back(group.name);
+  for (const CheckGroup& group : kCheckGroups) known.emplace_back(group.name);
   for (const std::string& name : groups) {
     if (std::find(known.begin(), known.end(), name) == known.end()) {
       return Error{"--group", "no group " + Quoted(name), JoinWords(known),
@@ -44,7 +33,7 @@ Result<Checks> MakeChecks(const std::vector<std::string>& groups) {
     }
   }
   Checks checks;
-  for (const CheckGroup& group : AllCheckGroups()) {
+  for (const CheckGroup& group : kCheckGroups) {
     if (!groups.empty() && std::find(groups.begin(), groups.end(), group.name) == groups.end()) {
       continue;
     }

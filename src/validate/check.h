@@ -2,7 +2,7 @@
 // measurement, another program, a closed formula), with the tolerance claimed. `phs validate`
 // prints them all; docs quote them.
 //
-// One file NAME_checks.cc per field adds its rows; all_checks.cc lists the files. A reference is
+// One file NAME_checks.cc per field adds its rows; check_groups.h lists the fields. A reference is
 // never a number of this program's own making. A row that has a measured value is held against it
 // from both sides; a maker's claim or a rounded bound is orientation: shown, never held nor missed.
 // What is missed and known stands in models/reference/known_misses.yaml with its reason
@@ -42,26 +42,10 @@ struct Check {
 
 using Checks = std::vector<Check>;
 
-struct CheckGroup {
-  const char* name;
-  const char* about;
-  /// Appends the group's checks; an error if its reference data cannot be read.
-  Status (*add)(Checks* checks);
-};
-
-/// Every group, in the order of the table.
-const std::vector<CheckGroup>& AllCheckGroups();
-
 /// The checks of the groups named (all when empty). An unknown name is an error that lists them.
 Result<Checks> MakeChecks(const std::vector<std::string>& groups);
 
 /// The folder models/reference as a table file: `name` with its extension.
 Result<std::string> ReferenceFile(const std::string& name);
-
-Status AddCreepChecks(Checks* checks);
-Status AddContactChecks(Checks* checks);
-Status AddStabilityChecks(Checks* checks);
-Status AddSteeringChecks(Checks* checks);
-Status AddHydraulicsChecks(Checks* checks);
 
 }  // namespace phs::validate

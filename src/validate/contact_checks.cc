@@ -12,7 +12,7 @@
 #include "rail/fastsim.h"
 #include "rail/hertz.h"
 #include "rail/wheelset_cases.h"
-#include "validate/check.h"
+#include "validate/check_groups.h"
 
 namespace phs::validate {
 namespace {

@@ -4,7 +4,7 @@
 #include "base/table.h"
 #include "rail/creep_cases.h"
 #include "rail/creep_law.h"
-#include "validate/check.h"
+#include "validate/check_groups.h"
 
 namespace phs::validate {
 namespace {

@@ -5,7 +5,7 @@
 #include "hydraulics/bwr_nitrogen.h"
 #include "phs_model/phs_model.h"
 #include "rigs/step_table.h"
-#include "validate/check.h"
+#include "validate/check_groups.h"
 
 namespace phs::validate {
 namespace {

@@ -3,7 +3,7 @@
 
 #include "analysis/axle_modes.h"
 #include "analysis/stability.h"
-#include "validate/check.h"
+#include "validate/check_groups.h"
 #include "vehicle/simulation.h"
 
 namespace phs::validate {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "analysis/load_cases.h"
-#include "validate/check.h"
+#include "validate/check_groups.h"
 #include "vehicle/radius_table.h"
 
 namespace phs::validate {

@@ -46,8 +46,9 @@ void EnergyKeeper::Read(const mjModel* m, const mjData* d) {
   momentum_.resize(static_cast<size_t>(m->nv));
   mj_mulM(m, d, momentum_.data(), speed);
   const double kinetic = 0.5 * mju_dot(momentum_.data(), speed, m->nv);
-  const double stored =
+  double stored =
       d->energy[0] + d->userdata[UserData::kContactEnergy] + d->userdata[UserData::kPhsEnergy];
+  for (const auto& elements : binding_.elements()) stored += elements->StoredEnergy(m, d);
   if (!has_start_) {
     start_stored_ = stored;
     book_.start_kinetic = kinetic;

@@ -23,7 +23,7 @@ struct EnergyBook {
   double work_in = 0;  ///< drives and train
   double lost_creep = 0;
   double lost_contact = 0;
-  double lost_dampers = 0;  ///< dampers of joints and linkages
+  double lost_dampers = 0;  ///< elements between bodies (plugin/elements.h)
   double lost_phs = 0;
   double train = 0;        ///< work at the coupler, its magnitude added up
   double lost_brakes = 0;  ///< at the blocks on the wheel treads

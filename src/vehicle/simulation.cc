@@ -12,6 +12,7 @@
 #include "plugin/registry.h"
 #include "plugin/settle.h"
 #include "vehicle/compose.h"
+#include "vehicle/energy_channels.h"
 #include "vehicle/stable_step.h"
 
 namespace phs::vehicle {
@@ -46,10 +47,6 @@ class DerailmentWatch {
   double beyond_ = 0;
   double airborne_ = 0;
 };
-
-const char* const kEnergyChannels[] = {"energy_kinetic_J", "energy_stored_J", "work_in_J",
-                                       "lost_creep_J",     "lost_contact_J",  "lost_dampers_J",
-                                       "lost_phs_J",       "lost_brakes_J",   "drive_torque_Nm"};
 
 /// Processor time of this thread [s]: what the run costs on one core, whatever else is running.
 double ThreadSeconds() {
@@ -94,14 +91,6 @@ Status CheckPlaces(const Scenario& scenario, const rail::Track& track) {
                  "up to " + Shortest(track.length()) + " m", ""};
   }
   return {};
-}
-
-double TotalDriveTorque(const mjData* d, const plugin::Binding& binding) {
-  double torque = 0;
-  for (const auto& w : binding.wheelsets()) {
-    if (w.drive_actuator >= 0) torque += d->actuator_force[w.drive_actuator];
-  }
-  return torque;
 }
 
 }  // namespace
@@ -166,10 +155,11 @@ Result<RunOutcome> Simulation::Run(const Progress& progress) {
   const plugin::Observer observer(m, bound);
   RunOutcome run;
   run.channels = observer.channels();
-  const int num_observed = static_cast<int>(run.channels.size());
-  for (const char* name : kEnergyChannels) {
-    const std::string text = name;
-    run.channels.push_back({text, text.ends_with("_Nm") ? "N m" : "J", "since the start"});
+  const std::ptrdiff_t num_observed = std::ssize(run.channels);
+  const size_t time_at = static_cast<size_t>(run.Find("t_s"));
+  const size_t front_at = static_cast<size_t>(run.Find("s_m"));
+  for (const EnergyRow& energy : EnergyChannels()) {
+    run.channels.push_back({energy.name, energy.unit, energy.text});
   }
   run.columns.resize(run.channels.size());
   const double h = m->opt.timestep;
@@ -213,14 +203,13 @@ Result<RunOutcome> Simulation::Run(const Progress& progress) {
       keeper.Read(m, d);
       run.energy = keeper.book();
       observer.Observe(m, d, row.data());
-      row[0] = time;
-      const EnergyBook& e = run.energy;
-      const double energies[] = {e.kinetic,    e.stored,       e.work_in,
-                                 e.lost_creep, e.lost_contact, e.lost_dampers,
-                                 e.lost_phs,   e.lost_brakes,  TotalDriveTorque(d, bound)};
-      std::copy(std::begin(energies), std::end(energies), row.begin() + num_observed);
+      row[time_at] = time;
+      double* value = row.data() + num_observed;
+      for (const EnergyRow& energy : EnergyChannels()) {
+        *value++ = energy.value(run.energy, d, bound);
+      }
       for (size_t i = 0; i < row.size(); ++i) run.columns[i].push_back(row[i]);
-      front_s = row[1];
+      front_s = row[front_at];
     }
     if (std::string why = watch.Check(d, h, num_wheels); !why.empty()) {
       run.status = "derailed";

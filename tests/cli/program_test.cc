@@ -54,6 +54,42 @@ TEST_F(ProgramTest, WrongUsageIsExitCodeTwo) {
   EXPECT_THAT(ExecutePhs("--version").text, HasSubstr("phs "));
 }
 
+TEST_F(ProgramTest, AMistypedVerbIsAnsweredWithTheNearest) {
+  for (const auto& [asked, meant] : {std::pair{"simulat curve_r550", "simulate"},
+                                     {"Curving", "curving"},
+                                     {"stabilty --bogie phs", "stability"}}) {
+    const Output out = ExecutePhs(asked);
+    EXPECT_EQ(out.code, 2) << asked;
+    EXPECT_THAT(out.text, HasSubstr("did you mean '" + std::string(meant) + "'?"));
+    EXPECT_EQ(std::count(out.text.begin(), out.text.end(), '\n'), 1) << out.text;
+  }
+  EXPECT_THAT(ExecutePhs("zzzzzzzz").text, HasSubstr("simulate, compare"));
+}
+
+/// Names under "Subcommands:" of phs --help.
+std::vector<std::string> Verbs() {
+  std::vector<std::string> verbs;
+  std::istringstream lines(ExecutePhs("--help").text);
+  bool begun = false;
+  for (std::string line; std::getline(lines, line);) {
+    if (begun && line.size() > 2 && line[2] != ' ') {
+      verbs.push_back(line.substr(2, line.find(' ', 2) - 2));
+    }
+    begun = begun || line == "Subcommands:";
+  }
+  return verbs;
+}
+
+TEST_F(ProgramTest, EveryVerbHasARowInItsDocument) {
+  std::ifstream file(PHS_SOURCE_DIR "/docs/program.md");
+  const std::string document{std::istreambuf_iterator<char>(file), {}};
+  EXPECT_GE(Verbs().size(), 13u);
+  for (const std::string& verb : Verbs()) {
+    EXPECT_THAT(document, HasSubstr("\n| `" + verb + " "));
+    EXPECT_THAT(document, HasSubstr("\n### `phs " + verb + "`\n"));
+  }
+}
+
 TEST_F(ProgramTest, UnknownNamesAreBadInput) {
   ExpectRefused("no_such_scenario", 3, "curve_r550");
   ExpectRefused(Scenario("track: straight\nbogie: rigid_lnk\n"), 3, "did you mean 'rigid_link'");

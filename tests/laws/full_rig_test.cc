@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "effects/catalogue.h"
+#include "phs_model/phs_model.h"
 #include "plugin/registry.h"
 #include "rigs/rig_model.h"
 #include "rigs/rig_signal.h"

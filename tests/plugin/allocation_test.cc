@@ -40,6 +40,22 @@ TEST(AllocationTest, SteppingThroughACurveAllocatesNothing) {
   }
 }
 
+TEST(AllocationTest, ElementsBetweenBodiesAllocateNothing) {
+  EngineGuard guard;
+  const ModelPtr m = LoadText(
+      "<mujoco><size nuserdata='96'/><worldbody><site name='a' pos='0 0 2'/><body><joint/>"
+      "<geom size='0.2' pos='0.3 0 0'/><site name='b' pos='0.5 0 0'/></body></worldbody><custom>"
+      "<tuple name='damper:d'><element objtype='site' objname='a'/><element objtype='site' "
+      "objname='b'/></tuple><text name='damper:d' data='damping_Ns_per_m=10 relief_N=5'/></custom>"
+      "</mujoco>");
+  ASSERT_TRUE(Attach(m.get(), {}).ok());
+  const DataPtr d(mj_makeData(m.get()));
+  mj_step(m.get(), d.get());
+  const long before = allocations;
+  for (int i = 0; i < 1000; ++i) mj_step(m.get(), d.get());
+  EXPECT_EQ(allocations - before, 0);
+}
+
 TEST(AllocationTest, TheCounterCounts) {
   const long before = allocations;
   int* volatile held = new int(3);  // volatile: the pair may not be left out

@@ -1,0 +1,41 @@
+// The verbs of `phs`, in the order of --help. A verb is a file verb_NAME.cc and its row here.
+#pragma once
+
+#include "cli/verbs.h"
+
+namespace phs::cli {
+
+/// Adds the options of a verb to its own subcommand and says what it does when it is chosen.
+using AddVerb = void(CLI::App* verb, Action* action);
+
+struct Verb {
+  const char* name;
+  const char* text;  ///< one line of --help
+  AddVerb* add;
+};
+
+AddVerb AddSimulate, AddCompare, AddContact, AddModes, AddIdentify, AddImport, AddLoads,
+    AddStability, AddRig, AddCurving, AddReport, AddSweep, AddValidate;
+
+inline constexpr Verb kVerbs[] = {
+    {"simulate", "One bogie on one track", &AddSimulate},
+    {"compare", "The same run with several bogies", &AddCompare},
+    {"contact", "Wheel-rail contact alone: creepage cases, or a wheelset placed on track",
+     &AddContact},
+    {"modes", "Stiffness and damping of the axle modes", &AddModes},
+    {"identify", "Find the physical effect that a declared model lacks, add it, prove it",
+     &AddIdentify},
+    {"import", "A URDF bogie as MJCF, ready for simulate", &AddImport},
+    {"loads", "Loads on the axle boxes and which part of the PHS gives first", &AddLoads},
+    {"stability", "Eigenvalues over speed, critical speed, limit cycle on straight track",
+     &AddStability},
+    {"rig", "A hydraulic rig driven by measured or generated motion, beside what was measured",
+     &AddRig},
+    {"curving", "Steady state in curves of many radii, found without running through time",
+     &AddCurving},
+    {"report", "Remake report.html of a simulate or compare result", &AddReport},
+    {"sweep", "Many runs of one scenario, resumable, on all cores or a cluster", &AddSweep},
+    {"validate", "Every published check: ours, reference, difference, tolerance", &AddValidate},
+};
+
+}  // namespace phs::cli

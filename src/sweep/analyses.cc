@@ -1,0 +1,138 @@
+#include "sweep/analyses.h"
+
+#include <cmath>
+
+#include "analysis/axle_modes_json.h"
+#include "analysis/load_cases.h"
+#include "analysis/stability.h"
+#include "analysis/steady_curve.h"
+#include "sweep/run_in_time.h"
+#include "vehicle/simulation.h"
+
+namespace phs::sweep {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Result<Analysed> SolveCurve(const vehicle::Scenario& scenario) {
+  auto simulation = vehicle::Simulation::Create(scenario);
+  if (!simulation.ok()) return simulation.error();
+  const auto solved = analysis::SolveSteadyCurve(&simulation.value());
+  if (!solved.ok()) return solved.error();
+  const Json& steady = solved.value().steady;
+  return Analysed{.numbers = {{"steady_curve", steady}, {"totals", analysis::CurveTotals(steady)}}};
+}
+
+Result<Analysed> FindCriticalSpeed(const vehicle::Scenario& scenario) {
+  vehicle::Scenario own = scenario;
+  // The linear analysis takes no step; a small one passes the check of stiffness.
+  own.timestep_s = 1e-4;
+  auto simulation = vehicle::Simulation::Create(own);
+  if (!simulation.ok()) return simulation.error();
+  analysis::StabilityOptions options;
+  options.speeds = 24;  // from 5 to 120 m/s: branches closer than 5 m/s are seen as one
+  const auto found = analysis::AnalyseStability(&simulation.value(), options);
+  if (!found.ok()) return found.error();
+  const double critical = found.value().critical_speed;
+  const bool unstable_at_once = found.value().spectra.front().growth > 0;
+  const double up_to = unstable_at_once       ? 0
+                       : std::isnan(critical) ? options.max_speed_m_s
+                                              : critical;
+  Json numbers;
+  numbers["critical_speed_m_s"] = std::isnan(critical) ? Json(nullptr) : Json(critical);
+  numbers["stable_up_to_m_s"] = up_to;
+  return Analysed{.numbers = numbers};
+}
+
+Result<Analysed> MeasureModes(const vehicle::Scenario& scenario) {
+  auto simulation = vehicle::Simulation::Create(scenario);
+  if (!simulation.ok()) return simulation.error();
+  const analysis::AxleModeOptions options;
+  const auto modes = analysis::MeasureAxleModes(simulation.value(), options);
+  if (!modes.ok()) return modes.error();
+  return Analysed{.numbers = analysis::AxleModesJson(simulation.value().scenario().bogie,
+                                                     modes.value(), options)};
+}
+
+Result<Analysed> LayLoads(const vehicle::Scenario& scenario) {
+  auto simulation = vehicle::Simulation::Create(scenario);
+  if (!simulation.ok()) return simulation.error();
+  const auto results = analysis::CalcLoadCases(simulation.value(), analysis::StandardLoadCases());
+  if (!results.ok()) return results.error();
+  return Analysed{.numbers = analysis::LoadsJson(simulation.value(), results.value())};
+}
+
+std::vector<Analysis> MakeAnalyses() {
+  const auto steady_and = [](std::initializer_list<const char*> more) {
+    std::vector<std::string> outputs = {"steady_curve.wheelsets.lead.angle_of_attack_rad",
+                                        "steady_curve.wheelsets.trail.angle_of_attack_rad",
+                                        "steady_curve.wheelsets.lead.lateral_m",
+                                        "steady_curve.wheels.lead_outer.Y_N",
+                                        "steady_curve.wheels.lead_outer.Y_over_Q",
+                                        "steady_curve.wheels.lead_outer.T_gamma_N"};
+    outputs.insert(outputs.end(), more.begin(), more.end());
+    return outputs;
+  };
+  const std::vector<std::string> steady_lists = {"wheelsets", "wheels", "cylinders", "lines"};
+  return {
+      {"simulate", "the run in time: `summary.json`",
+       steady_and({"run.T_gamma_total_J", "run.max_Y_over_Q", "run.max_sum_Y_N",
+                   "run.max_angle_of_attack_rad", "run.energy_error_relative"}),
+       steady_lists, "assessment", &RunInTime, &NamesOfRun},
+      {"curving",
+       "the steady state found directly, 20 times faster: `steady_curve.…`, `totals.T_gamma_N`, "
+       "`totals.largest_Y_N`, `totals.largest_Y_over_Q`",
+       steady_and({"totals.T_gamma_N", "totals.largest_Y_N", "totals.largest_Y_over_Q"}),
+       steady_lists, "", &SolveCurve, nullptr},
+      {"stability",
+       "`critical_speed_m_s`; `stable_up_to_m_s`: the same, or 120 where nothing grows up to there "
+       "(scenario on straight track)",
+       {"stable_up_to_m_s"},
+       {},
+       "",
+       &FindCriticalSpeed,
+       nullptr},
+      {"modes",
+       "`modes.json` at 0.5 Hz",
+       {"bending.stiffness_Nm_per_rad", "shear.stiffness_Nm_per_rad", "traction.stiffness_N_per_m",
+        "antiphase.stiffness_N_per_m"},
+       {},
+       "",
+       &MeasureModes,
+       nullptr},
+      {"loads",
+       "`cases.NAME.…` of `phs loads`: `largest_shift_m`, `least_pressure_Pa`, "
+       "`largest_cylinder_N`, …",
+       {"cases.traction, electric braking.largest_shift_m",
+        "cases.traction, electric braking.least_pressure_Pa", "cases.braking.largest_shift_m",
+        "cases.braking.largest_cylinder_N"},
+       {"cases"},
+       "",
+       &LayLoads,
+       nullptr},
+  };
+}
+
+}  // namespace
+
+std::span<const Analysis> Analyses() {
+  static const std::vector<Analysis> analyses = MakeAnalyses();
+  return analyses;
+}
+
+const Analysis* ReadAnalysis(YamlMap* map) {
+  std::vector<std::string> names;
+  for (const Analysis& analysis : Analyses()) names.emplace_back(analysis.name);
+  const std::string name = map->Word("analysis", names, names.front());
+  for (const Analysis& analysis : Analyses()) {
+    if (analysis.name == name) return &analysis;
+  }
+  return &Analyses().front();  // a wrong word is an error of the map
+}
+
+bool MayLack(const Analysis& analysis, const std::string& path) {
+  const std::string part = analysis.may_lack;
+  return !part.empty() && path.starts_with(part + ".");
+}
+
+}  // namespace phs::sweep
