@@ -6,7 +6,6 @@
 #include "hydraulics/phs_impl.h"
 #include "hydraulics/phs_validate.h"
 #include "hydraulics/pipe.h"
-#include "phs_model/phs_model.h"
 
 namespace phs::hydraulics {
 namespace {

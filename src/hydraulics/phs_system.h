@@ -10,7 +10,6 @@
 #include "hydraulics/extension.h"
 #include "hydraulics/friction.h"
 #include "hydraulics/phs_params.h"
-#include "phs_model/phs_model.h"
 
 namespace phs::hydraulics {
 
