@@ -51,7 +51,7 @@ class Writer {
 };
 
 void WriteGas(Writer* w, int indent, const GasChargeParams& gas) {
-  w->Raw(indent, "law", GasLawNames()[static_cast<int>(gas.law)]);
+  w->Raw(indent, "law", gas.law->name);
   w->Num(indent, "volume_m3", gas.volume_m3);
   w->Num(indent, "polytropic_exponent", gas.polytropic_exponent);
   w->Num(indent, "thermal_time_s", gas.thermal_time_s);

@@ -33,8 +33,7 @@ void ReadCylinder(YamlMap& map, CylinderParams* c) {
 }
 
 void ReadGas(YamlMap& map, GasChargeParams* gas) {
-  const std::string law = map.Word("law", GasLawNames(), GasLawNames()[static_cast<int>(gas->law)]);
-  gas->law = static_cast<GasLaw>(IndexOf(law, GasLawNames()));
+  gas->law = FindGasLaw(map.Word("law", GasLawNames(), gas->law->name));
   gas->volume_m3 = map.Number("volume_m3", kNotNegative, gas->volume_m3);
   gas->polytropic_exponent =
       map.Number("polytropic_exponent", {.min = 0.9, .max = 2}, gas->polytropic_exponent);
@@ -43,10 +42,11 @@ void ReadGas(YamlMap& map, GasChargeParams* gas) {
 }
 
 // `charge_pressure_Pa`: the shell was filled with gas at this pressure and then brought to the
-// static pressure by oil; slow, hence isothermal (by BWR for the real gas).
+// static pressure by oil; slow, hence at the temperature of the surroundings.
 double GasAfterCharging(const LineParams& line, double charge, double T) {
   GasVolume gas;
-  gas.law = line.reservoir.law == GasLaw::kBwr ? GasLaw::kBwr : GasLaw::kIsothermal;
+  // A law with a temperature of its own is isothermal once that is given.
+  if (line.reservoir.law->capacity != nullptr) gas.law = line.reservoir.law;
   gas.reference_volume = line.reservoir.volume_m3;
   gas.reference_pressure = charge;
   gas.reference_temperature = T;
