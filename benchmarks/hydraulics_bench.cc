@@ -13,7 +13,6 @@ namespace phs {
 namespace {
 
 using hydraulics::FrictionModel;
-using hydraulics::GasLaw;
 using hydraulics::PhsOutputs;
 using hydraulics::PhsParams;
 using hydraulics::PhsSystem;
@@ -44,7 +43,8 @@ void Evaluate(benchmark::State& bench, const PhsParams& params) {
 
 void BM_BoBo_GasLaw(benchmark::State& bench) {
   PhsParams p = Model("bo_bo");
-  for (auto& l : p.lines) l.reservoir.law = l.accumulator.law = static_cast<GasLaw>(bench.range(0));
+  for (auto& l : p.lines)
+    l.reservoir.law = l.accumulator.law = hydraulics::GasLaws()[bench.range(0)];
   Evaluate(bench, p);
   bench.SetLabel(hydraulics::GasLawNames()[bench.range(0)]);
 }

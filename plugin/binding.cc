@@ -135,7 +135,7 @@ Status Binding::LoadRail(mjModel* m, const AttachOptions& options) {
   params.flange_back_distance =
       CustomNumber(m, "phs_flange_back_m").value_or(track_->gauge() - 0.075);
   params.wheel_radius = CustomNumber(m, "phs_wheel_radius_m").value_or(params.wheel_radius);
-  const std::string creep = Chosen(options.creep_law, m, "phs_creep", "kalker_table");
+  const std::string creep = Chosen(options.creep_law, m, "phs_creep", params.creep.method);
   if (Status s = rail::ChooseCreepLaw(creep, &params.creep); !s.ok()) return s;
   auto wheel_rail = rail::WheelRail::Create(params);
   if (!wheel_rail.ok()) return wheel_rail.error();

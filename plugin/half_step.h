@@ -3,8 +3,8 @@
 // MuJoCo's Euler step is a leapfrog: v_{n+1} = v_n + h a_n, x_{n+1} = x_n + h v_{n+1}. Positions
 // and states are those of t_n, speeds those of t_n - h/2. A force of position alone does not mind;
 // a creep force mixes both (eta = y'/V - psi), and with v_n its phase is half a step late: an angle
-// of attack of omega h/2 in a curve, a push or pull on every oscillation. So the forces are taken
-// at
+// of attack of omega h/2 in a curve, a push or pull on every oscillation.
+// So the forces are taken at
 //   w = v_n + h/2 a,    M a = f(x_n, w, z_n, t_n),                                          (1)
 // the speed of t_n itself, and a is what the step applies. With M constant (1) is the trapezoidal
 // rule for every force that depends on speed and the leapfrog for every other: second order, stable

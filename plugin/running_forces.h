@@ -2,13 +2,12 @@
 // do to the axles, and the train that takes or gives the difference at the coupler.
 //
 //   per driven axle   torque T of the motor, > 0 forward (traction), < 0 backward (electric brake)
-//   per wheel         blocks pressed on with N in all; clasp brakes: the blocks stand on both
-//   sides,
-//                     so that their normal forces cancel and friction is a pure moment mu N r
+//   per wheel         blocks pressed on with N in all. They are clasp brakes: blocks stand on both
+//                     sides, their normal forces cancel, and friction is a pure moment mu N r
 //                     against the rotation, reacted by the frame
-//   at the coupler    a force along the vehicle that holds the speed: -(sum of the above)/r from
-//   the
-//                     moments, corrected by the speed error (time constant 0.5 s)
+//   at the coupler    a force along the vehicle that holds the speed:
+//                     -(sum of the moments above)/r, corrected by the speed error with a time
+//                     constant of 0.5 s
 //
 // Moments rise linearly from `begin_s` over `ramp_s`. The coupler is the site "coupler" of the
 // model: at the height of the traction rods on a single bogie, at the drawgear of a whole

@@ -1,6 +1,7 @@
 # Everything comes from Debian 12's own packages (scripts/install_packages names them).
 
 find_package(Eigen3 REQUIRED)
+find_package(Boost REQUIRED)
 find_package(yaml-cpp REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(fmt REQUIRED)
@@ -13,7 +14,6 @@ find_package(urdfdom REQUIRED)
 find_package(tinyxml2 QUIET)
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(MATIO REQUIRED IMPORTED_TARGET matio)
-pkg_check_modules(GSL REQUIRED IMPORTED_TARGET gsl)
 pkg_check_modules(NLOPT REQUIRED IMPORTED_TARGET nlopt)
 pkg_check_modules(SQLITE REQUIRED IMPORTED_TARGET sqlite3)
 pkg_check_modules(TINYXML2 REQUIRED IMPORTED_TARGET tinyxml2)

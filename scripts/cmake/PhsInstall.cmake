@@ -24,6 +24,8 @@ foreach(folder base hydraulics effects phs_model rigs rail)
           FILES_MATCHING PATTERN "*.h")
 endforeach()
 install(FILES ${PROJECT_SOURCE_DIR}/plugin/phs_mujoco.h DESTINATION ${phs_include_dir}/plugin)
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/NOTICE
+        DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/models ${PROJECT_SOURCE_DIR}/bogie_xml
         DESTINATION ${phs_data_dir})
 

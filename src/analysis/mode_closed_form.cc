@@ -20,10 +20,20 @@ double CalcSprings(const plugin::Binding& binding, const mjModel* m, const mjDat
   return sum;
 }
 
-std::complex<double> CalcGasExponent(const hydraulics::GasChargeParams& gas, double omega) {
-  using hydraulics::GasLaw;
-  if (gas.law == GasLaw::kIsothermal) return 1;
-  if (gas.law == GasLaw::kPolytropic) return gas.polytropic_exponent;
+/// n of p V^n = const about the static pressure.
+std::complex<double> CalcGasExponent(const hydraulics::GasChargeParams& gas, double pressure,
+                                     double omega) {
+  if (gas.law->capacity == nullptr) {
+    hydraulics::GasVolume unit{.law = gas.law,
+                               .reference_volume = 1,
+                               .reference_pressure = pressure,
+                               .reference_temperature = 293.15,
+                               .exponent = gas.polytropic_exponent,
+                               .max_volume = 2};
+    unit.SetMass();
+    const hydraulics::GasState at = hydraulics::CalcGas(unit, pressure, unit.reference_temperature);
+    return -at.volume / (pressure * at.dV_dp);
+  }
   const std::complex<double> lag(0, omega * gas.thermal_time_s);
   return (1.0 + kAdiabatic * lag) / (1.0 + lag);
 }
@@ -33,7 +43,7 @@ double CalcLineStiffness(const hydraulics::LineParams& line, double omega) {
   const double p = line.static_pressure_Pa;
   std::complex<double> compliance = line.oil_volume_m3 / line.bulk_modulus_Pa;
   compliance += line.free_air_m3 * kAtmosphere_Pa / (p * p);
-  compliance += line.gas_volume_m3 / (CalcGasExponent(line.reservoir, omega) * p);
+  compliance += line.gas_volume_m3 / (CalcGasExponent(line.reservoir, p, omega) * p);
   return (1.0 / compliance).real();
 }
 

@@ -309,7 +309,8 @@ void AddContact(CLI::App* verb, Action* action) {
       ->check(CLI::Range(0.0, 1e6));
   verb->add_option("--report", options->report, "--functions: page with the plots (HTML)");
   verb->add_option("--method", options->method,
-                   "Creep law (kalker_table for --cases, fastsim for --wheelset)")
+                   "Creep law (kalker_table for --cases, fastsim for --wheelset): " +
+                       rail::DescribeCreepLaws())
       ->check(CLI::IsMember(rail::CreepLawNames()));
   verb->add_option("--side", options->side, "Wheel where the table names none (left)")
       ->check(CLI::IsMember({"left", "right"}));

@@ -1,5 +1,5 @@
-// Dissolved air comes out of the oil below a release pressure p_c and takes volume (Henry and
-// Boyle):
+// Dissolved air comes out of the oil below a release pressure p_c and takes volume.
+// By Henry's and Boyle's laws:
 //   V(p) = b V_oil p_a (1/p - 1/p_c) for p < p_c, else 0
 // b: solubility, volume of air at atmospheric pressure per oil volume dissolved per full release
 // (Bunsen coefficient of mineral oil 0.09, of silicone oils to 0.2; a cavity that opens at p_c, as

@@ -1,6 +1,8 @@
 #include "effects/gas_thermal.h"
 
 #include "effects/targets.h"
+#include "hydraulics/bwr_gas.h"
+#include "hydraulics/perfect_gas.h"
 
 namespace phs::effects {
 namespace {
@@ -10,8 +12,8 @@ using hydraulics::EffectParams;
 using hydraulics::Extension;
 
 Status Install(const EffectParams& effect, Extension* extension) {
-  const hydraulics::GasLaw law =
-      effect.values.at("real_gas") >= 0.5 ? hydraulics::GasLaw::kBwr : hydraulics::GasLaw::kIdeal;
+  const hydraulics::GasLaw* law =
+      effect.values.at("real_gas") >= 0.5 ? &hydraulics::kBwrGas : &hydraulics::kIdealGas;
   for (int line : TargetLines(effect, extension->params())) {
     hydraulics::LineParams& l = extension->line(line);
     l.reservoir.law = l.accumulator.law = law;

@@ -1,5 +1,5 @@
-// Nitrogen as a real gas: the equation of Benedict, Webb and Rubin with specific volumes, rho =
-// 1/v.
+// Nitrogen as a real gas: the equation of Benedict, Webb and Rubin with specific volumes v.
+// rho = 1/v:
 //
 //   p = R T rho + (B0 R T - A0 - C0/T²) rho² + (b R T - a) rho³ + a alpha rho⁶
 //       + c rho³ (1 + gamma rho²) exp(-gamma rho²) / T²

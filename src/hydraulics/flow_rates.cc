@@ -6,8 +6,8 @@
 // Heat alone (time constants of seconds): the two-stage Rosenbrock method ROS2, second order for
 // any matrix A (Verwer, Spee, Blom and Hundsdorfer, SIAM J. Sci. Comput. 20 (1999) 1456), A
 // diagonal but for each gas and its wall, which exchange the same heat:
-//   (1 - g h A) k1 = F(t, u),   (1 - g h A) k2 = F(t + h, u + h k1) - 2 k1,   u' = u + h (3 k1 +
-//   k2)/2
+//   (1 - g h A) k1 = F(t, u),   (1 - g h A) k2 = F(t + h, u + h k1) - 2 k1,
+//   u' = u + h (3 k1 + k2)/2
 // Flows (down to microseconds, with kinks by direction): the two-stage diagonally implicit method
 // of Alexander (SIAM J. Numer. Anal. 14 (1977) 1006), second order, stiffly accurate, L-stable:
 //   u1 = u + g h F(t + g h, u1),   u' = u + (1 - g) h F1 + g h F(t + h, u'),   each by Newton.

@@ -1,7 +1,7 @@
 // Friction of one cylinder: level over speed, and how the level is reached.
 //
-// Static: F = level(v) min(|v|/v_ramp, 1) sgn(v): continuous, steep through zero; creeps under
-// load.
+// Static: F = level(v) min(|v|/v_ramp, 1) sgn(v).
+// It is continuous and steep through zero, and creeps under load.
 //
 // Presliding (default): the elasto-plastic single-state model of Dupont, Hayward, Armstrong and
 // Altpeter (IEEE Trans. Automatic Control 47 (2002) 787), with a blending that integrates exactly:
@@ -10,8 +10,8 @@
 //   alpha = (|z| - z_b)/(z_s - z_b) beyond.
 // Below z_b the displacement is purely elastic: the piston sticks without creep however long it is
 // held or shaken. For v of one sign the plastic part is a Riccati equation with the solution
-//   q = (z_s - |z|)/(|z| + z_s - z_b),   q(x) = q(0) exp(-k x),   k = (2 z_s - z_b)/(z_s (z_s -
-//   z_b))
+//   q = (z_s - |z|)/(|z| + z_s - z_b),   q(x) = q(0) exp(-k x),
+//   k = (2 z_s - z_b)/(z_s (z_s - z_b))
 // so the update over any step is exact and unconditionally stable.
 // With presliding_creeps instead the bristle of Dahl (1968) and of Canudas de Wit, Olsson, Astrom
 // and Lischinsky (LuGre, IEEE Trans. Automatic Control 40 (1995) 419), with Dahl's exponent i:

@@ -1,11 +1,9 @@
-// The four gas laws of a reservoir or accumulator, on one interface: V(p, T), its slopes, and the
-// energy and the heat balance that belong to it.
+// Gas of a reservoir or accumulator: one interface for all gas laws: V(p, T), its slopes, and the
+// energy and the heat balance that belong to it. The laws are the rows of gas_laws.cc.
 //
-//   isothermal   p V = p0 V0 T_s/T0                 no state, T = T_s (ambient)
-//   polytropic   p V^n = p0 V0^n (T_s/T0)^n         no state
-//   ideal        p V = m R T,   dT/dt = (T_s - T)/tau - p (dV/dt)/(m c_v0)
-//   bwr          p = p(T, v) of Benedict, Webb and Rubin (bwr_nitrogen.h),
-//                dT/dt = (T_s - T)/tau - T (dp/dT)_v (dv/dt)/c_v(T, v)
+// A law without a temperature of its own takes the temperature T_s of the surroundings. One with it
+// has the state T:
+//   dT/dt = (T_s - T)/tau - T (dp/dT)_V (dV/dt)/(m c_v)
 // With a wall that takes up heat, T_w stands for T_s above, and
 //   dT_w/dt = r (c_v/c_v0) (T - T_w)/tau + (T_s - T_w)/tau_w,   r = m c_v0/C_w
 // (heat balance of a wall of heat capacity C_w; r = 0: it stays at T_s).
@@ -22,18 +20,65 @@
 
 namespace phs::hydraulics {
 
-enum class GasLaw { kIsothermal, kPolytropic, kIdeal, kBwr };
-const std::vector<std::string>& GasLawNames();  ///< isothermal, polytropic, ideal, bwr
-
 /// Nitrogen as an ideal gas.
 inline constexpr double kNitrogenR = 296.797;    ///< specific gas constant [J/(kg K)]
 inline constexpr double kNitrogenCv = 742.2;     ///< isochoric heat capacity at 300 K [J/(kg K)]
 inline constexpr double kAtmosphere = 101325.0;  ///< [Pa]
 
+struct GasVolume;
+
+/// V(p, T) with its slopes. `stopped`: the diaphragm rests on a stop, V does not change with p, T.
+struct GasState {
+  double volume = 0;  ///< [m3]
+  double dV_dp = 0;   ///< [m3/Pa], <= 0
+  double dV_dT = 0;   ///< [m3/K], >= 0
+  bool stopped = false;
+};
+
+/// What the heat balance needs of a gas at V and T.
+struct GasCapacity {
+  double cv = 0;     ///< isochoric heat capacity [J/(kg K)]
+  double dp_dT = 0;  ///< at constant volume [Pa/K]
+};
+
+/// Pressure where it is explicit in the density.
+struct GasPressure {
+  double p = 0;        ///< [Pa]
+  double dp_drho = 0;  ///< [Pa m3/kg]
+};
+
+/// One gas law: its formulas. V > 0, p > 0, T as CalcGas and its like give it.
+struct GasLaw {
+  const char* name;
+  const char* text;  ///< what it is, for the docs
+  /// p V = p0 V0 T/T0: the balance of a node has a closed form.
+  bool follows_boyle;
+  /// Density at the reference state [kg/m3].
+  double (*density)(double pressure, double T);
+  /// Volume without stops, with its slopes. `solved_volume`: the volume where it is known already,
+  /// so that its root need not be sought again; 0 = not known.
+  GasState (*volume)(const GasVolume& gas, double pressure, double T, double solved_volume);
+  double (*pressure)(const GasVolume& gas, double volume, double T);  ///< [Pa]
+  /// CalcGasEnergy without what a filler stores.
+  double (*energy)(const GasVolume& gas, double volume, double T, double ambient);
+  /// Null: no temperature of its own.
+  GasCapacity (*capacity)(const GasVolume& gas, double volume, double T) = nullptr;
+  /// Null: the volume is explicit in the pressure. Otherwise V(p, T) is a root, and a node with one
+  /// such reservoir is solved for the density.
+  GasPressure (*of_density)(double density, double T) = nullptr;
+};
+
+/// All of them. Names, messages and the docs follow from these rows.
+const std::vector<const GasLaw*>& GasLaws();
+std::vector<std::string> GasLawNames();
+/// @pre a name of GasLawNames().
+const GasLaw* FindGasLaw(const std::string& name);
+extern const GasLaw kIsothermalGas;  ///< (perfect_gas.h) where nothing else is asked for
+
 /// A closed amount of gas, fixed by its volume at a reference pressure and temperature.
 /// Volumes are clamped to [min_volume, max_volume]: the diaphragm or bladder at its stop.
 struct GasVolume {
-  GasLaw law = GasLaw::kIsothermal;
+  const GasLaw* law = &kIsothermalGas;
   double reference_volume = 0;       ///< V0 [m3], > 0
   double reference_pressure = 0;     ///< p0 [Pa], > 0
   double reference_temperature = 0;  ///< T0 [K]
@@ -49,17 +94,10 @@ struct GasVolume {
 
   /// Fills `mass` from the reference state by the volume's own law.
   void SetMass();
-  bool HasTemperatureState() const { return law == GasLaw::kIdeal || law == GasLaw::kBwr; }
+  bool HasTemperatureState() const { return law->capacity != nullptr; }
   bool HasWallState() const { return HasTemperatureState() && wall_heat_ratio > 0; }
 };
 
-/// V(p, T) with its slopes. `stopped`: the diaphragm rests on a stop, V does not change with p, T.
-struct GasState {
-  double volume = 0;  ///< [m3]
-  double dV_dp = 0;   ///< [m3/Pa], <= 0
-  double dV_dT = 0;   ///< [m3/K], >= 0
-  bool stopped = false;
-};
 /// `temperature`: of the gas for the laws with a state, of the surroundings for the others.
 /// `solved_volume`: the real gas's volume where it is known already; 0 = not known.
 GasState CalcGas(const GasVolume& gas, double pressure, double temperature,

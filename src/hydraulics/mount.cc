@@ -1,11 +1,11 @@
 // What lies between mounting and piston: free play in series with a spring and a Maxwell branch.
 //
-//   x o--[ gap ]--+--[ k ]-------------+--o y piston        u = x - y (state), e = play-free part
-//   of u
+//   x o--[ gap ]--+--[ k ]-------------+--o y piston
 //                 +--[ k2 ]--q--[ c ]--+  (one or two)
-//   F = k e (1 + b e²) [times r for e > 0] + sum k2 (e - q),  dq/dt = k2 (e - q)/c,
-//   e = u beyond the play: u - s gap above s gap, u + (1-s) gap below -(1-s) gap, s = 1/2 in the
-//   middle
+//   u = x - y (state), e = u beyond the play:
+//   e = u - s gap above s gap, u + (1-s) gap below -(1-s) gap, 0 between; s = 1/2: in the middle
+//   F = k e (1 + b e²) [times r for e > 0] + sum k2 (e - q)
+//   dq/dt = k2 (e - q)/c
 // The piston has no mass worth a state: F = pressure force + end stop + friction(dy/dt), which is
 // solved for the piston's move over the step by backward Euler. The sum rises with the move, so a
 // bracketed Newton finds it; cylinders that share lines are swept until none moves any more

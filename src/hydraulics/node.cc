@@ -87,14 +87,14 @@ void Node::Prepare() {
   closed_form = bulk_slope == 0 && laws.empty() && !sequential;
   size_t blow_offs = 0;
   for (const NodeGas& g : gases) {
-    if (g.gas.law != GasLaw::kIsothermal && g.gas.law != GasLaw::kIdeal) closed_form = false;
+    if (!g.gas.law->follows_boyle) closed_form = false;
     blow_offs += g.blow_off;
   }
   if (blow_offs > 1) closed_form = false;
   double volume = 0;
   law_compliance = 0;
   for (const NodeLaw& l : laws) l.law->Add(p0, 0, &volume, &law_compliance);
-  real_gas = !gases.empty() && !gases[0].blow_off && gases[0].gas.law == GasLaw::kBwr &&
+  real_gas = !gases.empty() && !gases[0].blow_off && gases[0].gas.law->of_density != nullptr &&
              gases.size() - blow_offs == 1 && bulk_slope == 0 && !sequential;
 }
 

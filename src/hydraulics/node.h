@@ -1,7 +1,7 @@
 // One pressure: the volume balance of a line (or of a part of it behind a resistance).
 //
-//   D = (V_oil/beta)(p - p0) + [V_g0 - V_g(p, T)] + [V_acc - V_a(p, T)] + air (1/p0 - 1/p) +
-//   laws(p)
+//   D = (V_oil/beta)(p - p0) + [V_g0 - V_g(p, T)] + [V_acc - V_a(p, T)] + air (1/p0 - 1/p)
+//       + laws(p)
 //
 // D: oil volume pushed in since the static state [m3]. Every term rises with p, so p(D) is unique;
 // it is found from a closed form (exact for isothermal and ideal gas on plain oil) or, from there,
@@ -52,7 +52,7 @@ struct Node {
   bool sequential = false;
   double law_compliance = 0;  ///< of the laws at p0 [m3/Pa], for the guess; set by Prepare
   bool closed_form = false;   ///< set by Prepare
-  bool real_gas = false;      ///< set by Prepare: the first gas is a reservoir by BWR
+  bool real_gas = false;      ///< set by Prepare: the first gas is a reservoir by density
 
   void Prepare();
   /// Factor on the oil's compliance at a temperature of the surroundings: exp(s dT), > 0.

@@ -44,7 +44,7 @@ struct CylinderParams {
 
 /// A diaphragm reservoir (or a bladder accumulator): one gas volume behind a separator.
 struct GasChargeParams {
-  GasLaw law = GasLaw::kIsothermal;
+  const GasLaw* law = &kIsothermalGas;
   double volume_m3 = 0;  ///< shell volume: gas volume when empty of oil; 0 = absent
   double polytropic_exponent = 1.4;
   double thermal_time_s = 5.0;  ///< tau of the energy equation

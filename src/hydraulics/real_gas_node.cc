@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hydraulics/bwr_nitrogen.h"
 #include "hydraulics/node.h"
 
 namespace phs::hydraulics {
@@ -25,7 +24,7 @@ bool SolveRealGasNode(const Node& node, double D, double ambient, const double* 
   double rho = rho0 * guess / node.p0 * reservoir.gas.reference_temperature / T;
   rho = std::clamp(rho, low, std::min(high, 800.0));
   for (int i = 0; i < 60; ++i) {
-    const BwrPressure at = CalcBwrPressure(rho, T);
+    const GasPressure at = reservoir.gas.law->of_density(rho, T);
     const double p = at.p;
     if (!(p > 0 && at.dp_drho > 0)) return false;
     double absorbed = C * (p - node.p0) + node.air * (1 / node.p0 - 1 / p);

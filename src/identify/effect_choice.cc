@@ -36,8 +36,8 @@ int FindSimplest(const FitProblem& problem, const std::vector<FullTrial>& trials
     if (trials[i].form.free.size() >= trials[static_cast<size_t>(simplest)].form.free.size()) {
       continue;
     }
-    if (SaysAsMuchWithLess(problem, trials[i].fit, other.fit,
-                           MarginOver(trials[i].candidate->effect, other.candidate->effect))) {
+    if (FitsAsWellWithFewer(problem, trials[i].fit, other.fit,
+                            MarginOver(trials[i].candidate->effect, other.candidate->effect))) {
       simplest = static_cast<int>(i);
     }
   }

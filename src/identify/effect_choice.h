@@ -10,7 +10,7 @@
 
 namespace phs::identify::search {
 
-/// By how much more an effect is preferred to another that contains it (SaysAsMuchWithLess).
+/// By how much more an effect is preferred to another that contains it (FitsAsWellWithFewer).
 double MarginOver(const std::string& simple, const std::string& other);
 
 /// Simpler effects that the best of the trials contains get the form that the whole record asks

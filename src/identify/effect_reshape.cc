@@ -87,7 +87,7 @@ bool ReshapeFirst(const FitProblem& problem, const FitProblem& coarse, const Sea
     if (!trial.fit.ok || OnBound(WithCandidate(model, trial.form), trial.fit, trial.form)) continue;
     const Evidence e = Compare(problem, found->after, trial.fit);
     const bool better = e.delta_bic > options.min_delta_bic && e.estimation_gain > 0;
-    if (!better && !SaysAsMuchWithLess(problem, trial.fit, found->after)) continue;
+    if (!better && !FitsAsWellWithFewer(problem, trial.fit, found->after)) continue;
     changed |= e.estimation_gain > kGain;
     Take(model, std::move(trial), found);
   }
@@ -122,8 +122,8 @@ FitResult FitWithout(const FitProblem& problem, const Identification& found, siz
       {.first_own = static_cast<int>(model->free.size()), .max_steps = 8, .final_jacobian = true});
 }
 
-bool SaysAsMuchWithLess(const FitProblem& problem, const FitResult& simple, const FitResult& other,
-                        double margin) {
+bool FitsAsWellWithFewer(const FitProblem& problem, const FitResult& simple, const FitResult& other,
+                         double margin) {
   constexpr double kSame = 0.005, kSameChannel = 0.01;  // of the residual's rms
   if (simple.values.size() >= other.values.size()) return false;
   const Evidence e = Compare(problem, simple, other);

@@ -220,8 +220,8 @@ class Search {
         if (e.delta_bic < options_.min_delta_bic || OnBound(whole, trial.fit, trial.form)) {
           continue;
         }
-        if (SaysAsMuchWithLess(problem_, out_.after, trial.fit,
-                               MarginOver(old, trial.candidate->effect))) {
+        if (FitsAsWellWithFewer(problem_, out_.after, trial.fit,
+                                MarginOver(old, trial.candidate->effect))) {
           continue;
         }
         // What contains it must show what it has beyond it, as an effect beside it would.

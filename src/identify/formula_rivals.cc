@@ -16,7 +16,7 @@ bool MeetsPlace(const std::vector<std::string>& a, const std::vector<std::string
 
 }  // namespace
 
-bool IsTheirFriction(const FoundFormula& found, const std::vector<AcceptedEffect>& effects) {
+bool IsFormOfListedFriction(const FoundFormula& found, const std::vector<AcceptedEffect>& effects) {
   const bool friction = std::any_of(effects.begin(), effects.end(), [](const AcceptedEffect& e) {
     const auto* info = effects::Catalogue().Find(e.candidate.effect);
     return info != nullptr && info->family == "friction";
@@ -27,7 +27,7 @@ bool IsTheirFriction(const FoundFormula& found, const std::vector<AcceptedEffect
          });
 }
 
-bool IsTheirVolume(const FoundFormula& found, const std::vector<AcceptedEffect>& effects) {
+bool IsFormOfListedVolume(const FoundFormula& found, const std::vector<AcceptedEffect>& effects) {
   static const std::vector<std::string> yielding = {
       "entrained_air", "hose_expansion", "accumulator_precharge", "diaphragm_stop", "cavitation"};
   if (found.unit != effects::UnitSuffix(effects::FormulaUnit::kVolume)) return false;

@@ -8,12 +8,13 @@
 
 namespace phs::identify::search {
 
-/// A force with the direction or over the speed is friction: beside or instead of a listed
-/// friction effect it is no more than the form of that.
-bool IsTheirFriction(const FoundFormula& found, const std::vector<AcceptedEffect>& effects);
+/// Whether a formula is no more than another form of a listed friction effect that is accepted: a
+/// force with the direction of motion or over the speed.
+bool IsFormOfListedFriction(const FoundFormula& found, const std::vector<AcceptedEffect>& effects);
 
-/// A volume over the pressure of a line says how that line yields: so do some listed effects.
-bool IsTheirVolume(const FoundFormula& found, const std::vector<AcceptedEffect>& effects);
+/// Whether a formula is no more than another form of a listed effect that is accepted: a volume over
+/// the pressure of a line, which says how that line yields.
+bool IsFormOfListedVolume(const FoundFormula& found, const std::vector<AcceptedEffect>& effects);
 
 /// More than the form of a listed effect not being quite right: much less is left than with the
 /// listed effects, or it is said with fewer numbers, the formula's chosen threshold and power

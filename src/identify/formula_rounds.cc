@@ -42,7 +42,7 @@ void ChallengeByFormula(const FitProblem& problem, const FitProblem& coarse,
   if (!options.formula || found->effects.empty()) return;
   const FormulaTrial trial = TryFormula(problem, coarse, found->declared, found->before,
                                         {.max_terms = 1, .threshold = options.min_delta_bic});
-  if (!trial.fit.ok || IsTheirFriction(trial.found, found->effects)) return;
+  if (!trial.fit.ok || IsFormOfListedFriction(trial.found, found->effects)) return;
   const Evidence over = Compare(problem, found->after, trial.fit);
   SearchOptions rules = options;
   // With fewer numbers it need not take a large share of what the others leave; where several
@@ -52,8 +52,8 @@ void ChallengeByFormula(const FitProblem& problem, const FitProblem& coarse,
   if (found->effects.size() > 1 && trial.fit.values.size() + kChosen < found->after.values.size()) {
     rules.min_gain = 0;
   }
-  const bool form =
-      IsTheirVolume(trial.found, found->effects) && !IsFarBetter(trial.fit, found->after, over);
+  const bool form = IsFormOfListedVolume(trial.found, found->effects) &&
+                    !IsFarBetter(trial.fit, found->after, over);
   if (form || !Verdict(over, false, true, rules).empty()) {
     if (found->effects.size() == 1) {
       NoteConfusable(problem, found->after, trial.fit, "unlisted", options,
@@ -73,11 +73,11 @@ bool AddFormula(const FitProblem& problem, const FitProblem& coarse, const Searc
   if (!options.formula || !found->formula.empty()) return false;
   const FormulaTrial trial = TryFormula(problem, coarse, found->corrected, found->after,
                                         {.threshold = options.min_delta_bic});
-  if (!trial.fit.ok || IsTheirFriction(trial.found, found->effects)) return false;
+  if (!trial.fit.ok || IsFormOfListedFriction(trial.found, found->effects)) return false;
   std::string no =
       FormulaVerdict(trial.evidence, trial.channel_gain, found->effects.empty(), options);
   if (no.empty() && IsOverruled(trial.evidence, *found)) no = kOverruled;
-  if (IsTheirVolume(trial.found, found->effects)) no = kTheirForm;
+  if (IsFormOfListedVolume(trial.found, found->effects)) no = kTheirForm;
   if (no.empty()) {
     Take(trial, found);
   } else {

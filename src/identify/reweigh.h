@@ -1,15 +1,18 @@
-// Samples weighed by the accepted model. An effect may be far more sensitive to what is uncertain
-// of the motion than the model without it: a stiff bristle, where the piston rests.
+// New weights of the samples from the accepted model.
+//
+// The measured motion has noise; how much of it reaches an output depends on the model. A stiff
+// bristle on a piston at rest turns 1 um into newtons, the declared model does not. So the weight of
+// a sample, one over its uncertainty, is worked out anew once effects are accepted.
 #pragma once
 
 #include "identify/effect_search.h"
 
 namespace phs::identify::search {
 
-/// Weights of both problems by `found->corrected`, if by one of the two, that and that at hand, the
-/// other's noise were off by more than a tenth in the mean square of a channel; then declared and
-/// corrected model are fitted anew. If either cannot be, all stays as it was. The evidence of an
-/// effect remains that of the choice.
+/// Gives both problems the weights of `found->corrected` and fits the declared and the corrected
+/// model anew. Nothing happens where the weights differ by less than a tenth in the mean square of
+/// every channel, or where one of the fits fails. The evidence of the effects stays as it was when
+/// they were chosen.
 void Reweigh(FitProblem* problem, FitProblem* coarse, Identification* found);
 
 }  // namespace phs::identify::search

@@ -1,5 +1,7 @@
-// Where an effect stood when it was last looked at, others still missing: a start beside them. The
-// first look at a model is thorough; the later ones, at dearer models, begin from what it found.
+// Warm starts of the search: the numbers that a candidate effect was fitted to in an earlier round.
+//
+// The first round tries each candidate from many starts. Later rounds fit dearer models, with the
+// effects accepted so far; there the candidate starts from its numbers of the round before as well.
 #pragma once
 
 #include <map>

@@ -4,9 +4,9 @@
 //                         (external_leakage with 1e-8 m3/(Pa s)); afterwards it stays open
 //   line_leak             the same through a small hole: `conductance_m3_per_Pas`, default 1e-12
 //                         (precharge gone within tens of seconds)
-//   reservoir_gas_lost    the reservoir's nitrogen has escaped before the run: oil alone carries,
-//   and
-//                         with the gas the precharge of the line is gone (atmospheric at rest)
+//   reservoir_gas_lost    the reservoir's nitrogen has escaped before the run: oil alone carries.
+//                         With the gas the precharge of the line is gone: it is at atmospheric
+//                         pressure at rest
 //   accumulator_gas_lost  the same of the blow-off accumulator: its gas is at atmospheric pressure
 //                         before the line presses on it, so it is a soft spring instead of a limit
 //   air                   `air_m3` of air (at atmospheric pressure) in the line since its filling

@@ -17,7 +17,6 @@ using hydraulics::FrictionCurve;
 using hydraulics::FrictionModel;
 using hydraulics::FrictionParams;
 using hydraulics::GasChargeParams;
-using hydraulics::GasLaw;
 using hydraulics::GasLawNames;
 using hydraulics::GasVolume;
 using hydraulics::LineParams;
@@ -72,16 +71,15 @@ void ReadCylinder(YamlMap& map, CylinderParams* c) {
 
 void ReadGasLaw(YamlMap* map, GasChargeParams* gas) {
   if (map == nullptr) return;
-  const std::string law =
-      map->Word("law", GasLawNames(), GasLawNames()[static_cast<int>(gas->law)]);
-  gas->law = static_cast<GasLaw>(IndexOf(law, GasLawNames()));
+  gas->law = hydraulics::FindGasLaw(map->Word("law", GasLawNames(), gas->law->name));
 }
 
 // `charge_pressure_Pa`: the shell was filled with gas at this pressure and then brought to the
-// static pressure by oil; slow, hence isothermal (by BWR for the real gas).
+// static pressure by oil; slow, hence at the temperature of the surroundings.
 double GasAfterCharging(const LineParams& line, double charge, double T) {
   GasVolume gas;
-  gas.law = line.reservoir.law == GasLaw::kBwr ? GasLaw::kBwr : GasLaw::kIsothermal;
+  // A law with a temperature of its own is isothermal once that is given.
+  if (line.reservoir.law->capacity != nullptr) gas.law = line.reservoir.law;
   gas.reference_volume = line.reservoir.volume_m3;
   gas.reference_pressure = charge;
   gas.reference_temperature = T;

@@ -14,7 +14,6 @@ using hydraulics::CylinderParams;
 using hydraulics::EffectParams;
 using hydraulics::FrictionCurve;
 using hydraulics::FrictionParams;
-using hydraulics::GasLawNames;
 using hydraulics::LineParams;
 using hydraulics::PhsParams;
 
@@ -102,7 +101,7 @@ void WriteLine(Writer* w, const LineParams& l) {
   for (const auto& [block, gas] :
        {std::pair{"reservoir", &l.reservoir}, std::pair{"accumulator", &l.accumulator}}) {
     w->Open(4, block);
-    w->Raw(6, "law", GasLawNames()[static_cast<int>(gas->law)]);
+    w->Raw(6, "law", gas->law->name);
     WriteNumbers(w, 6, block, l);
   }
 }

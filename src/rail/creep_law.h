@@ -1,4 +1,5 @@
-// Tangential contact forces: one interface for linear Kalker, FASTSIM, Polach and the fast table.
+// Tangential contact forces: one interface for all creep laws. The laws are the rows of
+// creep_laws.cc.
 //
 // Axes of the contact plane: 1 = rolling direction, 2 = lateral in the plane, n = normal of C
 // (frames.h), pointing into the rail. Signs as CONTACT prints them for body 1, the rail:
@@ -59,6 +60,19 @@ struct CreepSlope {
   double y_xi = 0, y_eta = 0;
 };
 
+/// Whether there is a patch that can transmit anything.
+inline bool InContact(const CreepInput& in) {
+  return in.normal > 0 && in.friction > 0 && in.a > 0 && in.b > 0;
+}
+
+/// Discretisation, interpolation and Polach's missing spin moment may let a patch deliver a little
+/// power; the spin moment, the least certain of the three, then takes the value of no power.
+inline CreepForce WithoutDelivery(const CreepInput& in, CreepForce f) {
+  const double delivered = f.x * in.xi + f.y * in.eta + f.moment * in.phi;
+  if (delivered > 0 && in.phi != 0) f.moment -= delivered / in.phi;
+  return f;
+}
+
 /// Thread-safe, allocation-free after creation.
 class CreepLaw {
  public:
@@ -83,7 +97,8 @@ struct SlopeReduction {
 };
 
 struct CreepLawParams {
-  std::string method = "kalker_table";  ///< linear | fastsim | polach | kalker_table
+  std::string method = "kalker_table";  ///< name of a row of CreepLaws()
+  std::string option;                   ///< of the method, for laws that read one of their own
   ContactMaterial material;
   int fastsim_strips = 40;  ///< grid of FASTSIM (and of the table's source)
   int fastsim_slices = 40;
@@ -95,11 +110,30 @@ struct CreepLawParams {
   double polach_slip = 1;            ///< kS of polach, (0, 1]
 };
 
+/// What may follow the name of a creep law after a colon.
+struct CreepLawOption {
+  std::string form;     ///< as in "NAME:form"
+  std::string allowed;  ///< what `form` stands for
+  /// Puts it into the parameters; false where it is not allowed. Null: the law takes no option.
+  bool (*read)(const std::string& option, CreepLawParams* params) = nullptr;
+};
+
+/// One creep law.
+struct CreepLawRow {
+  std::string name;
+  std::string text;  ///< what it is, for --help and the docs
+  CreepLawOption option;
+  std::unique_ptr<CreepLaw> (*make)(const CreepLawParams& params);
+};
+/// All of them. Names, messages, --help and the docs follow from these rows.
+const std::vector<CreepLawRow>& CreepLaws();
+
 Result<std::unique_ptr<CreepLaw>> CreateCreepLaw(const CreepLawParams& params);
-/// Reads "METHOD" or "METHOD:N": N strips and N slices of FASTSIM's grid, 4 … 200, for `fastsim`
-/// and `kalker_table`. Error names what is allowed; `params` is then as before.
+/// Reads "METHOD" or "METHOD:OPTION". An error names what is allowed; `params` is then as before.
 Status ChooseCreepLaw(const std::string& text, CreepLawParams* params);
 /// The methods by name, for messages and --help.
-const std::vector<std::string>& CreepLawNames();
+std::vector<std::string> CreepLawNames();
+/// "name (text), name (text), …".
+std::string DescribeCreepLaws();
 
 }  // namespace phs::rail

@@ -5,6 +5,7 @@
 #include <thread>
 #include <vector>
 
+#include "base/tridiagonal.h"
 #include "rail/creep_table.h"
 #include "rail/creep_table_grid.h"
 
@@ -19,20 +20,15 @@ void Prefilter(double* c, std::size_t step, int n, double mirror) {
   // c[1 … n] hold f on entry. Tridiagonal (1/8, 3/4, 1/8); free ends: c0 - c1 = f0 - f1.
   const auto at = [&](int i) -> double& { return c[static_cast<std::size_t>(i + 1) * step]; };
   constexpr int kMaxNodes = 128;
-  double upper[kMaxNodes];
-  const double first = mirror == 0 ? at(0) - at(1) : at(0);
-  const double last = at(n - 1) - at(n - 2);
-  double pivot = mirror == 0 ? 1.0 : 0.75;
-  upper[0] = (mirror == 0 ? -1.0 : 0.125 * (1 + mirror)) / pivot;
-  at(0) = first / pivot;
-  for (int i = 1; i < n - 1; ++i) {
-    pivot = 0.75 - 0.125 * upper[i - 1];
-    upper[i] = 0.125 / pivot;
-    at(i) = (at(i) - 0.125 * at(i - 1)) / pivot;
-  }
-  pivot = 1 + upper[n - 2];
-  at(n - 1) = (last + at(n - 2)) / pivot;
-  for (int i = n - 2; i >= 0; --i) at(i) -= upper[i] * at(i + 1);
+  TridiagonalRow rows[kMaxNodes];
+  double solved[kMaxNodes];
+  const auto count = static_cast<std::size_t>(n);
+  for (int i = 1; i < n - 1; ++i) rows[i] = {0.125, 0.75, 0.125, at(i)};
+  rows[0] = mirror == 0 ? TridiagonalRow{0, 1, -1, at(0) - at(1)}
+                        : TridiagonalRow{0, 0.75, 0.125 * (1 + mirror), at(0)};
+  rows[n - 1] = {-1, 1, 0, at(n - 1) - at(n - 2)};
+  SolveTridiagonal({rows, count}, {solved, count});
+  for (int i = 0; i < n; ++i) at(i) = solved[i];
   at(-1) = mirror == 0 ? 3 * at(0) - 3 * at(1) + at(2) : mirror * at(1);
   at(n) = 3 * at(n - 1) - 3 * at(n - 2) + at(n - 3);
 }

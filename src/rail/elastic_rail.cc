@@ -1,5 +1,6 @@
 #include "rail/elastic_rail.h"
 
+#include <Eigen/LU>
 #include <cmath>
 
 namespace phs::rail {
@@ -16,8 +17,8 @@ double Dot(const Vec3& a, const Vec3& b) { return a[0] * b[0] + a[1] * b[1] + a[
 /// with shapes held as found at `from`.
 void BendUnder(const Overlaps& found, const RailSupport& s, const Vec3& from, Vec3* bend) noexcept {
   Vec3& w = *bend;
-  const double k[3] = {0, s.lateral_stiffness_N_per_m, s.vertical_stiffness_N_per_m};
-  const double give[3] = {0, k[1] > 0 ? 1 / k[1] : 0, k[2] > 0 ? 1 / k[2] : 0};
+  const double ky = s.lateral_stiffness_N_per_m, kz = s.vertical_stiffness_N_per_m;
+  const Eigen::Vector2d give(ky > 0 ? 1 / ky : 0, kz > 0 ? 1 / kz : 0);
   double stiffness[kMaxOverlaps];  // N = stiffness depth^1.5
   Vec3 normal[kMaxOverlaps];
   for (int i = 0; i < found.count; ++i) {
@@ -27,26 +28,21 @@ void BendUnder(const Overlaps& found, const RailSupport& s, const Vec3& from, Ve
   }
   for (int iteration = 0; iteration < kIterations; ++iteration) {
     // Residual in displacements, r = w - F(w)/k; jacobian = 1 + sum N' n n / k.
-    double r[2] = {w[1], w[2]};
-    double j[2][2] = {{1, 0}, {0, 1}};
+    Eigen::Vector2d r(w[1], w[2]);
+    Eigen::Matrix2d j = Eigen::Matrix2d::Identity();
     const Vec3 moved = {0, w[1] - from[1], w[2] - from[2]};
     for (int i = 0; i < found.count; ++i) {
       const double depth = found.patch[static_cast<size_t>(i)].depth - Dot(normal[i], moved);
       if (!(depth > 0)) continue;
       const double root = stiffness[i] * std::sqrt(depth);
-      for (size_t a = 0; a < 2; ++a) {
-        r[a] -= give[a + 1] * root * depth * normal[i][a + 1];
-        for (size_t b = 0; b < 2; ++b) {
-          j[a][b] += give[a + 1] * 1.5 * root * normal[i][a + 1] * normal[i][b + 1];
-        }
-      }
+      const Eigen::Vector2d n(normal[i][1], normal[i][2]);
+      r -= root * depth * give.cwiseProduct(n);
+      j += 1.5 * root * give.cwiseProduct(n) * n.transpose();
     }
-    const double determinant = j[0][0] * j[1][1] - j[0][1] * j[1][0];
-    const double step_y = (r[0] * j[1][1] - r[1] * j[0][1]) / determinant;
-    const double step_z = (r[1] * j[0][0] - r[0] * j[1][0]) / determinant;
-    w[1] -= step_y;
-    w[2] -= step_z;
-    if (std::abs(step_y) + std::abs(step_z) < 1e-14) break;
+    const Eigen::Vector2d step = j.inverse() * r;
+    w[1] -= step[0];
+    w[2] -= step[1];
+    if (step.lpNorm<1>() < 1e-14) break;
   }
 }
 

@@ -77,8 +77,8 @@ NormalisedCreepage Normalise(const CreepInput& input, const KalkerCoefficients& 
                              double shear_modulus, bool elliptic_bound) noexcept;
 
 /// Blended flexibility (CONTACT's FASTSIM): towards large creepage the three flexibilities turn
-/// into one, as classic FASTSIM with L1 != L2 slides in a wrong direction. With f3 = 8a/3, f4 = pi
-/// a^2/4:
+/// into one, as classic FASTSIM with L1 != L2 slides in a wrong direction. With f3 = 8a/3 and
+/// f4 = pi a^2/4:
 ///   L = (xi^2 + eta^2 + (phi f4/f3)^2)/(xi^2/L1 + eta^2/L2 + (phi f4/f3)^2/L3),
 ///   Li <- (1 - t) Li + t L,  t = min(1, sqrt((xi^2 + eta^2)/(cx^2 + cy^2))/3),
 ///   cx = f N/(G a b C11), cy = f N/(G a b C22).

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "base/table.h"
+#include "base/tridiagonal.h"
 
 namespace phs::rail {
 
@@ -76,25 +78,21 @@ void Irregularity::Fade(double length) {
   }
 }
 
-// Second derivatives M of the cubic spline with zero slope at both ends (Thomas algorithm).
+// Second derivatives M of the cubic spline with zero slope at both ends.
 void Irregularity::Spline() {
   const size_t n = knots_.size();
-  std::vector<double> upper(n);
+  std::vector<TridiagonalRow> rows(n);
+  std::vector<double> second(n);
   for (int c = 0; c < kNumIrregularityChannels; ++c) {
     auto step = [&](size_t i) { return knots_[i + 1].s - knots_[i].s; };
     auto slope = [&](size_t i) { return (knots_[i + 1].value[c] - knots_[i].value[c]) / step(i); };
-    upper[0] = 0.5;
-    knots_[0].second[c] = 3 * slope(0) / step(0);
-    for (size_t i = 1; i < n; ++i) {
-      const double below = step(i - 1);
-      const double above = i + 1 < n ? step(i) : 0.0;
-      const double right = (i + 1 < n ? slope(i) : 0.0) - slope(i - 1);
-      const double pivot = 2 * (below + above) - below * upper[i - 1];
-      upper[i] = above / pivot;
-      knots_[i].second[c] = (6 * right - below * knots_[i - 1].second[c]) / pivot;
+    for (size_t i = 0; i < n; ++i) {
+      const double below = i > 0 ? step(i - 1) : 0.0, above = i + 1 < n ? step(i) : 0.0;
+      const double kink = (i + 1 < n ? slope(i) : 0.0) - (i > 0 ? slope(i - 1) : 0.0);
+      rows[i] = {below, 2 * (below + above), above, 6 * kink};
     }
-    for (size_t i = n - 1; i > 0; --i)
-      knots_[i - 1].second[c] -= upper[i - 1] * knots_[i].second[c];
+    SolveTridiagonal(rows, second);
+    for (size_t i = 0; i < n; ++i) knots_[i].second[c] = second[i];
   }
 }
 

@@ -41,4 +41,7 @@ class KalkerCurve {
 CreepForce CalcLinearCreep(const CreepInput& input, const KalkerCoefficients& c,
                            double shear_modulus) noexcept;
 
+/// The law by that name: the linear law above.
+CreepLawRow LinearCreepRow();
+
 }  // namespace phs::rail

@@ -37,4 +37,34 @@ CreepForce CalcPolach(const CreepInput& in, const KalkerCoefficients& c, double 
   return f;
 }
 
+namespace {
+
+class PolachLaw : public CreepLaw {
+ public:
+  explicit PolachLaw(const CreepLawParams& p)
+      : shear_(p.material.shear_modulus_Pa),
+        adhesion_(p.polach_adhesion),
+        slip_(p.polach_slip),
+        curve_(p.material.poisson_ratio) {}
+  CreepForce Calc(const CreepInput& in) const noexcept override {
+    if (!InContact(in)) return {};
+    return WithoutDelivery(in, CalcPolach(in, curve_.At(in.a / in.b), shear_, adhesion_, slip_));
+  }
+  std::string name() const override { return "polach"; }
+
+ private:
+  double shear_;
+  double adhesion_;
+  double slip_;
+  KalkerCurve curve_;
+};
+
+}  // namespace
+
+CreepLawRow PolachRow() {
+  return {"polach", "Polach's closed form", {}, [](const CreepLawParams& p) {
+            return std::unique_ptr<CreepLaw>(new PolachLaw(p));
+          }};
+}
+
 }  // namespace phs::rail

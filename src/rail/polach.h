@@ -5,9 +5,12 @@
 //   c    = sqrt((C11 xi/s')^2 + (C22 eta/s')^2),  s' = sqrt(xi^2 + eta^2)
 //   e    = G pi a b c s/(4 f N)
 //   F    = -(2 f N/pi) (kA e/(1 + (kA e)^2) + atan(kS e))
-//   e_s  = (8/3) G b sqrt(a b) C23 |s_yc|/(f N (1 + 6.3 (1 - exp(-a/b)))),  d = (e_s^2 - 1)/(e_s^2
-//   + 1) K    = |e_s| (d^3/3 - d^2/2 + 1/6) - (1/3) sqrt((1 - d^2)^3) x    = F xi/s y    = F eta/s
-//   + (9/16) a f N K (1 + 6.3 (1 - exp(-a/b))) phi/s      (K <= 0)
+//   q    = 1 + 6.3 (1 - exp(-a/b))
+//   e_s  = (8/3) G b sqrt(a b) C23 |s_yc|/(f N q)
+//   d    = (e_s^2 - 1)/(e_s^2 + 1)
+//   K    = |e_s| (d^3/3 - d^2/2 + 1/6) - (1/3) sqrt((1 - d^2)^3)
+//   x    = F xi/s
+//   y    = F eta/s + (9/16) a f N K q phi/s      (K <= 0)
 // Made for small spin; at flange spin it can exceed f N by far, so it is scaled back to f N (ours).
 // It has no spin moment.
 #pragma once
@@ -20,5 +23,8 @@ namespace phs::rail {
 /// @pre a, b, normal, friction > 0; 0 < slip_factor <= adhesion_factor <= 1.
 CreepForce CalcPolach(const CreepInput& input, const KalkerCoefficients& c, double shear_modulus,
                       double adhesion_factor, double slip_factor) noexcept;
+
+/// The law by that name.
+CreepLawRow PolachRow();
 
 }  // namespace phs::rail

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
+
+#include "base/tridiagonal.h"
 
 namespace phs::rail {
 namespace {
@@ -12,20 +15,18 @@ constexpr double kThin = 0.4e-3;     ///< points nearer together are thinned out
 constexpr double kSteepest = 6;      ///< |dz/dy|
 constexpr double kShortest = 10e-3;  ///< usable width [m]
 
-/// Second derivatives of the natural cubic spline through (y, z) (Thomas algorithm).
+/// Second derivatives of the natural cubic spline through (y, z).
 std::vector<double> NaturalSpline(const std::vector<double>& y, const std::vector<double>& z) {
   const size_t n = y.size();
   std::vector<double> second(n, 0.0);
-  std::vector<double> upper(n, 0.0);
+  std::vector<TridiagonalRow> rows;
   for (size_t i = 1; i + 1 < n; ++i) {
     const double left = y[i] - y[i - 1];
     const double right = y[i + 1] - y[i];
-    const double pivot = 2 * (left + right) - left * upper[i - 1];
-    upper[i] = right / pivot;
-    const double rhs = 6 * ((z[i + 1] - z[i]) / right - (z[i] - z[i - 1]) / left);
-    second[i] = (rhs - left * second[i - 1]) / pivot;
+    rows.push_back({left, 2 * (left + right), right,
+                    6 * ((z[i + 1] - z[i]) / right - (z[i] - z[i - 1]) / left)});
   }
-  for (size_t i = n - 1; i-- > 1;) second[i] -= upper[i] * second[i + 1];
+  SolveTridiagonal(rows, std::span(second).subspan(1, rows.size()));
   return second;
 }
 

@@ -26,7 +26,7 @@ Result<std::vector<double>> PredictSettled(const PhsParams& params,
   });
   isothermal.friction.model = hydraulics::FrictionModel::kNone;
   for (hydraulics::LineParams& l : isothermal.lines) {
-    l.reservoir.law = l.accumulator.law = hydraulics::GasLaw::kIsothermal;
+    l.reservoir.law = l.accumulator.law = &hydraulics::kIsothermalGas;
   }
   std::vector<double> out;
   for (const StepRow& row : rows) {

@@ -1,27 +1,50 @@
 #include "sweep/sampling.h"
 
-#include <gsl/gsl_cdf.h>
-#include <gsl/gsl_qrng.h>
-#include <gsl/gsl_randist.h>
-#include <gsl/gsl_rng.h>
-
+#include <boost/math/distributions/normal.hpp>
+#include <boost/random/sobol.hpp>
 #include <cmath>
 #include <limits>
-#include <memory>
 #include <numeric>
+#include <random>
+#include <utility>
 
 #include "base/check.h"
 
 namespace phs::sweep {
 namespace {
 
-using Generator = std::unique_ptr<gsl_rng, decltype(&gsl_rng_free)>;
+/// MT19937, whose draws the standard fixes; its distributions differ from library to library, so
+/// the two that are needed stand here.
+class Generator {
+ public:
+  explicit Generator(std::uint64_t seed)
+      : engine_(static_cast<std::mt19937::result_type>(seed & 0xffffffffu)) {}
 
-Generator MakeGenerator(std::uint64_t seed) {
-  Generator generator(gsl_rng_alloc(gsl_rng_mt19937), &gsl_rng_free);
-  gsl_rng_set(generator.get(), static_cast<unsigned long>(seed));
-  return generator;
-}
+  /// In (0, 1), a multiple of 2^-32.
+  double Uniform() {
+    std::uint32_t draw = 0;
+    while (draw == 0) draw = static_cast<std::uint32_t>(engine_());
+    return draw * 0x1p-32;
+  }
+
+  /// 0 … count - 1, all equally likely: draws beyond the last full share are thrown away.
+  std::size_t Index(std::size_t count) {
+    const std::size_t share = 0xffffffffu / count;
+    std::size_t index = count;
+    while (index >= count) index = engine_() / share;
+    return index;
+  }
+
+  /// Fisher and Yates, from the back.
+  void Shuffle(std::vector<int>* cells) {
+    for (std::size_t last = cells->size(); last-- > 1;) {
+      std::swap((*cells)[last], (*cells)[Index(last + 1)]);
+    }
+  }
+
+ private:
+  std::mt19937 engine_;
+};
 
 std::uint64_t SplitMix(std::uint64_t x) {
   x += 0x9e3779b97f4a7c15ull;
@@ -37,11 +60,17 @@ double TriangularQuantile(const Distribution& d, double u) {
                    : d.max - std::sqrt((1 - u) * width * (d.max - d.mode));
 }
 
+/// Boost's normal distribution in double precision: `long double` differs between processors.
+/// The quantiles of 0 and 1 are infinite.
+using Normal = boost::math::normal_distribution<
+    double, boost::math::policies::policy<
+                boost::math::policies::promote_double<false>,
+                boost::math::policies::overflow_error<boost::math::policies::ignore_error>>>;
+
 double NormalQuantile(const Distribution& d, double u) {
-  const double s = d.standard_deviation;
-  const double low = gsl_cdf_gaussian_P(d.min - d.mean, s);
-  const double high = gsl_cdf_gaussian_P(d.max - d.mean, s);
-  return d.mean + gsl_cdf_gaussian_Pinv(low + u * (high - low), s);
+  const Normal normal(d.mean, d.standard_deviation);
+  const double low = cdf(normal, d.min), high = cdf(normal, d.max);
+  return quantile(normal, low + u * (high - low));
 }
 
 }  // namespace
@@ -86,15 +115,15 @@ Distribution ReadDistribution(YamlMap* axis) {
 
 std::vector<std::vector<double>> LatinHypercube(int samples, int dimensions, std::uint64_t seed) {
   PHS_CHECK(samples > 0 && dimensions > 0);
-  const Generator generator = MakeGenerator(seed);
+  Generator generator(seed);
   std::vector<std::vector<double>> points(
       static_cast<std::size_t>(samples), std::vector<double>(static_cast<std::size_t>(dimensions)));
   std::vector<int> cells(static_cast<std::size_t>(samples));
   for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimensions); ++axis) {
     std::iota(cells.begin(), cells.end(), 0);
-    gsl_ran_shuffle(generator.get(), cells.data(), cells.size(), sizeof(int));
+    generator.Shuffle(&cells);
     for (std::size_t i = 0; i < points.size(); ++i) {
-      points[i][axis] = (cells[i] + gsl_rng_uniform_pos(generator.get())) / samples;
+      points[i][axis] = (cells[i] + generator.Uniform()) / samples;
     }
   }
   return points;
@@ -105,17 +134,15 @@ std::vector<std::vector<double>> SobolPoints(int samples, int dimensions, std::u
   const auto size = static_cast<std::size_t>(dimensions);
   std::vector<double> shift(size, 0.0);
   if (seed != 0) {
-    const Generator generator = MakeGenerator(seed);
-    for (double& s : shift) s = gsl_rng_uniform_pos(generator.get());
+    Generator generator(seed);
+    for (double& s : shift) s = generator.Uniform();
   }
-  const std::unique_ptr<gsl_qrng, decltype(&gsl_qrng_free)> sequence(
-      gsl_qrng_alloc(gsl_qrng_sobol, static_cast<unsigned>(dimensions)), &gsl_qrng_free);
+  boost::random::sobol_engine<std::uint_least32_t, 32> sequence(size);
   std::vector<std::vector<double>> points(static_cast<std::size_t>(samples),
                                           std::vector<double>(size));
   for (auto& point : points) {
-    gsl_qrng_get(sequence.get(), point.data());
     for (std::size_t axis = 0; axis < size; ++axis) {
-      point[axis] += shift[axis];
+      point[axis] = sequence() * 0x1p-32 + shift[axis];
       point[axis] -= std::floor(point[axis]);
       // An inverse distribution function may be infinite at 0.
       if (point[axis] <= 0) point[axis] = 0x1p-53;

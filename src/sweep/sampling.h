@@ -1,5 +1,6 @@
-// Points of a study in the unit cube and in the units of its axes. GSL gives the quasi-random
-// sequence, the generator and the inverse distribution functions.
+// Points of a study in the unit cube and in the units of its axes, the same on every machine. Boost
+// gives Sobol's sequence (direction numbers of Joe and Kuo, SIAM J. Sci. Comput. 30 (2008) 2635)
+// and the normal distribution, the standard library the generator.
 #pragma once
 
 #include <cstdint>

@@ -98,7 +98,7 @@ Result<BogieMapping> LoadBogieMapping(const std::string& path) {
   m.track = file("track", "straight");
   m.wheel = file("wheel", "S1002");
   m.rail = file("rail", "UIC60");
-  m.creep = map.Word("creep", rail::CreepLawNames(), "kalker_table");
+  m.creep = map.Word("creep", rail::CreepLawNames(), rail::CreepLawParams{}.method);
   m.speed_m_s = map.Number("speed_m_s", {.min = 0, .max = 120}, 20.0);
   if (Status s = map.Finish(); !s.ok()) return s.error();
   return m;

@@ -1,5 +1,5 @@
 // The commands of the README, as written there: each runs from a folder that looks like the source
-// tree after scripts/run. Those that take minutes only with PHS_LONG_TESTS.
+// tree after scripts/run. Those that take longest only with PHS_LONG_TESTS.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -35,9 +35,9 @@ std::vector<std::string> CommandsUnder(const std::string& heading) {
   return lines;
 }
 
-bool TakesMinutes(const std::string& command) {
-  for (const char* word :
-       {"--radii", "--ramp", " curving ", " sweep ", " identify ", " validate"}) {
+/// Some seconds each, and tested elsewhere.
+bool TakesLong(const std::string& command) {
+  for (const char* word : {"--radii", "--ramp", " sweep "}) {
     if (command.find(word) != std::string::npos) return true;
   }
   return false;
@@ -61,7 +61,7 @@ TEST(ReadmeTest, ItsCommandsRunAsWritten) {
     if (preload) continue;  // a program without the sanitizer's runtime cannot load the library
 #endif
     if (preload && Execute("command -v mujoco-testspeed").code != 0) continue;
-    if (TakesMinutes(commands[i]) && !all) continue;
+    if (TakesLong(commands[i]) && !all) continue;
     const Output out = Execute("cd " + dir.path() + "; " + commands[0] + "; " + commands[i]);
     EXPECT_EQ(out.code, 0) << commands[i] << "\n" << out.text;
     if (preload) {
@@ -69,7 +69,26 @@ TEST(ReadmeTest, ItsCommandsRunAsWritten) {
     }
     ++ran;
   }
-  EXPECT_GE(ran, 6);
+  EXPECT_GE(ran, 8);
+}
+
+/// Every folder of the tree that is not hidden or built stands in the layout, src by its own folders.
+TEST(ReadmeTest, TheLayoutNamesEveryFolder) {
+  std::ifstream file(PHS_SOURCE_DIR "/README.md");
+  const std::string readme{std::istreambuf_iterator<char>(file), {}};
+  const std::string layout = readme.substr(readme.find("## Layout"));
+  int named = 0;
+  for (const std::string under : {"", "src/"}) {
+    for (const auto& entry : fs::directory_iterator(std::string(PHS_SOURCE_DIR "/") + under)) {
+      const std::string name = entry.path().filename();
+      const bool other = !entry.is_directory() || name.starts_with(".") || name == "src" ||
+                         name == "build" || name == "out";
+      if (other) continue;
+      EXPECT_NE(layout.find("`" + under + name + "`"), std::string::npos) << under + name;
+      ++named;
+    }
+  }
+  EXPECT_GT(named, 15);
 }
 
 /// What the README says after scripts/run must be there after scripts/run.

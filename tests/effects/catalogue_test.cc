@@ -1,7 +1,13 @@
 // The catalogue of effects: its names, its ranges, and wrong input to it.
 #include "effects/catalogue.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <sstream>
 
 #include "phs_model/phs_model.h"
 #include "tests/effects/driven_cylinder.h"
@@ -11,19 +17,28 @@ namespace phs::effects {
 using phs_model::CreatePhsSystem;
 namespace {
 
-TEST(Catalogue, HasEveryNameOfTheDocumentOnce) {
-  for (const char* name : {"piston_leakage",    "external_leakage",  "line_resistance",
-                           "line_inertance",    "check_restriction", "entrained_air",
-                           "hose_expansion",    "gas_thermal",       "accumulator_precharge",
-                           "cavitation",        "stribeck",          "presliding",
-                           "pressure_friction", "position_friction", "dwell_friction",
-                           "viscous_friction",  "backlash",          "mount_compliance",
-                           "bush_viscoelastic", "sensor_offset",     "sensor_drift",
-                           "sensor_delay",      "sensor_gain",       "temperature_drift"}) {
-    int found = 0;
-    for (const auto& info : Catalogue().effects()) found += info.name == name;
-    EXPECT_EQ(found, 1) << name;
+// Every file of src/effects that describes an effect, <name>.cc with the name as its first word.
+std::set<std::string> DescribedEffects() {
+  std::set<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(PHS_SOURCE_DIR "/src/effects")) {
+    std::ifstream file(entry.path());
+    std::stringstream text;
+    text << file.rdbuf();
+    const bool describes = text.str().find("\nconst EffectInfo& ") != std::string::npos;
+    if (entry.path().extension() == ".cc" && describes) names.insert(entry.path().stem());
   }
+  return names;
+}
+
+TEST(Catalogue, HasEachEffectThatAFileDescribesOnce) {
+  std::multiset<std::string> rows;
+  for (const auto& info : Catalogue().effects()) rows.insert(info.name);
+  const std::set<std::string> files = DescribedEffects();
+  EXPECT_GT(files.size(), 20u);
+  EXPECT_THAT(rows, testing::ElementsAreArray(files));
+}
+
+TEST(Catalogue, RangesHoldWhatIsPlausibleAndTheDefault) {
   for (const auto& info : Catalogue().effects()) {
     for (const auto& p : info.parameters) {
       EXPECT_LE(p.min, p.low) << info.name << "." << p.name;

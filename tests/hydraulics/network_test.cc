@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "hydraulics/end_stop.h"
+#include "hydraulics/perfect_gas.h"
 #include "test_systems.h"
 
 namespace phs::hydraulics {
@@ -134,7 +135,7 @@ TEST(Line, BlowOffLimitsTensionOnTheRodSide) {
 
 RC_GTEST_PROP(Line, PressureIsPositiveFiniteAndRisesWithVolume, ()) {
   PhsParams params = Quarter();
-  params.lines[0].reservoir.law = static_cast<GasLaw>(*rc::gen::inRange(0, 4));
+  params.lines[0].reservoir.law = *rc::gen::elementOf(GasLaws());
   params.lines[0].bulk_modulus_slope = *rc::gen::inRange(0, 2) * 8.0;
   params.lines[0].reservoir.min_gas_volume_m3 = *rc::gen::inRange(0, 3) * 4e-6;
   const PhsSystem s = Make(params);
@@ -151,7 +152,7 @@ RC_GTEST_PROP(Line, PressureIsPositiveFiniteAndRisesWithVolume, ()) {
 
 // Energy is the integral of force over travel, for every gas law without a state.
 TEST(Line, StoredEnergyIsTheWorkDone) {
-  for (GasLaw law : {GasLaw::kIsothermal, GasLaw::kPolytropic}) {
+  for (const GasLaw* law : {&kIsothermalGas, &kPolytropicGas}) {
     for (double slope : {0.0, 8.0}) {
       PhsParams params = Quarter();
       params.friction.model = FrictionModel::kNone;

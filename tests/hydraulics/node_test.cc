@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "hydraulics/perfect_gas.h"
+
 namespace phs::hydraulics {
 namespace {
 
@@ -14,7 +16,7 @@ Node StiffeningOilAndGas() {
   node.p0 = 2e6, node.oil_volume = 1.1e-3, node.bulk_modulus = 1.4e9, node.bulk_slope = 10;
   node.air = 1e-6 * node.oil_volume * kAtmosphere, node.temperature = 293.15;
   NodeGas gas;
-  gas.gas.law = GasLaw::kPolytropic;
+  gas.gas.law = &kPolytropicGas;
   gas.gas.reference_volume = gas.static_volume = 1.8e-5;
   gas.gas.reference_pressure = 2e6, gas.gas.reference_temperature = 293.15;
   gas.gas.max_volume = 3e-4;

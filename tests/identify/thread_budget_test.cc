@@ -9,11 +9,20 @@
 #include <atomic>
 #include <chrono>
 #include <fstream>
+#include <functional>
 #include <thread>
 #include <vector>
 
 namespace phs::identify::search {
 namespace {
+
+/// Waits until `there`; false after so long that only a budget without threads can be the reason.
+bool WaitFor(const std::function<bool()>& there) {
+  for (int i = 0; i < 60000 && !there(); ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  return there();
+}
 
 TEST(ThreadBudget, DoesAllOnceAndKeepsTheLimit) {
   constexpr int kThreads = 3, kOuter = 7, kInner = 11;
@@ -26,7 +35,8 @@ TEST(ThreadBudget, DoesAllOnceAndKeepsTheLimit) {
         const int now = ++running;
         for (int seen = most; now > seen && !most.compare_exchange_weak(seen, now);) {
         }
-        std::this_thread::sleep_for(std::chrono::microseconds(200));
+        // The first to come waits for company, however slow the machine.
+        WaitFor([&] { return most > 1; });
         ++done[static_cast<size_t>(i * kInner + k)];
         --running;
       });
@@ -65,11 +75,12 @@ TEST(ThreadBudget, WhoWaitsForAHelperLendsItItsPlace) {
   std::atomic<int> inside{0};
   threads.ForEach(2, [&](int) {
     if (std::this_thread::get_id() == caller) {  // has no more work than this
-      for (int i = 0; i < 5000 && !helper_is_busy; ++i) a_while();
+      WaitFor([&] { return helper_is_busy.load(); });
       return;
     }
     helper_is_busy = true;
-    for (int attempt = 0; attempt < 200 && !both; ++attempt) {
+    // Until the caller has nothing left to do; the limit is for a budget that never lends.
+    for (int attempt = 0; attempt < 3000 && !both; ++attempt) {
       threads.ForEach(2, [&](int) {
         ++inside;
         for (int i = 0; i < 20 && !both; ++i) {

@@ -3,10 +3,10 @@
 //
 //   chamber node (p_c)  ──Q──  remote node (p_r): reservoir, accumulator, rest of the oil
 //
-// Without a restriction both nodes are one. The remote node holds, relative to the static pressure
-// p0, the volume
-//   V(p) = C (p − p0)/(1 + ½ s (p − p0)) + [Vg0 − Vg(p, T)] + Vacc(p) + Vair(p) + Vhose(p) −
-//   Vvap(p)
+// Without a restriction both nodes are one.
+// The remote node holds, relative to the static pressure p0, the volume
+//   V(p) = C (p − p0)/(1 + ½ s (p − p0)) + [Vg0 − Vg(p, T)] + Vacc(p) + Vair(p) + Vhose(p)
+//          − Vvap(p)
 // and the balance is  V(p) = displaced − lost + expanded  with every term in m³.
 // Signs: displacement into the line > 0; flow Q from chamber to remote > 0; lost volume > 0
 // outward. Pressures absolute, Pa.

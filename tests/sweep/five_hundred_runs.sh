@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # A sweep of short curves: throughput of two workers against one, and the same bytes after SIGKILL
 # half-way and --resume.  five_hundred_runs.sh PHS [RUNS (500) [REPEATS (1)]]
-# The throughput is judged (>= 1.8) only where two processors are idle; it is always printed.
+# The throughput is printed, not judged: it is the machine's.
 set -euo pipefail
 phs="$(realpath "$1")"
 runs="${2:-500}"
@@ -49,7 +49,6 @@ sweep() {
   cpu="$(awk "BEGIN {print $user + $system}")"
 }
 
-idle="$(awk -v n="$(nproc)" '{print ($1 < 0.3 && n >= 2) ? 1 : 0}' /proc/loadavg)"
 echo "$runs runs, $(nproc) processors, load before: $(cut -d ' ' -f 1 /proc/loadavg)"
 for _ in $(seq "$repeats"); do
   sweep one 1
@@ -78,10 +77,3 @@ kept="$(find killed.unfinished/runs -name '*.json' | wc -l)"
 "$phs" sweep curves.yaml --quiet --out killed --workers 2 --resume >/dev/null
 cmp one/sweep.csv killed/sweep.csv
 echo "killed with $kept of $runs runs done, resumed: the table has the same bytes"
-
-if [ "$idle" = 1 ]; then
-  awk -v w1="$wall_1" -v w2="$wall" 'BEGIN {exit !(w1 / w2 >= 1.8)}' ||
-    { echo "two workers are less than 1.8 times as fast"; exit 1; }
-else
-  echo "throughput not judged: the machine is not idle"
-fi

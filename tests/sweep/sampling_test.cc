@@ -27,12 +27,42 @@ TEST(LatinHypercube, EachAxisHasOnePointInEachCell) {
   EXPECT_NE(points, LatinHypercube(n, 4, 6));
 }
 
+// Shuffle and place follow from the draws of MT19937 alone: pinned, so that a study made on another
+// machine or by a later version has the same runs.
+TEST(LatinHypercube, DrawsThePinnedPoints) {
+  const auto points = LatinHypercube(3, 2, 5);
+  EXPECT_EQ(points[0], (std::vector<double>{0.62357743449198699, 0.32648166587265831}));
+  EXPECT_EQ(points[1], (std::vector<double>{0.94377594666245079, 0.8294703966627518}));
+  EXPECT_EQ(points[2], (std::vector<double>{0.068906384675453111, 0.36327367803702754}));
+}
+
 // First points of Sobol's sequence after the origin: Bratley and Fox, ACM TOMS 14 (1988) 88.
 TEST(SobolPoints, FirstPointsWithoutShift) {
   const auto points = SobolPoints(3, 2, 0);
   EXPECT_EQ(points[0], (std::vector<double>{0.5, 0.5}));
   EXPECT_EQ(points[1], (std::vector<double>{0.75, 0.25}));
   EXPECT_EQ(points[2], (std::vector<double>{0.25, 0.75}));
+}
+
+// With the origin, the first 2^k points of each axis are the multiples of 2^-k in some order.
+TEST(SobolPoints, EveryAxisIsEvenlySpread) {
+  const int n = 255;
+  const auto points = SobolPoints(n, kMostSobolDimensions, 0);
+  for (std::size_t axis = 0; axis < kMostSobolDimensions; ++axis) {
+    std::set<double> places;
+    for (const auto& point : points) {
+      EXPECT_EQ(point[axis] * 256, std::floor(point[axis] * 256));
+      places.insert(point[axis]);
+    }
+    EXPECT_EQ(places.size(), static_cast<std::size_t>(n)) << axis;
+  }
+}
+
+// Joe and Kuo's table new-joe-kuo-6.21201: s = 2, a = 1, m = {1, 3} for the third axis.
+TEST(SobolPoints, ThirdAxisHasJoeAndKuosDirectionNumbers) {
+  const auto points = SobolPoints(4, 3, 0);
+  const double third[] = {0.5, 0.25, 0.75, 0.625};
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(points[i][2], third[i]) << i;
 }
 
 TEST(SobolPoints, ShiftKeepsTheEvenSpread) {
@@ -53,7 +83,10 @@ TEST(Distribution, QuantilesAreThoseOfTheClosedForms) {
   EXPECT_NEAR(triangle.Quantile(1 - 1.0 / 12), 3, 1e-12);  // 1 - F = (4 - x)^2/12
   const double inf = std::numeric_limits<double>::infinity();
   const Distribution normal{Kind::kNormal, -inf, inf, 0, 10, 2};
-  EXPECT_NEAR(normal.Quantile(0.975), 10 + 2 * 1.959963985, 1e-6);
+  EXPECT_NEAR(normal.Quantile(0.975), 10 + 2 * 1.959963984540054, 1e-13);
+  EXPECT_NEAR(normal.Quantile(1e-9), 10 - 2 * 5.997807015007687, 1e-12);
+  EXPECT_EQ(normal.Quantile(0), -inf);
+  EXPECT_EQ(normal.Quantile(1), inf);
   const Distribution cut{Kind::kNormal, 9, 11, 0, 10, 2};
   EXPECT_NEAR(cut.Quantile(0.5), 10, 1e-9);
   EXPECT_NEAR(cut.Quantile(0), 9, 1e-9);

@@ -53,6 +53,22 @@ TEST(WorkerPool, EachRunIsMadeOnceWhateverTheNumberOfWorkers) {
   }
 }
 
+// Every run waits for the others, so that they are only made if all workers work at once. The limit
+// ends a pool that does not.
+TEST(WorkerPool, AllWorkersWorkAtOnce) {
+  constexpr int kWorkers = 4;
+  const ScratchDir dir;
+  Tally tally;
+  const auto events = Counting(&tally, [&](int run, int) -> Status {
+    std::ofstream(dir.File(std::to_string(run))) << run;
+    while (NamesIn(dir.path()).size() < kWorkers) usleep(1000);
+    return {};
+  });
+  const auto all = RunPool(Numbers(kWorkers), {.workers = kWorkers, .time_limit_s = 60}, events);
+  ASSERT_TRUE(all.ok() && all.value());
+  for (const auto& [run, reason] : tally.done) EXPECT_EQ(reason, "") << run;
+}
+
 TEST(WorkerPool, AWorkerThatDiesCostsItsRunAlone) {
   Tally tally;
   const auto events = Counting(&tally, [](int run, int) -> Status {

@@ -1,0 +1,82 @@
+#include "rail/simplified_theory.h"
+
+#include <cmath>
+#include <utility>
+
+#include "base/numbers.h"
+#include "rail/creep_table_cache.h"
+#include "rail/fastsim.h"
+#include "rail/kalker.h"
+
+namespace phs::rail {
+namespace {
+
+/// FASTSIM, or the table of it: `Source` gives the normalised force.
+template <typename Source>
+class SimplifiedTheoryLaw : public CreepLaw {
+ public:
+  SimplifiedTheoryLaw(const CreepLawParams& p, Source source)
+      : params_(p), curve_(p.material.poisson_ratio), source_(std::move(source)) {}
+  CreepForce Calc(const CreepInput& in) const noexcept override {
+    if (!InContact(in)) return {};
+    const double shear = params_.material.shear_modulus_Pa;
+    const KalkerCoefficients c = curve_.At(in.a / in.b);
+    CreepInput changed = in;
+    if (params_.slope_reduction.active()) {
+      changed = WithSlopeReduction(changed, c, shear, params_.slope_reduction);
+    }
+    if (params_.blended_flexibility) changed = WithBlendedFlexibility(changed, c, shear);
+    const NormalisedForce f = source_(Normalise(changed, c, shear, params_.elliptic_bound));
+    const double limit = in.friction * in.normal;
+    return WithoutDelivery(in, {limit * f.x, limit * f.y, limit * (in.a + in.b) * f.moment});
+  }
+  std::string name() const override { return params_.method; }
+
+ private:
+  CreepLawParams params_;
+  KalkerCurve curve_;
+  Source source_;
+};
+
+struct FastsimSource {
+  Fastsim fastsim;
+  NormalisedForce operator()(const NormalisedCreepage& c) const noexcept { return fastsim.Calc(c); }
+};
+struct TableSource {
+  std::shared_ptr<const CreepTable> table;
+  NormalisedForce operator()(const NormalisedCreepage& c) const noexcept { return table->At(c); }
+};
+
+FastsimParams GridOf(const CreepLawParams& p) {
+  return {p.fastsim_strips, p.fastsim_slices, p.elliptic_bound, FastsimCells::kStrip};
+}
+
+std::unique_ptr<CreepLaw> MakeFastsim(const CreepLawParams& p) {
+  return std::make_unique<SimplifiedTheoryLaw<FastsimSource>>(p, FastsimSource{Fastsim(GridOf(p))});
+}
+
+std::unique_ptr<CreepLaw> MakeTable(const CreepLawParams& p) {
+  return std::make_unique<SimplifiedTheoryLaw<TableSource>>(
+      p, TableSource{SharedCreepTable(GridOf(p), p.use_disk_cache)});
+}
+
+bool ReadGrid(const std::string& option, CreepLawParams* p) {
+  const auto cells = ParseNumber(option);
+  if (!cells || *cells != std::floor(*cells) || !(*cells >= 4 && *cells <= 200)) return false;
+  p->fastsim_strips = p->fastsim_slices = static_cast<int>(*cells);
+  return true;
+}
+
+CreepLawOption GridOption() { return {"N", "N = 4 … 200 strips and slices", ReadGrid}; }
+
+}  // namespace
+
+CreepLawRow FastsimRow() {
+  return {"fastsim", "FASTSIM, Kalker's simplified theory", GridOption(), MakeFastsim};
+}
+
+CreepLawRow KalkerTableRow() {
+  return {"kalker_table", "FASTSIM from a table", GridOption(), MakeTable};
+}
+
+}  // namespace phs::rail
