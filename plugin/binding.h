@@ -20,6 +20,7 @@
 #include "base/result.h"
 #include "hydraulics/phs_system.h"
 #include "phs_model/phs_model.h"
+#include "plugin/attach_options.h"
 #include "plugin/elements.h"
 #include "plugin/running_forces.h"
 #include "rail/creep_conditions.h"
@@ -33,23 +34,6 @@ inline constexpr int kMaxCylinders = 16;
 inline constexpr int kMaxLines = 16;
 inline constexpr int kMaxStates = 96;
 inline constexpr int kMaxChain = 64;  ///< freedoms of a wheelset and the bodies that carry it
-
-/// Overrides of what the model says in its <custom> section; empty or NaN = as in the model.
-struct AttachOptions {
-  std::string track;
-  std::string wheel_profile;
-  std::string rail_profile;
-  std::string creep_law;
-  std::string phs_model;              ///< replaces the model of every PHS system
-  rail::FrictionSettings friction;    ///< of wheel on rail
-  double speed_m_s = kUnset;          ///< target of the speed hold
-  double start_s_m = kUnset;          ///< arc length of the rearmost wheelset at the start
-  phs_model::PhsChanges phs_changes;  ///< parameters and failures of every PHS
-  RunningForces running;              ///< traction and braking
-  rail::TrackErrors track_errors;     ///< on top of the track file
-  rail::TreadWear wear;               ///< of every wheel
-  static constexpr double kUnset = -1;
-};
 
 /// One wheelset: its ids and the dofs that its wrench acts on.
 struct WheelsetBinding {

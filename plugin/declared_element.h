@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "plugin/elements.h"
+#include "plugin/element.h"
 
 namespace phs::plugin {
 

@@ -1,7 +1,7 @@
 // Springs and dampers that MuJoCo itself puts on joints and along tendons: linkages between axles.
 #pragma once
 
-#include "plugin/elements.h"
+#include "plugin/element.h"
 
 namespace phs::plugin {
 

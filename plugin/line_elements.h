@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "plugin/declared_element.h"
-#include "plugin/elements.h"
+#include "plugin/element.h"
 
 namespace phs::plugin {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/result.h"
-#include "plugin/binding.h"
+#include "plugin/attach_options.h"
 
 namespace phs::plugin {
 

@@ -19,6 +19,7 @@
 #include "sweep/outputs.h"
 #include "sweep/result_store.h"
 #include "sweep/sensitivity.h"
+#include "sweep/study_file.h"
 #include "sweep/sweep.h"
 
 namespace phs::cli {

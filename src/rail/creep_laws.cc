@@ -1,5 +1,5 @@
 #include "rail/creep_law.h"
-#include "rail/kalker.h"
+#include "rail/linear_creep.h"
 #include "rail/polach.h"
 #include "rail/simplified_theory.h"
 

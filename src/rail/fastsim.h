@@ -15,7 +15,7 @@
 
 #include <array>
 
-#include "rail/creep_law.h"
+#include "rail/creep.h"
 #include "rail/kalker.h"
 
 namespace phs::rail {

@@ -11,7 +11,7 @@
 // one source only and spot-checked with CONTACT to 2-3 %.
 #pragma once
 
-#include "rail/creep_law.h"
+#include "rail/creep.h"
 
 namespace phs::rail {
 
@@ -40,8 +40,5 @@ class KalkerCurve {
 /// The linear law above: no limit to the force.
 CreepForce CalcLinearCreep(const CreepInput& input, const KalkerCoefficients& c,
                            double shear_modulus) noexcept;
-
-/// The law by that name: the linear law above.
-CreepLawRow LinearCreepRow();
 
 }  // namespace phs::rail

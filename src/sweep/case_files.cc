@@ -241,15 +241,6 @@ class CaseBuilder {
 
 }  // namespace
 
-Status CheckAxisKey(const std::string& key) {
-  for (const char* prefix : {"scenario.", "track.", "model."}) {
-    const std::size_t length = std::string(prefix).size();
-    if (key.compare(0, length, prefix) == 0 && key.size() > length && key.back() != '.') return {};
-  }
-  return Error{"", Quoted(key) + " is no key of a run", "scenario.KEY, track.KEY, model.PARAMETER",
-               ""};
-}
-
 Result<std::string> WriteCaseFiles(const Study& study, int run, const std::string& folder) {
   return CaseBuilder(study, run, folder).Write();
 }

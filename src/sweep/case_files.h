@@ -8,9 +8,6 @@
 
 namespace phs::sweep {
 
-/// Whether `key` begins as an axis must (study.h).
-Status CheckAxisKey(const std::string& key);
-
 /// Writes scenario.yaml, and track.yaml and model.yaml where they differ from the base, into
 /// `folder`, which exists. `phs simulate FOLDER/scenario.yaml` then repeats the run. Returns the
 /// path of scenario.yaml. Errors name the axis.

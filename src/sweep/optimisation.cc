@@ -8,7 +8,7 @@
 
 #include "base/disk.h"
 #include "base/words.h"
-#include "sweep/case_files.h"
+#include "sweep/axis_key.h"
 
 namespace phs::sweep {
 namespace {

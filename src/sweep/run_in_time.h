@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "sweep/analyses.h"
+#include "sweep/analysis_row.h"
 
 namespace phs::sweep {
 

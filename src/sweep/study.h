@@ -59,8 +59,4 @@ struct Study {
 
 constexpr int kMostRuns = 1'000'000;
 
-/// Reads a study and lays out its runs. Errors name file:line and key. A first run is laid out and
-/// read as far as its files (case_files.h), so that a wrong key shows here.
-Result<Study> LoadStudy(const std::string& path);
-
 }  // namespace phs::sweep

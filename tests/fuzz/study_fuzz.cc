@@ -1,6 +1,6 @@
 // Sweep studies.
 #include "one_input.h"
-#include "sweep/study.h"
+#include "sweep/study_file.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   phs::fuzz::ExpectValueOrLine(

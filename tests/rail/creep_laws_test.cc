@@ -15,7 +15,9 @@ namespace {
 TEST(CreepLaws, EachIsMadeByItsName) {
   std::set<std::string> names;
   for (const CreepLawRow& row : CreepLaws()) {
-    CreepLawParams params{.method = row.name, .use_disk_cache = false};
+    CreepLawParams params;
+    params.method = row.name;
+    params.use_disk_cache = false;
     const auto law = CreateCreepLaw(params);
     ASSERT_TRUE(law.ok()) << row.name;
     EXPECT_EQ(law.value()->name(), row.name);
@@ -27,7 +29,8 @@ TEST(CreepLaws, EachIsMadeByItsName) {
 TEST(CreepLaws, AnOptionIsReadOrRefusedAsItsRowSays) {
   int with_option = 0;
   for (const CreepLawRow& row : CreepLaws()) {
-    const CreepLawParams before{.method = "none of them"};
+    CreepLawParams before;
+    before.method = "none of them";
     CreepLawParams params = before;
     const Status empty = ChooseCreepLaw(row.name + ":", &params);
     ASSERT_FALSE(empty.ok());

@@ -11,7 +11,7 @@
 #include <string>
 
 #include "base/json_path.h"
-#include "sweep/study.h"
+#include "sweep/study_file.h"
 #include "tests/sweep/sweep_folder.h"
 
 namespace phs::sweep {

@@ -1,5 +1,3 @@
-#include "sweep/study.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -9,6 +7,7 @@
 #include "base/result_dir.h"
 #include "sweep/case_files.h"
 #include "sweep/outputs.h"
+#include "sweep/study_file.h"
 #include "tests/base/scratch_dir.h"
 
 namespace phs::sweep {

@@ -1,4 +1,4 @@
-#include "sweep/study.h"
+#include "sweep/study_file.h"
 
 #include <fmt/format.h>
 
@@ -11,6 +11,7 @@
 #include "base/result_dir.h"
 #include "base/table.h"
 #include "base/words.h"
+#include "sweep/axis_key.h"
 #include "sweep/case_files.h"
 #include "sweep/outputs.h"
 
