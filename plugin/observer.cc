@@ -14,7 +14,7 @@ int HeaviestBody(const mjModel* m) {
 std::vector<ChannelKind> ChannelKinds() {
   return {{"run", "", RunChannels()},
           {"wheelset", "WHEELSET_", WheelsetChannels()},
-          {"wheel", "WHEELSET_left_, WHEELSET_right_", WheelChannels()},
+          {"wheel", "WHEEL_", WheelChannels()},
           {"bogie", "(BOGIE_)", BogieChannels()},
           {"cylinder", "(PHS_)cylinder_NAME_", CylinderChannels()},
           {"line", "(PHS_)line_NAME_", LineChannels()},

@@ -1,8 +1,9 @@
-// A damper between two sites in a whole run: the books close, a locomotive has it on both bogies.
+// A damper between two sites in a whole run: the books know it, a locomotive has it on both bogies.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 
@@ -15,23 +16,18 @@ namespace {
 
 constexpr char kFolder[] = PHS_SOURCE_DIR "/bogie_xml/";
 
-void Replace(std::string* text, const std::string& from, const std::string& to) {
-  for (size_t at = text->find(from); at != std::string::npos;
-       at = text->find(from, at + to.size())) {
-    text->replace(at, from.size(), to);
-  }
-}
-
 /// The PHS bogie with a damper beside cylinder 1.
 std::string DampedBogie(const ScratchDir& dir, const std::string& data) {
   std::ifstream file(std::string(kFolder) + "phs.xml");
   std::string text{std::istreambuf_iterator<char>(file), {}};
-  Replace(&text, "file=\"shared/", std::string("file=\"") + kFolder + "shared/");
-  Replace(&text, "<custom>",
-          "<custom><tuple name=\"damper:box\"><element objtype=\"site\" "
-          "objname=\"lead_left_bracket\"/><element objtype=\"site\" objname=\"lead_left_box\"/>"
-          "</tuple><text name=\"damper:box\" data=\"" +
-              data + "\"/>");
+  std::filesystem::create_directory_symlink(std::string(kFolder) + "shared", dir.File("shared"));
+  const std::string custom = "<custom>";
+  text.replace(
+      text.find(custom), custom.size(),
+      "<custom><tuple name=\"damper:box\"><element objtype=\"site\" "
+      "objname=\"lead_left_bracket\"/><element objtype=\"site\" objname=\"lead_left_box\"/>"
+      "</tuple><text name=\"damper:box\" data=\"" +
+          data + "\"/>");
   return dir.Write("damped.xml", text);
 }
 
@@ -54,7 +50,7 @@ double Greatest(const RunOutcome& run, const std::string& channel) {
   return greatest;
 }
 
-TEST(DamperRunTest, ItsLossStandsInTheBooksAndTheyClose) {
+TEST(DamperRunTest, TheBooksKnowWhatItLoses) {
   const ScratchDir dir;
   const std::string bogie =
       DampedBogie(dir, "damping_Ns_per_m=4e5 relief_N=1500 relief_damping_Ns_per_m=1e4");
@@ -62,8 +58,10 @@ TEST(DamperRunTest, ItsLossStandsInTheBooksAndTheyClose) {
   const RunOutcome with = Execute(bogie, "bogie", 4);
   EXPECT_EQ(without.Find("damper_box_force_N"), -1);
   EXPECT_GT(Greatest(with, "damper_box_force_N"), 300);
-  EXPECT_GT(with.energy.lost_dampers, without.energy.lost_dampers + 0.5);
-  EXPECT_LT(std::abs(with.energy.RelativeError()), 1e-4);
+  const double lost = with.energy.lost_dampers - without.energy.lost_dampers;
+  EXPECT_GT(lost, 4);
+  // What the start in a transition leaves over is there without the damper, too.
+  EXPECT_NEAR(with.energy.Error(), without.energy.Error(), 0.01 * lost);
 }
 
 TEST(DamperRunTest, ALocomotiveHasItOnBothBogies) {
