@@ -11,54 +11,40 @@ constexpr double kPartnerStep = 0.1e-3;  ///< [m]
 constexpr double kHalfPatch = 3e-3;      ///< arc length [m]
 constexpr double kFlattest = 0.05;       ///< conformal regions carry a wide but finite patch [1/m]
 
-/// Where the wheel falls most steeply inwards.
-double FlangeOf(const Profile& wheel) {
-  double flange = wheel.min_y() + kHalfPatch;
-  for (double y = flange; y < wheel.max_y() - kHalfPatch; y += kPartnerStep) {
-    if (wheel.At(y).slope < wheel.At(flange).slope) flange = y;
-  }
-  return flange;
+/// The rail point with the wheel's slope, from the rail's inner end outwards; where none is so
+/// steep, the end.
+double PartnerOf(const Profile& rail, double slope) {
+  double y = rail.min_y() + kHalfPatch;
+  while (y < rail.max_y() - kHalfPatch && rail.At(y).slope < slope) y += kPartnerStep;
+  return y;
 }
 
-/// From the flange outwards: the first wheel point that is no steeper than the rail; if there is
-/// none, the flattest.
-double PartnerOf(const Profile& wheel, double flange, double slope) {
-  double partner = flange;
-  double flattest = wheel.At(partner).slope;
-  for (double y = flange; y < wheel.max_y() - kHalfPatch && flattest < slope; y += kPartnerStep) {
-    const double there = wheel.At(y).slope;
-    if (there > flattest) {
-      flattest = there;
-      partner = y;
-    }
-  }
-  return partner;
-}
-
-/// Mean curvature over the width, from the second difference normal to the surface.
+/// Mean curvature over the width: the turn of the surface over its arc length.
 double MeanCurvature(const Profile& p, double y) {
   const double slope = p.At(y).slope;
-  const double cosine = 1 / std::sqrt(1 + slope * slope);
-  const double dy = kHalfPatch * cosine;
-  return (p.At(y + dy).z + p.At(y - dy).z - 2 * p.At(y).z) * cosine / (kHalfPatch * kHalfPatch);
+  const double dy = kHalfPatch / std::sqrt(1 + slope * slope);
+  const double from = y - dy;
+  const double to = y + dy;
+  const double arc = std::hypot(2 * dy, p.At(to).z - p.At(from).z);
+  const double turn = std::atan(p.At(to).slope) - std::atan(p.At(from).slope);
+  return turn / arc;
 }
 
 }  // namespace
 
 ContactBed::ContactBed(const Profile& wheel, const Profile& rail, double radius,
                        const Hertz& hertz) {
-  const int pieces = static_cast<int>(std::ceil((rail.max_y() - rail.min_y()) / kStep));
-  begin_ = rail.min_y();
-  per_step_ = pieces / (rail.max_y() - begin_);
+  const int pieces = static_cast<int>(std::ceil((wheel.max_y() - wheel.min_y()) / kStep));
+  begin_ = wheel.min_y();
+  per_step_ = pieces / (wheel.max_y() - begin_);
   last_ = pieces - 1e-9;
-  const double flange = FlangeOf(wheel);
   std::vector<double> raw;
   for (int i = 0; i <= pieces; ++i) {
     const double y = begin_ + i / per_step_;
-    const double slope = rail.At(y).slope;
+    const Profile::Sample s = wheel.At(y);
     const double across =
-        0.5 * (MeanCurvature(rail, y) - MeanCurvature(wheel, PartnerOf(wheel, flange, slope)));
-    const double along = 0.5 / (radius * std::sqrt(1 + slope * slope));
+        0.5 * (MeanCurvature(rail, PartnerOf(rail, s.slope)) - MeanCurvature(wheel, y));
+    const double along = 0.5 / ((radius + s.z) * std::sqrt(1 + s.slope * s.slope));
     raw.push_back(hertz.BedModulus(along, std::max(across, kFlattest)));
   }
   const int half = static_cast<int>(std::lround(kHalfPatch * per_step_));

@@ -208,7 +208,7 @@ ContactSearch::Moments ContactSearch::Integrate(const Axle& a, const Hump& hump)
     const Profile::Sample r = rail_.At(y[k]);
     rail_z[k] = r.z;
     rail_slope[k] = r.slope;
-    bed[k] = bed_.At(y[k]);
+    bed[k] = bed_.At(at[k]);
   }
   Moments m;
   for (int k = 0; k < kNodes; ++k) {
