@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kStep = 0.125e-3;       ///< of the table [m]
 constexpr double kPartnerStep = 0.1e-3;  ///< [m]
-constexpr double kHalfPatch = 3e-3;      ///< arc length [m]
+constexpr double kHalfPatch = 1.5e-3;  ///< half-width of a patch in the flange root, arc length [m]
 constexpr double kFlattest = 0.05;       ///< conformal regions carry a wide but finite patch [1/m]
 
 /// The rail point with the wheel's slope, from the rail's inner end outwards; where none is so
@@ -38,24 +38,29 @@ ContactBed::ContactBed(const Profile& wheel, const Profile& rail, double radius,
   begin_ = wheel.min_y();
   per_step_ = pieces / (wheel.max_y() - begin_);
   last_ = pieces - 1e-9;
-  std::vector<double> raw;
+  std::vector<double> raw, arc{0};
   for (int i = 0; i <= pieces; ++i) {
     const double y = begin_ + i / per_step_;
     const Profile::Sample s = wheel.At(y);
+    const double stretch = std::sqrt(1 + s.slope * s.slope);
     const double across =
         0.5 * (MeanCurvature(rail, PartnerOf(rail, s.slope)) - MeanCurvature(wheel, y));
-    const double along = 0.5 / ((radius + s.z) * std::sqrt(1 + s.slope * s.slope));
+    const double along = 0.5 / ((radius + s.z) * stretch);
     raw.push_back(hertz.BedModulus(along, std::max(across, kFlattest)));
+    arc.push_back(arc.back() + stretch / per_step_);
   }
-  const int half = static_cast<int>(std::lround(kHalfPatch * per_step_));
-  for (int i = 0; i <= pieces; ++i) {
+  for (size_t i = 0; i < raw.size(); ++i) {
     double sum = 0;
     double weights = 0;
-    for (int j = std::max(0, i - half); j <= std::min(pieces, i + half); ++j) {
-      const double weight = 1 - std::abs(j - i) / (1.0 + half);
-      sum += weight * raw[static_cast<size_t>(j)];
+    const auto add = [&](size_t j) {
+      const double weight = 1 - std::abs(arc[j] - arc[i]) / kHalfPatch;
+      if (!(weight > 0)) return false;
+      sum += weight * raw[j];
       weights += weight;
-    }
+      return true;
+    };
+    for (size_t j = i; j < raw.size() && add(j); ++j) continue;
+    for (size_t j = i; j > 0 && add(j - 1); --j) continue;
     bed_.push_back(sum / weights);
   }
 }

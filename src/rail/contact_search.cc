@@ -165,6 +165,7 @@ double ContactSearch::EdgeOfRun(const Axle& axle, const Samples& s, int sample,
 void ContactSearch::Moments::Add(const Moments& m) {
   i += m.i;
   square += m.square;
+  fourth += m.fourth;
   bend += m.bend;
   load += m.load;
   wheel += m.wheel;
@@ -215,13 +216,17 @@ ContactSearch::Moments ContactSearch::Integrate(const Axle& a, const Hump& hump)
     const double h = std::max(z[k] - rail_z[k], 0.0);
     const double part = h * dy[k] * half * kWeight[k];
     const double square = 1 / (1 + rail_slope[k] * rail_slope[k]);  // c^2
-    const double depth = part * std::sqrt(square);
+    const double cosine = std::sqrt(square);
+    const double depth = part * cosine;
+    const double depth_of = h * cosine;
     const double turned = (slope[k] - rail_slope[k]) * square;
     const double push_z = bed[k] * depth;
     const double push_y = -slope[k] * push_z;
     m.i += part;
     m.square += depth * h;
-    m.bend += part * turned * turned;
+    const double cube = part * depth_of * depth_of;
+    m.bend += cube * turned * turned;
+    m.fourth += cube * depth_of;
     m.load += bed[k] * part;
     m.wheel += bed[k] * part * at[k];
     m.energy += 0.5 * push_z * h;
@@ -252,7 +257,7 @@ void ContactSearch::Describe(const Axle& a, const Moments& m, Overlap* patch) co
   p.energy = m.energy;
   p.slope = -m.push_y / m.push_z;
   p.depth = 1.25 * m.square / m.i;
-  p.across = std::max(m.bend / m.square, kFlattest);
+  p.across = std::max(2 * m.bend / m.fourth, kFlattest);
 }
 
 void ContactSearch::Find(const WheelPlacement& wheel, double rail_y, double rail_z,

@@ -125,7 +125,7 @@ class ContactSearch {
   };
   /// Integrals over a hump, additive.
   struct Moments {
-    double i = 0, square = 0, bend = 0;  ///< I, J, S
+    double i = 0, square = 0, fourth = 0, bend = 0;  ///< I, J, Q, S
     double load = 0, wheel = 0, energy = 0;
     double push_y = 0, push_z = 0, turn_x = 0, turn_y = 0, turn_z = 0;
     void Add(const Moments& m);
