@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kStep = 0.125e-3;       ///< of the table [m]
 constexpr double kPartnerStep = 0.1e-3;  ///< [m]
-constexpr double kHalfPatch = 1.5e-3;  ///< half-width of a patch in the flange root, arc length [m]
+constexpr double kHalfPatch = 0.5e-3;  ///< half-width of a patch in the flange root, arc length [m]
 constexpr double kFlattest = 0.05;       ///< conformal regions carry a wide but finite patch [1/m]
 
 /// The rail point with the wheel's slope, from the rail's inner end outwards; where none is so

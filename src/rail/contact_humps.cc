@@ -7,9 +7,7 @@
 namespace phs::rail {
 namespace {
 
-///< of the table for the samples [m]
-/// A hump between samples rises above them by less than B step^2/4; B = 1/(12 mm) at most.
-constexpr double kNear = 0.1e-3;
+constexpr double kMostRoll = 0.06;  ///< and other differences of slope at a contact [rad]
 /// Humps whose ridge is this near to the shallower one are one hump.
 constexpr double kSameHump = 0.98;
 constexpr int kMaxRidges = 12;
@@ -22,6 +20,36 @@ double SmoothStep(double x) {
 }
 
 }  // namespace
+
+void ContactSearch::MeasureMargins() {
+  // Where a hump is deepest the slopes of wheel and rail agree, but for the roll; it rises above
+  // the samples on both sides by less than its curvature times the square of their distance/8.
+  constexpr double kFineStep = 0.1e-3;
+  const auto bend = [](const Profile::Sample& s) {
+    return s.second / std::pow(1 + s.slope * s.slope, 1.5);
+  };
+  for (int i = 0; i < samples_; ++i) {
+    double least = 1e9;
+    double most = -1e9;
+    double wheel_bend = 0;
+    double arc = 0;
+    for (double y = WheelY(i); y <= WheelY(i + 1); y += kFineStep) {
+      const Profile::Sample s = wheel_.At(y);
+      least = std::min(least, std::atan(s.slope) - kMostRoll);
+      most = std::max(most, std::atan(s.slope) + kMostRoll);
+      wheel_bend = std::max(wheel_bend, -bend(s));
+      arc += kFineStep * std::sqrt(1 + s.slope * s.slope);
+    }
+    double rail_bend = 0;
+    for (double y = rail_.min_y(); y <= rail_.max_y(); y += kFineStep) {
+      const Profile::Sample s = rail_.At(y);
+      if (std::atan(s.slope) >= least && std::atan(s.slope) <= most) {
+        rail_bend = std::max(rail_bend, bend(s));
+      }
+    }
+    margin_.push_back(0.125 * (wheel_bend + rail_bend) * arc * arc);
+  }
+}
 
 double ContactSearch::DeepestNear(const Axle& axle, double low, double high) const noexcept {
   // The slopes of wheel and rail agree: false position that does not get stuck (Illinois).
@@ -65,10 +93,9 @@ void ContactSearch::FindHumps(const Axle& axle, const Samples& s, Humps* humps) 
     }
     // A hump between samples: this one is nearest and does not quite touch.
     const bool inside = i > s.first && i < s.last;
-    if (!inside || s.depth[i] < -kNear || s.depth[i - 1] > s.depth[i] ||
-        s.depth[i + 1] >= s.depth[i]) {
-      continue;
-    }
+    if (!inside || s.depth[i - 1] > s.depth[i] || s.depth[i + 1] >= s.depth[i]) continue;
+    const auto k = static_cast<size_t>(i);
+    if (s.depth[i] < -std::max(margin_[k - 1], margin_[k])) continue;
     const double middle = DeepestNear(axle, WheelY(i - 1), WheelY(i + 1));
     const Locus l = LocusAt(axle, middle);
     if (!(l.overlap > 0)) continue;

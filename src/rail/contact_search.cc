@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace phs::rail {
 namespace {
@@ -39,7 +40,8 @@ ContactSearch::ContactSearch(Profile wheel, Profile rail, double half_tape, doub
       rail_(std::move(rail)),
       half_tape_(half_tape),
       radius_(radius),
-      bed_(wheel_, rail_, radius, hertz) {
+      bed_(wheel_, rail_, radius, hertz),
+      compliance_(1 / (std::numbers::pi * hertz.modulus())) {
   const double width = wheel_.max_y() - wheel_.min_y();
   begin_ = wheel_.min_y();
   samples_ = std::clamp(static_cast<int>(std::ceil(width / kWheelStep)) + 1, 2, kMaxSamples);
@@ -52,6 +54,7 @@ ContactSearch::ContactSearch(Profile wheel, Profile rail, double half_tape, doub
     radius_square_.push_back(0.5 * r * s.slope * s.slope);
     cosine_at_.push_back(1 / std::sqrt(1 + s.slope * s.slope));
   }
+  MeasureMargins();
   const double rail_width = rail_.max_y() - rail_.min_y();
   const int pieces = static_cast<int>(std::ceil(rail_width / kRailStep));
   rail_begin_ = rail_.min_y();
@@ -177,6 +180,23 @@ void ContactSearch::Moments::Add(const Moments& m) {
   turn_z += m.turn_z;
 }
 
+void ContactSearch::Moments::Scale(double share, double energy_share) {
+  const double force = share * std::sqrt(share);
+  i *= force;
+  square *= force * share;
+  const double power = force * share * share * share;
+  fourth *= power;
+  bend *= power;
+  load *= force;
+  wheel *= force;
+  energy *= energy_share;
+  push_y *= force;
+  push_z *= force;
+  turn_x *= force;
+  turn_y *= force;
+  turn_z *= force;
+}
+
 ContactSearch::Moments ContactSearch::Integrate(const Axle& a, const Hump& hump) const noexcept {
   const double middle = 0.5 * (hump.begin + hump.end);
   const double half = 0.5 * (hump.end - hump.begin);
@@ -271,6 +291,7 @@ void ContactSearch::Find(const WheelPlacement& wheel, double rail_y, double rail
   found->axle = {axle.ex, axle.ey, axle.ez};
   Moments moments[kMaxHumps];
   for (int k = 0; k < humps.count; ++k) moments[k] = Integrate(axle, humps.hump[k]);
+  if (humps.count > 1) Couple(axle, humps, moments);
   // Every way of reading neighbours as one patch, with its weight.
   for (int from = 0; from < humps.count; ++from) {
     Moments sum;

@@ -31,6 +31,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include "rail/contact_bed.h"
@@ -129,12 +130,16 @@ class ContactSearch {
     double load = 0, wheel = 0, energy = 0;
     double push_y = 0, push_z = 0, turn_x = 0, turn_y = 0, turn_z = 0;
     void Add(const Moments& m);
+    /// Of the same hump with `share` of its depth and `energy` of its energy.
+    void Scale(double share, double energy_share);
+    double push() const { return std::sqrt(push_y * push_y + push_z * push_z); }
   };
   struct Samples {
     int first, last;
     double depth[kMaxSamples];  ///< h times the cosine of the wheel's slope: normal depth
   };
 
+  void MeasureMargins();
   Axle PlaceAxle(const WheelPlacement& wheel, double rail_y, double rail_z) const noexcept;
   Locus LocusAt(const Axle& axle, double wheel_y) const noexcept;
   void Sample(const Axle& axle, Samples* samples) const noexcept;
@@ -148,6 +153,10 @@ class ContactSearch {
   void SplitRun(const Axle& axle, const Samples& samples, int begin, int end,
                 Humps* humps) const noexcept;
   Moments Integrate(const Axle& axle, const Hump& hump) const noexcept;
+  /// Depression of each of two humps per load on the other [m/N].
+  double Mutual(const Axle& axle, const Moments& a, const Moments& b) const noexcept;
+  /// Lets the humps lower each other.
+  void Couple(const Axle& axle, const Humps& humps, Moments* moments) const noexcept;
   void Describe(const Axle& axle, const Moments& moments, Overlap* patch) const noexcept;
   double WheelY(int sample) const { return begin_ + step_ * sample; }
 
@@ -156,11 +165,13 @@ class ContactSearch {
   double half_tape_;
   double radius_;
   ContactBed bed_;
+  double compliance_;  ///< of the half-space, 1/(pi E*) [1/Pa]
   double begin_;  ///< first sampled wheel position [m]
   double step_;
   int samples_;
   /// [sample] of the wheel: R, R t, R t^2/2, cosine of the slope.
   std::vector<double> radius_at_, radius_slope_, radius_square_, cosine_at_;
+  std::vector<double> margin_;  ///< [sample] what a hump before the next may rise above both [m]
   double rail_begin_, rail_per_step_;
   std::vector<double> rail_z_;  ///< fine equidistant table for the samples
 };
