@@ -20,9 +20,9 @@ class ContactBed {
  public:
   /// @param radius of the wheel at its profile's origin [m]
   ContactBed(const Profile& wheel, const Profile& rail, double radius, const Hertz& hertz);
-  /// K at a place of the wheel profile [Pa].
-  double At(double wheel_y) const noexcept {
-    const double place = std::clamp((wheel_y - begin_) * per_step_, 0.0, last_);
+  /// K at a place of the rail profile [Pa].
+  double At(double rail_y) const noexcept {
+    const double place = std::clamp((rail_y - begin_) * per_step_, 0.0, last_);
     const auto i = static_cast<size_t>(place);
     return bed_[i] + (place - static_cast<double>(i)) * (bed_[i + 1] - bed_[i]);
   }

@@ -184,7 +184,7 @@ void ContactSearch::FindPoints(const WheelPlacement& wheel, double rail_y, doubl
     p.depth = l.overlap / std::sqrt(1 + l.rail_slope * l.rail_slope);
     p.radius = radius_ + wheel_.At(at).z;
     p.across = kUsual;
-    const double push = bed_.At(at) * 4.0 / 3 * p.depth * std::sqrt(p.depth / p.across);
+    const double push = bed_.At(l.y) * 4.0 / 3 * p.depth * std::sqrt(p.depth / p.across);
     p.push = {0, -push * p.slope, push};
     p.weight = 1;
   }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace phs::rail {
 namespace {
@@ -40,8 +39,7 @@ ContactSearch::ContactSearch(Profile wheel, Profile rail, double half_tape, doub
       rail_(std::move(rail)),
       half_tape_(half_tape),
       radius_(radius),
-      bed_(wheel_, rail_, radius, hertz),
-      compliance_(1 / (std::numbers::pi * hertz.modulus())) {
+      bed_(wheel_, rail_, radius, hertz) {
   const double width = wheel_.max_y() - wheel_.min_y();
   begin_ = wheel_.min_y();
   samples_ = std::clamp(static_cast<int>(std::ceil(width / kWheelStep)) + 1, 2, kMaxSamples);
@@ -165,38 +163,6 @@ double ContactSearch::EdgeOfRun(const Axle& axle, const Samples& s, int sample,
   return EdgeBetween(axle, inside, outside, inside + share * (outside - inside));
 }
 
-void ContactSearch::Moments::Add(const Moments& m) {
-  i += m.i;
-  square += m.square;
-  fourth += m.fourth;
-  bend += m.bend;
-  load += m.load;
-  wheel += m.wheel;
-  energy += m.energy;
-  push_y += m.push_y;
-  push_z += m.push_z;
-  turn_x += m.turn_x;
-  turn_y += m.turn_y;
-  turn_z += m.turn_z;
-}
-
-void ContactSearch::Moments::Scale(double share, double energy_share) {
-  const double force = share * std::sqrt(share);
-  i *= force;
-  square *= force * share;
-  const double power = force * share * share * share;
-  fourth *= power;
-  bend *= power;
-  load *= force;
-  wheel *= force;
-  energy *= energy_share;
-  push_y *= force;
-  push_z *= force;
-  turn_x *= force;
-  turn_y *= force;
-  turn_z *= force;
-}
-
 ContactSearch::Moments ContactSearch::Integrate(const Axle& a, const Hump& hump) const noexcept {
   const double middle = 0.5 * (hump.begin + hump.end);
   const double half = 0.5 * (hump.end - hump.begin);
@@ -229,7 +195,7 @@ ContactSearch::Moments ContactSearch::Integrate(const Axle& a, const Hump& hump)
     const Profile::Sample r = rail_.At(y[k]);
     rail_z[k] = r.z;
     rail_slope[k] = r.slope;
-    bed[k] = bed_.At(at[k]);
+    bed[k] = bed_.At(y[k]);
   }
   Moments m;
   for (int k = 0; k < kNodes; ++k) {
@@ -289,25 +255,23 @@ void ContactSearch::Find(const WheelPlacement& wheel, double rail_y, double rail
   FindHumps(axle, samples, &humps);
   found->count = 0;
   found->axle = {axle.ex, axle.ey, axle.ez};
-  Moments moments[kMaxHumps];
-  for (int k = 0; k < humps.count; ++k) moments[k] = Integrate(axle, humps.hump[k]);
-  if (humps.count > 1) Couple(axle, humps, moments);
   // Every way of reading neighbours as one patch, with its weight.
   for (int from = 0; from < humps.count; ++from) {
-    Moments sum;
+    Hump hump = humps.hump[from];
     double weight = from > 0 ? 1 - humps.hump[from - 1].merge_next : 1;
-    bool at_end = false;
     for (int to = from; to < humps.count && weight > 0; ++to) {
-      sum.Add(moments[to]);
-      at_end = at_end || humps.hump[to].at_end;
+      hump.end = humps.hump[to].end;
+      hump.at_end = hump.at_end || humps.hump[to].at_end;
       const double merge = humps.hump[to].merge_next;
       const double share = weight * (1 - merge);
       weight *= merge;
-      if (!(share > 0) || !(sum.i > 0)) continue;
+      if (!(share > 0)) continue;
+      const Moments sum = Integrate(axle, hump);
+      if (!(sum.i > 0)) continue;
       Overlap& patch = found->patch[static_cast<size_t>(found->count++)];
       Describe(axle, sum, &patch);
       patch.weight = share;
-      patch.at_end = at_end || patch.wheel_y < wheel_.min_y() + kEnd ||
+      patch.at_end = hump.at_end || patch.wheel_y < wheel_.min_y() + kEnd ||
                      patch.wheel_y > wheel_.max_y() - kEnd || patch.y < rail_.min_y() + kEnd ||
                      patch.y > rail_.max_y() - kEnd;
     }

@@ -31,7 +31,6 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 #include <vector>
 
 #include "rail/contact_bed.h"
@@ -124,15 +123,11 @@ class ContactSearch {
     int count = 0;
     Hump hump[kMaxHumps];
   };
-  /// Integrals over a hump, additive.
+  /// Integrals over a hump.
   struct Moments {
     double i = 0, square = 0, fourth = 0, bend = 0;  ///< I, J, Q, S
     double load = 0, wheel = 0, energy = 0;
     double push_y = 0, push_z = 0, turn_x = 0, turn_y = 0, turn_z = 0;
-    void Add(const Moments& m);
-    /// Of the same hump with `share` of its depth and `energy` of its energy.
-    void Scale(double share, double energy_share);
-    double push() const { return std::sqrt(push_y * push_y + push_z * push_z); }
   };
   struct Samples {
     int first, last;
@@ -153,10 +148,6 @@ class ContactSearch {
   void SplitRun(const Axle& axle, const Samples& samples, int begin, int end,
                 Humps* humps) const noexcept;
   Moments Integrate(const Axle& axle, const Hump& hump) const noexcept;
-  /// Depression of each of two humps per load on the other [m/N].
-  double Mutual(const Axle& axle, const Moments& a, const Moments& b) const noexcept;
-  /// Lets the humps lower each other.
-  void Couple(const Axle& axle, const Humps& humps, Moments* moments) const noexcept;
   void Describe(const Axle& axle, const Moments& moments, Overlap* patch) const noexcept;
   double WheelY(int sample) const { return begin_ + step_ * sample; }
 
@@ -165,7 +156,6 @@ class ContactSearch {
   double half_tape_;
   double radius_;
   ContactBed bed_;
-  double compliance_;  ///< of the half-space, 1/(pi E*) [1/Pa]
   double begin_;  ///< first sampled wheel position [m]
   double step_;
   int samples_;

@@ -32,7 +32,6 @@ class Hertz {
   /// Bed of springs with Hertz's force, N = K I, on the area I = 4/3 approach^1.5/sqrt(B) by which
   /// the parabolas overlap across. K depends on E* and B/A alone [Pa].
   double BedModulus(double along, double across) const noexcept;
-  double modulus() const { return modulus_; }  ///< E* [Pa]
   /// Approach under a load [m].
   double ApproachUnder(double normal, double along, double across) const noexcept;
 
