@@ -13,17 +13,12 @@ constexpr double kEnd = 0.5e-3;  ///< contact this near to an end is at the end 
 /// Flattest relative curvature across: conformal regions carry a wide but finite patch.
 constexpr double kFlattest = 0.05;
 
-/// Sixteen-point Gauss-Legendre rule on [-1, 1].
-constexpr double kNode[] = {
-    -0.9894009349916499, -0.9445750230732326, -0.8656312023878318, -0.7554044083550030,
-    -0.6178762444026438, -0.4580167776572274, -0.2816035507792589, -0.0950125098376374,
-    0.0950125098376374,  0.2816035507792589,  0.4580167776572274,  0.6178762444026438,
-    0.7554044083550030,  0.8656312023878318,  0.9445750230732326,  0.9894009349916499};
-constexpr double kWeight[] = {
-    0.0271524594117541, 0.0622535239386478, 0.0951585116824929, 0.1246289712555339,
-    0.1495959888165768, 0.1691565193950026, 0.1826034150449236, 0.1894506104550685,
-    0.1894506104550685, 0.1826034150449236, 0.1691565193950026, 0.1495959888165768,
-    0.1246289712555339, 0.0951585116824929, 0.0622535239386478, 0.0271524594117541};
+/// Panels of the wheel's profile that overlap is integrated over, four-point Gauss-Legendre on [0,1].
+constexpr int kSamplesPerPanel = 2;
+constexpr double kNode[] = {0.0694318442029737, 0.3300094782075719, 0.6699905217924281,
+                            0.9305681557970263};
+constexpr double kWeight[] = {0.1739274225687269, 0.3260725774312731, 0.3260725774312731,
+                              0.1739274225687269};
 
 /// beta = sqrt(1 - x^2); |x| <= 0.3 for slopes up to 6 and yaw up to 50 mrad, error below 1e-9.
 double RootOfRest(double square) {
@@ -51,6 +46,11 @@ ContactSearch::ContactSearch(Profile wheel, Profile rail, double half_tape, doub
     radius_slope_.push_back(r * s.slope);
     radius_square_.push_back(0.5 * r * s.slope * s.slope);
     cosine_at_.push_back(1 / std::sqrt(1 + s.slope * s.slope));
+  }
+  panel_ = kSamplesPerPanel * step_;
+  for (int k = 0; k < static_cast<int>(samples_ / kSamplesPerPanel) * kPanelNodes; ++k) {
+    const double at = begin_ + panel_ * (k / kPanelNodes + kNode[k % kPanelNodes]);
+    node_.push_back(NodeAt(at, panel_ * kWeight[k % kPanelNodes]));
   }
   MeasureMargins();
   const double rail_width = rail_.max_y() - rail_.min_y();
@@ -163,44 +163,80 @@ double ContactSearch::EdgeOfRun(const Axle& axle, const Samples& s, int sample,
   return EdgeBetween(axle, inside, outside, inside + share * (outside - inside));
 }
 
-ContactSearch::Moments ContactSearch::Integrate(const Axle& a, const Hump& hump) const noexcept {
-  const double middle = 0.5 * (hump.begin + hump.end);
-  const double half = 0.5 * (hump.end - hump.begin);
-  // Pass by pass, so that the arithmetic between the look-ups is done two nodes at a time.
-  double at[kNodes], radius[kNodes], slope[kNodes], second[kNodes];
-  double x[kNodes], y[kNodes], z[kNodes], dy[kNodes];
-  double rail_z[kNodes], rail_slope[kNodes], bed[kNodes];
-  for (int k = 0; k < kNodes; ++k) {
-    at[k] = middle + half * kNode[k];
-    const Profile::Sample s = wheel_.At(at[k]);
-    radius[k] = radius_ + s.z;
-    slope[k] = s.slope;
-    second[k] = s.second;
+void ContactSearch::Moments::Add(const Moments& m) {
+  i += m.i;
+  square += m.square;
+  fourth += m.fourth;
+  bend += m.bend;
+  load += m.load;
+  wheel += m.wheel;
+  energy += m.energy;
+  push_y += m.push_y;
+  push_z += m.push_z;
+  turn_x += m.turn_x;
+  turn_y += m.turn_y;
+  turn_z += m.turn_z;
+}
+
+ContactSearch::Node ContactSearch::NodeAt(double at, double weight) const noexcept {
+  const Profile::Sample s = wheel_.At(at);
+  return {at, radius_ + s.z, s.slope, s.second, weight};
+}
+
+int ContactSearch::NodesOf(const Hump& hump, Node* nodes) const noexcept {
+  int count = 0;
+  const auto part = [&](double from, double to) {
+    for (int k = 0; k < kPanelNodes; ++k) {
+      nodes[count++] = NodeAt(from + (to - from) * kNode[k], (to - from) * kWeight[k]);
+    }
+  };
+  // Whole panels keep their places, so that nothing jumps when an end wanders.
+  const int first = static_cast<int>(std::ceil((hump.begin - begin_) / panel_));
+  const int last = std::min(static_cast<int>((hump.end - begin_) / panel_),
+                            static_cast<int>(node_.size()) / kPanelNodes);
+  if (last < first) {
+    part(hump.begin, hump.end);
+    return count;
   }
+  part(hump.begin, begin_ + panel_ * first);
+  for (int k = first * kPanelNodes; k < last * kPanelNodes; ++k) {
+    nodes[count++] = node_[static_cast<size_t>(k)];
+  }
+  part(begin_ + panel_ * last, hump.end);
+  return count;
+}
+
+ContactSearch::Moments ContactSearch::Integrate(const Axle& a, const Hump& hump) const noexcept {
+  Node node[kMaxNodes];
+  const int count = NodesOf(hump, node);
+  // Pass by pass, so that the arithmetic between the look-ups is done two nodes at a time.
+  double x[kMaxNodes], y[kMaxNodes], z[kMaxNodes], dy[kMaxNodes], slope[kMaxNodes];
+  double rail_z[kMaxNodes], rail_slope[kMaxNodes], bed[kMaxNodes];
   const double side = a.side * a.side;
-  for (int k = 0; k < kNodes; ++k) {
-    const double t = slope[k];
-    const double along = half_tape_ + at[k];
+  for (int k = 0; k < count; ++k) {
+    const Node& n = node[k];
+    const double t = n.slope;
+    const double along = half_tape_ + n.at;
     const double square = t * t * side;
     const double beta = 1 - square * (0.5 + square * (0.125 + square * 0.0625));
     const double uy = beta * a.beta_y - t * a.alpha_y;
     const double uz = beta * a.beta_z - t * a.alpha_z;
-    x[k] = a.ex * (along + radius[k] * t);
-    y[k] = a.y + a.ey * along + radius[k] * uy;
-    z[k] = a.z + a.ez * along + radius[k] * uz;
+    x[k] = a.ex * (along + n.radius * t);
+    y[k] = a.y + a.ey * along + n.radius * uy;
+    z[k] = a.z + a.ez * along + n.radius * uz;
     slope[k] = -(uy - t * a.ey) / (uz - t * a.ez);
-    dy[k] = a.ey + t * uy - radius[k] * second[k] * (a.alpha_y + t * side * a.beta_y);
+    dy[k] = a.ey + t * uy - n.radius * n.second * (a.alpha_y + t * side * a.beta_y);
   }
-  for (int k = 0; k < kNodes; ++k) {
+  for (int k = 0; k < count; ++k) {
     const Profile::Sample r = rail_.At(y[k]);
     rail_z[k] = r.z;
     rail_slope[k] = r.slope;
     bed[k] = bed_.At(y[k]);
   }
   Moments m;
-  for (int k = 0; k < kNodes; ++k) {
+  for (int k = 0; k < count; ++k) {
     const double h = std::max(z[k] - rail_z[k], 0.0);
-    const double part = h * dy[k] * half * kWeight[k];
+    const double part = h * dy[k] * node[k].weight;
     const double square = 1 / (1 + rail_slope[k] * rail_slope[k]);  // c^2
     const double cosine = std::sqrt(square);
     const double depth = part * cosine;
@@ -214,7 +250,7 @@ ContactSearch::Moments ContactSearch::Integrate(const Axle& a, const Hump& hump)
     m.bend += cube * turned * turned;
     m.fourth += cube * depth_of;
     m.load += bed[k] * part;
-    m.wheel += bed[k] * part * at[k];
+    m.wheel += bed[k] * part * node[k].at;
     m.energy += 0.5 * push_z * h;
     m.push_y += push_y;
     m.push_z += push_z;
@@ -255,23 +291,24 @@ void ContactSearch::Find(const WheelPlacement& wheel, double rail_y, double rail
   FindHumps(axle, samples, &humps);
   found->count = 0;
   found->axle = {axle.ex, axle.ey, axle.ez};
+  Moments moments[kMaxHumps];
+  for (int k = 0; k < humps.count; ++k) moments[k] = Integrate(axle, humps.hump[k]);
   // Every way of reading neighbours as one patch, with its weight.
   for (int from = 0; from < humps.count; ++from) {
-    Hump hump = humps.hump[from];
+    Moments sum;
     double weight = from > 0 ? 1 - humps.hump[from - 1].merge_next : 1;
+    bool at_end = false;
     for (int to = from; to < humps.count && weight > 0; ++to) {
-      hump.end = humps.hump[to].end;
-      hump.at_end = hump.at_end || humps.hump[to].at_end;
+      sum.Add(moments[to]);
+      at_end = at_end || humps.hump[to].at_end;
       const double merge = humps.hump[to].merge_next;
       const double share = weight * (1 - merge);
       weight *= merge;
-      if (!(share > 0)) continue;
-      const Moments sum = Integrate(axle, hump);
-      if (!(sum.i > 0)) continue;
+      if (!(share > 0) || !(sum.i > 0)) continue;
       Overlap& patch = found->patch[static_cast<size_t>(found->count++)];
       Describe(axle, sum, &patch);
       patch.weight = share;
-      patch.at_end = hump.at_end || patch.wheel_y < wheel_.min_y() + kEnd ||
+      patch.at_end = at_end || patch.wheel_y < wheel_.min_y() + kEnd ||
                      patch.wheel_y > wheel_.max_y() - kEnd || patch.y < rail_.min_y() + kEnd ||
                      patch.y > rail_.max_y() - kEnd;
     }

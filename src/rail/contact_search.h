@@ -95,7 +95,8 @@ class ContactSearch {
  private:
   static constexpr int kMaxSamples = 256;
   static constexpr int kMaxHumps = 3;
-  static constexpr int kNodes = 16;
+  static constexpr int kPanelNodes = 4;
+  static constexpr int kMaxNodes = (kMaxSamples / 2 + 2) * kPanelNodes;
 
   struct Axle {
     double ex, ey, ez;
@@ -123,11 +124,18 @@ class ContactSearch {
     int count = 0;
     Hump hump[kMaxHumps];
   };
-  /// Integrals over a hump.
+  /// Integrals over a hump, additive.
   struct Moments {
     double i = 0, square = 0, fourth = 0, bend = 0;  ///< I, J, Q, S
     double load = 0, wheel = 0, energy = 0;
     double push_y = 0, push_z = 0, turn_x = 0, turn_y = 0, turn_z = 0;
+    void Add(const Moments& m);
+  };
+  /// Where overlap is evaluated for the integrals.
+  struct Node {
+    double at;  ///< wheel y [m]
+    double radius, slope, second;
+    double weight;  ///< [m]
   };
   struct Samples {
     int first, last;
@@ -147,6 +155,8 @@ class ContactSearch {
   void FindHumps(const Axle& axle, const Samples& samples, Humps* humps) const noexcept;
   void SplitRun(const Axle& axle, const Samples& samples, int begin, int end,
                 Humps* humps) const noexcept;
+  Node NodeAt(double at, double weight) const noexcept;
+  int NodesOf(const Hump& hump, Node* nodes) const noexcept;
   Moments Integrate(const Axle& axle, const Hump& hump) const noexcept;
   void Describe(const Axle& axle, const Moments& moments, Overlap* patch) const noexcept;
   double WheelY(int sample) const { return begin_ + step_ * sample; }
@@ -158,6 +168,8 @@ class ContactSearch {
   ContactBed bed_;
   double begin_;  ///< first sampled wheel position [m]
   double step_;
+  double panel_;            ///< width of a panel [m]
+  std::vector<Node> node_;  ///< of all panels
   int samples_;
   /// [sample] of the wheel: R, R t, R t^2/2, cosine of the slope.
   std::vector<double> radius_at_, radius_slope_, radius_square_, cosine_at_;
