@@ -51,6 +51,30 @@ void ContactSearch::MeasureMargins() {
   }
 }
 
+double ContactSearch::DeepestOf(const Axle& axle, double low, double high) const noexcept {
+  constexpr double kGolden = 0.6180339887498949;
+  double left = high - kGolden * (high - low);
+  double right = low + kGolden * (high - low);
+  double at_left = LocusAt(axle, left).overlap;
+  double at_right = LocusAt(axle, right).overlap;
+  for (int i = 0; i < 30; ++i) {
+    if (at_left > at_right) {
+      high = right;
+      right = left;
+      at_right = at_left;
+      left = high - kGolden * (high - low);
+      at_left = LocusAt(axle, left).overlap;
+    } else {
+      low = left;
+      left = right;
+      at_left = at_right;
+      right = low + kGolden * (high - low);
+      at_right = LocusAt(axle, right).overlap;
+    }
+  }
+  return 0.5 * (low + high);
+}
+
 double ContactSearch::DeepestNear(const Axle& axle, double low, double high) const noexcept {
   // The slopes of wheel and rail agree: false position that does not get stuck (Illinois).
   const auto difference = [&](double at) {
@@ -59,7 +83,7 @@ double ContactSearch::DeepestNear(const Axle& axle, double low, double high) con
   };
   double f_low = difference(low);
   double f_high = difference(high);
-  if (!(f_low > 0 && f_high < 0)) return 0.5 * (low + high);
+  if (!(f_low > 0 && f_high < 0)) return DeepestOf(axle, low, high);
   int side = 0;
   double at = low;
   for (int i = 0; i < 30; ++i) {
@@ -91,21 +115,31 @@ void ContactSearch::FindHumps(const Axle& axle, const Samples& s, Humps* humps) 
       i = end;
       continue;
     }
-    // A hump between samples: this one is nearest and does not quite touch.
-    const bool inside = i > s.first && i < s.last;
-    if (!inside || s.depth[i - 1] > s.depth[i] || s.depth[i + 1] >= s.depth[i]) continue;
+    if (i == s.first || i == s.last) continue;
+    // A hump between samples: around the one that is nearest and does not quite touch, or beyond
+    // the end of a run.
+    const bool after = s.depth[i - 1] > 0;
+    const bool before = s.depth[i + 1] > 0;
+    const bool nearest = s.depth[i - 1] <= s.depth[i] && s.depth[i + 1] < s.depth[i];
+    if (!nearest && before == after) continue;
     const auto k = static_cast<size_t>(i);
     if (s.depth[i] < -std::max(margin_[k - 1], margin_[k])) continue;
-    const double middle = DeepestNear(axle, WheelY(i - 1), WheelY(i + 1));
-    const Locus l = LocusAt(axle, middle);
-    if (!(l.overlap > 0)) continue;
-    Hump& h = humps->hump[humps->count++];
-    h.begin = EdgeBetween(axle, middle, WheelY(i - 1), 0.5 * (middle + WheelY(i - 1)));
-    h.end = EdgeBetween(axle, middle, WheelY(i + 1), 0.5 * (middle + WheelY(i + 1)));
-    h.depth = l.overlap;
-    h.merge_next = 0;
-    h.at_end = false;
+    const Locus l = LocusAt(axle, WheelY(i));
+    const bool outwards = l.slope > l.rail_slope;
+    if (outwards ? before : after) continue;  // the end of that run
+    AddBetween(axle, WheelY(outwards ? i : i - 1), WheelY(outwards ? i + 1 : i), humps);
   }
+}
+
+void ContactSearch::AddBetween(const Axle& axle, double low, double high,
+                               Humps* humps) const noexcept {
+  const double middle = DeepestNear(axle, low, high);
+  if (!(LocusAt(axle, middle).overlap > 0)) return;
+  Hump& h = humps->hump[humps->count++];
+  h.begin = EdgeBetween(axle, middle, low, 0.5 * (middle + low));
+  h.end = EdgeBetween(axle, middle, high, 0.5 * (middle + high));
+  h.merge_next = 0;
+  h.at_end = false;
 }
 
 void ContactSearch::SplitRun(const Axle& axle, const Samples& s, int begin, int end,

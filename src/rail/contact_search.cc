@@ -8,7 +8,8 @@ namespace {
 
 constexpr double kWheelStep = 1.2e-3;  ///< of the samples [m]
 constexpr double kRailStep = 0.125e-3;
-constexpr double kBeyond = 2;    ///< samples beyond the ends of the rail
+constexpr double kBeyond = 5;    ///< samples beyond the ends of the rail
+constexpr double kDoubt = 2e-6;  ///< chords of the rail's table are this near to it, normal [m]
 constexpr double kEnd = 0.5e-3;  ///< contact this near to an end is at the end [m]
 /// Flattest relative curvature across: conformal regions carry a wide but finite patch.
 constexpr double kFlattest = 0.05;
@@ -134,6 +135,12 @@ void ContactSearch::Sample(const Axle& a, Samples* samples) const noexcept {
     const double below = rail_z_[j];
     const double rail_z = below + (place[i] - j) * (rail_z_[j + 1] - below);
     samples->depth[i] = (z[i] - rail_z) * cosine_at_[i];
+  }
+  // Whether a sample overlaps at all is said by the rail itself.
+  for (int i = first; i < end; ++i) {
+    if (std::abs(samples->depth[i]) < kDoubt) {
+      samples->depth[i] = LocusAt(a, WheelY(i)).overlap * cosine_at_[i];
+    }
   }
 }
 
