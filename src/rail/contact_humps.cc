@@ -7,6 +7,7 @@
 namespace phs::rail {
 namespace {
 
+constexpr double kSpare = 1.25;     ///< a yawed wheel is more curved across
 constexpr double kMostRoll = 0.06;  ///< and other differences of slope at a contact [rad]
 /// Humps whose ridge is this near to the shallower one are one hump.
 constexpr double kSameHump = 0.98;
@@ -47,32 +48,8 @@ void ContactSearch::MeasureMargins() {
         rail_bend = std::max(rail_bend, bend(s));
       }
     }
-    margin_.push_back(0.125 * (wheel_bend + rail_bend) * arc * arc);
+    margin_.push_back(kSpare * 0.125 * (wheel_bend + rail_bend) * arc * arc);
   }
-}
-
-double ContactSearch::DeepestOf(const Axle& axle, double low, double high) const noexcept {
-  constexpr double kGolden = 0.6180339887498949;
-  double left = high - kGolden * (high - low);
-  double right = low + kGolden * (high - low);
-  double at_left = LocusAt(axle, left).overlap;
-  double at_right = LocusAt(axle, right).overlap;
-  for (int i = 0; i < 30; ++i) {
-    if (at_left > at_right) {
-      high = right;
-      right = left;
-      at_right = at_left;
-      left = high - kGolden * (high - low);
-      at_left = LocusAt(axle, left).overlap;
-    } else {
-      low = left;
-      left = right;
-      at_left = at_right;
-      right = low + kGolden * (high - low);
-      at_right = LocusAt(axle, right).overlap;
-    }
-  }
-  return 0.5 * (low + high);
 }
 
 double ContactSearch::DeepestNear(const Axle& axle, double low, double high) const noexcept {
@@ -83,7 +60,7 @@ double ContactSearch::DeepestNear(const Axle& axle, double low, double high) con
   };
   double f_low = difference(low);
   double f_high = difference(high);
-  if (!(f_low > 0 && f_high < 0)) return DeepestOf(axle, low, high);
+  if (!(f_low > 0 && f_high < 0)) return 0.5 * (low + high);
   int side = 0;
   double at = low;
   for (int i = 0; i < 30; ++i) {
@@ -115,24 +92,20 @@ void ContactSearch::FindHumps(const Axle& axle, const Samples& s, Humps* humps) 
       i = end;
       continue;
     }
-    if (i == s.first || i == s.last) continue;
-    // A hump between samples: around the one that is nearest and does not quite touch, or beyond
-    // the end of a run.
-    const bool after = s.depth[i - 1] > 0;
-    const bool before = s.depth[i + 1] > 0;
-    const bool nearest = s.depth[i - 1] <= s.depth[i] && s.depth[i + 1] < s.depth[i];
-    if (!nearest && before == after) continue;
-    const auto k = static_cast<size_t>(i);
-    if (s.depth[i] < -std::max(margin_[k - 1], margin_[k])) continue;
-    const Locus l = LocusAt(axle, WheelY(i));
-    const bool outwards = l.slope > l.rail_slope;
-    if (outwards ? before : after) continue;  // the end of that run
-    AddBetween(axle, WheelY(outwards ? i : i - 1), WheelY(outwards ? i + 1 : i), humps);
+    // A hump between two samples that both do not touch.
+    if (i == s.last || s.depth[i + 1] > 0) continue;
+    if (std::max(s.depth[i], s.depth[i + 1]) < -margin_[static_cast<size_t>(i)]) continue;
+    AddBetween(axle, WheelY(i), WheelY(i + 1), humps);
   }
 }
 
 void ContactSearch::AddBetween(const Axle& axle, double low, double high,
                                Humps* humps) const noexcept {
+  const auto rises = [&](double at) {
+    const Locus l = LocusAt(axle, at);
+    return l.slope > l.rail_slope;
+  };
+  if (!rises(low) || rises(high)) return;
   const double middle = DeepestNear(axle, low, high);
   if (!(LocusAt(axle, middle).overlap > 0)) return;
   Hump& h = humps->hump[humps->count++];

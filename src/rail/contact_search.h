@@ -150,8 +150,6 @@ class ContactSearch {
   double EdgeBetween(const Axle& axle, double inside, double outside, double at) const noexcept;
   /// Edge of a run next to `sample` on the side of `next` = sample +- 1.
   double EdgeOfRun(const Axle& axle, const Samples& samples, int sample, int next) const noexcept;
-  /// Where the overlap is greatest between two places.
-  double DeepestOf(const Axle& axle, double low, double high) const noexcept;
   double DeepestNear(const Axle& axle, double low, double high) const noexcept;
   void FindHumps(const Axle& axle, const Samples& samples, Humps* humps) const noexcept;
   /// A hump that lies between two places, if there is one.
