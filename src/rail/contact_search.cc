@@ -9,6 +9,7 @@ namespace {
 constexpr double kWheelStep = 1.2e-3;  ///< of the samples [m]
 constexpr double kRailStep = 0.125e-3;
 constexpr double kBeyond = 5;    ///< samples beyond the ends of the rail
+constexpr double kEdge = 1e-5;   ///< of a step of Newton, whose error is its square [m]
 constexpr double kDoubt = 2e-6;  ///< chords of the rail's table are this near to it, normal [m]
 constexpr double kEnd = 0.5e-3;  ///< contact this near to an end is at the end [m]
 /// Flattest relative curvature across: conformal regions carry a wide but finite patch.
@@ -49,9 +50,8 @@ ContactSearch::ContactSearch(Profile wheel, Profile rail, double half_tape, doub
     cosine_at_.push_back(1 / std::sqrt(1 + s.slope * s.slope));
   }
   panel_ = kSamplesPerPanel * step_;
-  for (int k = 0; k < static_cast<int>(samples_ / kSamplesPerPanel) * kPanelNodes; ++k) {
-    const double at = begin_ + panel_ * (k / kPanelNodes + kNode[k % kPanelNodes]);
-    node_.push_back(NodeAt(at, panel_ * kWeight[k % kPanelNodes]));
+  for (int k = 0; k < (samples_ - 1) / kSamplesPerPanel; ++k) {
+    AddNodes(begin_ + panel_ * k, begin_ + panel_ * (k + 1), &whole_);
   }
   MeasureMargins();
   const double rail_width = rail_.max_y() - rail_.min_y();
@@ -157,7 +157,7 @@ double ContactSearch::EdgeBetween(const Axle& axle, double inside, double outsid
     if (!(next > low && next < high)) next = 0.5 * (low + high);
     const double step = std::abs(next - at);
     at = next;
-    if (step < 1e-6) break;
+    if (step < kEdge) break;
   }
   return at;
 }
@@ -185,54 +185,59 @@ void ContactSearch::Moments::Add(const Moments& m) {
   turn_z += m.turn_z;
 }
 
-ContactSearch::Node ContactSearch::NodeAt(double at, double weight) const noexcept {
-  const Profile::Sample s = wheel_.At(at);
-  return {at, radius_ + s.z, s.slope, s.second, weight};
+void ContactSearch::AddNodes(double from, double to, Nodes* nodes) const noexcept {
+  const double width = to - from;
+  for (int k = 0; k < kPanelNodes; ++k) {
+    const int n = nodes->count++;
+    const Profile::Sample s = wheel_.At(from + width * kNode[k]);
+    nodes->at[n] = from + width * kNode[k];
+    nodes->radius[n] = radius_ + s.z;
+    nodes->slope[n] = s.slope;
+    nodes->second[n] = s.second;
+    nodes->weight[n] = width * kWeight[k];
+  }
 }
 
-int ContactSearch::NodesOf(const Hump& hump, Node* nodes) const noexcept {
-  int count = 0;
-  const auto part = [&](double from, double to) {
-    for (int k = 0; k < kPanelNodes; ++k) {
-      nodes[count++] = NodeAt(from + (to - from) * kNode[k], (to - from) * kWeight[k]);
-    }
-  };
+void ContactSearch::FindNodes(const Hump& hump, Nodes* nodes) const noexcept {
   // Whole panels keep their places, so that nothing jumps when an end wanders.
+  nodes->count = 0;
   const int first = static_cast<int>(std::ceil((hump.begin - begin_) / panel_));
-  const int last = std::min(static_cast<int>((hump.end - begin_) / panel_),
-                            static_cast<int>(node_.size()) / kPanelNodes);
-  if (last < first) {
-    part(hump.begin, hump.end);
-    return count;
-  }
-  part(hump.begin, begin_ + panel_ * first);
-  for (int k = first * kPanelNodes; k < last * kPanelNodes; ++k) {
-    nodes[count++] = node_[static_cast<size_t>(k)];
-  }
-  part(begin_ + panel_ * last, hump.end);
-  return count;
+  const int last =
+      std::min(static_cast<int>((hump.end - begin_) / panel_), whole_.count / kPanelNodes);
+  if (last < first) return AddNodes(hump.begin, hump.end, nodes);
+  AddNodes(hump.begin, begin_ + panel_ * first, nodes);
+  const int from = first * kPanelNodes;
+  const int count = (last - first) * kPanelNodes;
+  const int n = nodes->count;
+  std::copy_n(whole_.at + from, count, nodes->at + n);
+  std::copy_n(whole_.radius + from, count, nodes->radius + n);
+  std::copy_n(whole_.slope + from, count, nodes->slope + n);
+  std::copy_n(whole_.second + from, count, nodes->second + n);
+  std::copy_n(whole_.weight + from, count, nodes->weight + n);
+  nodes->count += count;
+  AddNodes(begin_ + panel_ * last, hump.end, nodes);
 }
 
 ContactSearch::Moments ContactSearch::Integrate(const Axle& a, const Hump& hump) const noexcept {
-  Node node[kMaxNodes];
-  const int count = NodesOf(hump, node);
+  Nodes n;
+  FindNodes(hump, &n);
+  const int count = n.count;
   // Pass by pass, so that the arithmetic between the look-ups is done two nodes at a time.
   double x[kMaxNodes], y[kMaxNodes], z[kMaxNodes], dy[kMaxNodes], slope[kMaxNodes];
   double rail_z[kMaxNodes], rail_slope[kMaxNodes], bed[kMaxNodes];
   const double side = a.side * a.side;
   for (int k = 0; k < count; ++k) {
-    const Node& n = node[k];
-    const double t = n.slope;
-    const double along = half_tape_ + n.at;
+    const double t = n.slope[k];
+    const double along = half_tape_ + n.at[k];
     const double square = t * t * side;
     const double beta = 1 - square * (0.5 + square * (0.125 + square * 0.0625));
     const double uy = beta * a.beta_y - t * a.alpha_y;
     const double uz = beta * a.beta_z - t * a.alpha_z;
-    x[k] = a.ex * (along + n.radius * t);
-    y[k] = a.y + a.ey * along + n.radius * uy;
-    z[k] = a.z + a.ez * along + n.radius * uz;
+    x[k] = a.ex * (along + n.radius[k] * t);
+    y[k] = a.y + a.ey * along + n.radius[k] * uy;
+    z[k] = a.z + a.ez * along + n.radius[k] * uz;
     slope[k] = -(uy - t * a.ey) / (uz - t * a.ez);
-    dy[k] = a.ey + t * uy - n.radius * n.second * (a.alpha_y + t * side * a.beta_y);
+    dy[k] = a.ey + t * uy - n.radius[k] * n.second[k] * (a.alpha_y + t * side * a.beta_y);
   }
   for (int k = 0; k < count; ++k) {
     const Profile::Sample r = rail_.At(y[k]);
@@ -243,7 +248,7 @@ ContactSearch::Moments ContactSearch::Integrate(const Axle& a, const Hump& hump)
   Moments m;
   for (int k = 0; k < count; ++k) {
     const double h = std::max(z[k] - rail_z[k], 0.0);
-    const double part = h * dy[k] * node[k].weight;
+    const double part = h * dy[k] * n.weight[k];
     const double square = 1 / (1 + rail_slope[k] * rail_slope[k]);  // c^2
     const double cosine = std::sqrt(square);
     const double depth = part * cosine;
@@ -257,7 +262,7 @@ ContactSearch::Moments ContactSearch::Integrate(const Axle& a, const Hump& hump)
     m.bend += cube * turned * turned;
     m.fourth += cube * depth_of;
     m.load += bed[k] * part;
-    m.wheel += bed[k] * part * node[k].at;
+    m.wheel += bed[k] * part * n.at[k];
     m.energy += 0.5 * push_z * h;
     m.push_y += push_y;
     m.push_z += push_z;

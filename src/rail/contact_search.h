@@ -131,10 +131,11 @@ class ContactSearch {
     void Add(const Moments& m);
   };
   /// Where overlap is evaluated for the integrals.
-  struct Node {
-    double at;  ///< wheel y [m]
-    double radius, slope, second;
-    double weight;  ///< [m]
+  struct Nodes {
+    int count = 0;
+    double at[kMaxNodes];  ///< wheel y [m]
+    double radius[kMaxNodes], slope[kMaxNodes], second[kMaxNodes];
+    double weight[kMaxNodes];  ///< [m]
   };
   struct Samples {
     int first, last;
@@ -156,8 +157,9 @@ class ContactSearch {
   void AddBetween(const Axle& axle, double low, double high, Humps* humps) const noexcept;
   void SplitRun(const Axle& axle, const Samples& samples, int begin, int end,
                 Humps* humps) const noexcept;
-  Node NodeAt(double at, double weight) const noexcept;
-  int NodesOf(const Hump& hump, Node* nodes) const noexcept;
+  /// The nodes of one panel.
+  void AddNodes(double from, double to, Nodes* nodes) const noexcept;
+  void FindNodes(const Hump& hump, Nodes* nodes) const noexcept;
   Moments Integrate(const Axle& axle, const Hump& hump) const noexcept;
   void Describe(const Axle& axle, const Moments& moments, Overlap* patch) const noexcept;
   double WheelY(int sample) const { return begin_ + step_ * sample; }
@@ -169,8 +171,8 @@ class ContactSearch {
   ContactBed bed_;
   double begin_;  ///< first sampled wheel position [m]
   double step_;
-  double panel_;            ///< width of a panel [m]
-  std::vector<Node> node_;  ///< of all panels
+  double panel_;  ///< width of a panel [m]
+  Nodes whole_;   ///< of all panels
   int samples_;
   /// [sample] of the wheel: R, R t, R t^2/2, cosine of the slope.
   std::vector<double> radius_at_, radius_slope_, radius_square_, cosine_at_;
