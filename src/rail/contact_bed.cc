@@ -2,36 +2,59 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 
 namespace phs::rail {
 namespace {
-double E(const char* n, double d) { const char* v = getenv(n); return v ? atof(v) : d; }
 
-constexpr double kStep = 0.125e-3;     ///< of the table [m]
-constexpr double kMostShift = 25e-3;   ///< of the wheel across the rail [m]
-constexpr double kShiftStep = 0.1e-3;  ///< [m]
-constexpr double kSearchStep = 0.5e-3; ///< on the wheel [m]
-constexpr double kEnd = 1e-3;          ///< curvature is not asked for nearer to an end [m]
-constexpr double kFlattest = 0.05;     ///< conformal regions carry a wide but finite patch [1/m]
+constexpr double kStep = 0.125e-3;        ///< of the table [m]
+constexpr double kMostShift = 25e-3;      ///< of the wheel across the rail, either way [m]
+constexpr double kShiftStep = 0.1e-3;     ///< [m]
+constexpr double kSearchStep = 0.5e-3;    ///< on the wheel [m]
+constexpr double kPartnerStep = 0.05e-3;  ///< [m]
+constexpr double kJump = 1e-3;            ///< touches farther apart leave the rail between them [m]
+constexpr double kWindow = 0.5e-3;        ///< of curvature, half, arc length [m]
+constexpr double kEven = 1.5e-3;          ///< over which K is evened out, half, arc length [m]
+constexpr double kEnd = 1e-3;             ///< curvature is not asked for nearer to an end [m]
+constexpr double kFlattest = 0.05;        ///< conformal regions carry a wide but finite patch [1/m]
 
-/// Mean curvature over an arc of +-`half`: the turn of the surface over its length.
-double MeanCurvature(const Profile& p, double y, double half) {
+/// Mean curvature: the turn of the surface over its length.
+double MeanCurvature(const Profile& p, double y) {
   const double slope = p.At(y).slope;
-  const double dy = half / std::sqrt(1 + slope * slope);
-  const double arc = std::hypot(2 * dy, p.At(y + dy).z - p.At(y - dy).z);
-  return (std::atan(p.At(y + dy).slope) - std::atan(p.At(y - dy).slope)) / arc;
+  const double dy = kWindow / std::sqrt(1 + slope * slope);
+  const Profile::Sample from = p.At(y - dy);
+  const Profile::Sample to = p.At(y + dy);
+  return (std::atan(to.slope) - std::atan(from.slope)) / std::hypot(2 * dy, to.z - from.z);
 }
 
-/// Where the upright wheel, moved outwards by `shift`, touches first; on the wheel.
+/// Where the flange falls most steeply inwards.
+double FlangeOf(const Profile& wheel) {
+  double flange = wheel.min_y() + kEnd;
+  for (double y = flange; y < wheel.max_y() - kEnd; y += kPartnerStep) {
+    if (wheel.At(y).slope < wheel.At(flange).slope) flange = y;
+  }
+  return flange;
+}
+
+/// From the flange outwards: the first wheel point that is no steeper than the rail.
+double PartnerOf(const Profile& wheel, double flange, double slope) {
+  double y = flange;
+  while (y < wheel.max_y() - kEnd && wheel.At(y).slope < slope) y += kPartnerStep;
+  return y;
+}
+
+/// Where the upright wheel touches first, its origin `shift` outside of the rail's; wheel profile.
 double TouchOf(const Profile& wheel, const Profile& rail, double shift) {
   const double from = std::max(wheel.min_y(), rail.min_y() - shift) + kEnd;
   const double to = std::min(wheel.max_y(), rail.max_y() - shift) - kEnd;
   const auto depth = [&](double y) { return wheel.At(y).z - rail.At(y + shift).z; };
   double deepest = from;
+  double most = depth(from);
   for (double y = from; y < to; y += kSearchStep) {
-    if (depth(y) > depth(deepest)) deepest = y;
+    const double there = depth(y);
+    if (there > most) {
+      most = there;
+      deepest = y;
+    }
   }
   double low = std::max(from, deepest - kSearchStep);
   double high = std::min(to, deepest + kSearchStep);
@@ -42,85 +65,111 @@ double TouchOf(const Profile& wheel, const Profile& rail, double shift) {
   return 0.5 * (low + high);
 }
 
-}  // namespace
+/// K over a rail's surface in the making; 0 = not yet known.
+class Table {
+ public:
+  Table(const Profile& wheel, const Profile& rail, double radius, const Hertz& hertz)
+      : wheel_(wheel), rail_(rail), radius_(radius), hertz_(hertz) {
+    const int pieces = static_cast<int>(std::ceil((rail.max_y() - rail.min_y()) / kStep));
+    per_step_ = pieces / (rail.max_y() - rail.min_y());
+    bed_.assign(static_cast<size_t>(pieces) + 1, 0);
+  }
 
-ContactBed::ContactBed(const Profile& wheel, const Profile& rail, double radius,
-                       const Hertz& hertz) {
-  const int pieces = static_cast<int>(std::ceil((rail.max_y() - rail.min_y()) / kStep));
-  begin_ = rail.min_y();
-  per_step_ = pieces / (rail.max_y() - begin_);
-  last_ = pieces - 1e-9;
-  const double window = E("WINDOW", 0.5e-3);
-  // From the middle outwards: what touches at the least shift counts.
-  std::vector<double> raw(static_cast<size_t>(pieces) + 1, 0);
+  double per_step() const { return per_step_; }
+
+  /// What touches at the least shift counts.
+  void FillTouched() {
+    Touch last[2];
+    for (double size = 0; size < kMostShift; size += kShiftStep) {
+      for (const int way : {0, 1}) {
+        const double shift = way == 0 ? size : -size;
+        const double y = TouchOf(wheel_, rail_, shift);
+        const Touch now{y + shift, BedOf(y + shift, y)};
+        const bool near = std::abs(now.rail_y - last[way].rail_y) < kJump;
+        Fill(near ? last[way] : now, now);
+        last[way] = now;
+      }
+    }
+  }
+
+  void FillRest() {
+    const double flange = FlangeOf(wheel_);
+    for (size_t i = 0; i < bed_.size(); ++i) {
+      if (bed_[i] > 0) continue;
+      const double y = rail_.min_y() + static_cast<double>(i) / per_step_;
+      bed_[i] = BedOf(y, PartnerOf(wheel_, flange, rail_.At(y).slope));
+    }
+  }
+
+  std::vector<double> EvenedOut() const {
+    std::vector<double> arc{0};
+    for (size_t i = 0; i + 1 < bed_.size(); ++i) {
+      const double y = rail_.min_y() + (static_cast<double>(i) + 0.5) / per_step_;
+      const double slope = rail_.At(y).slope;
+      arc.push_back(arc.back() + std::sqrt(1 + slope * slope) / per_step_);
+    }
+    std::vector<double> even;
+    size_t first = 0;
+    for (size_t i = 0; i < bed_.size(); ++i) {
+      while (arc[i] - arc[first] > kEven) ++first;
+      double sum = 0;
+      double weights = 0;
+      for (size_t j = first; j < bed_.size() && arc[j] - arc[i] < kEven; ++j) {
+        const double weight = 1 - std::abs(arc[j] - arc[i]) / kEven;
+        sum += weight * bed_[j];
+        weights += weight;
+      }
+      even.push_back(sum / weights);
+    }
+    return even;
+  }
+
+ private:
   struct Touch {
     double rail_y = 1e9, bed = 0;
   };
-  Touch last[2];
-  for (double size = 0; size < kMostShift; size += kShiftStep) {
-    for (int way = 0; way < 2; ++way) {
-      const double shift = way == 0 ? size : -size;
-      const double y = TouchOf(wheel, rail, shift);
-      const Profile::Sample s = wheel.At(y);
-      const double across =
-          0.5 * (MeanCurvature(rail, y + shift, window) - MeanCurvature(wheel, y, window));
-      const double along = 0.5 / ((radius + s.z) * std::sqrt(1 + s.slope * s.slope));
-      const Touch now{y + shift, hertz.BedModulus(along, std::max(across, E("FLAT", 0.05)))};
-      const Touch& before = last[way];
-      const bool near = std::abs(now.rail_y - before.rail_y) < E("GAP", 1e-3);
-      const double from = near ? std::min(now.rail_y, before.rail_y) : now.rail_y;
-      const double to = near ? std::max(now.rail_y, before.rail_y) : now.rail_y;
-      for (auto k = std::lround((from - begin_) * per_step_); k <= std::lround((to - begin_) * per_step_); ++k) {
-        if (k < 0 || k > pieces || raw[static_cast<size_t>(k)] > 0) continue;
-        const double share = near ? std::clamp((begin_ + k / per_step_ - before.rail_y) / (now.rail_y - before.rail_y), 0.0, 1.0) : 1;
-        raw[static_cast<size_t>(k)] = before.bed + share * (now.bed - before.bed);
-      }
-      last[way] = now;
+
+  double BedOf(double rail_y, double wheel_y) const {
+    const Profile::Sample s = wheel_.At(wheel_y);
+    const double across = 0.5 * (MeanCurvature(rail_, rail_y) - MeanCurvature(wheel_, wheel_y));
+    const double along = 0.5 / ((radius_ + s.z) * std::sqrt(1 + s.slope * s.slope));
+    return hertz_.BedModulus(along, std::max(across, kFlattest));
+  }
+
+  /// The rail between two touches.
+  void Fill(const Touch& a, const Touch& b) {
+    const double length = b.rail_y - a.rail_y;
+    const auto index = [&](double y) { return std::lround((y - rail_.min_y()) * per_step_); };
+    const auto end = static_cast<long>(bed_.size()) - 1;
+    const long from = std::max(0L, index(std::min(a.rail_y, b.rail_y)));
+    const long to = std::min(end, index(std::max(a.rail_y, b.rail_y)));
+    for (long k = from; k <= to; ++k) {
+      double& bed = bed_[static_cast<size_t>(k)];
+      if (bed > 0) continue;
+      const double y = rail_.min_y() + static_cast<double>(k) / per_step_;
+      const double share = length == 0 ? 1 : std::clamp((y - a.rail_y) / length, 0.0, 1.0);
+      bed = a.bed + share * (b.bed - a.bed);
     }
   }
-  // Single steps between touches are filled, gaps are bridged by wide patches.
-  const double gap = E("GAP", 1e-3);
-  double flange = wheel.min_y() + kEnd;
-  for (double y = flange; y < wheel.max_y() - kEnd; y += 0.1e-3) if (wheel.At(y).slope < wheel.At(flange).slope) flange = y;
-  const auto bridged = [&](size_t j) {
-    const double at = begin_ + static_cast<double>(j) / per_step_;
-    double y = flange;
-    while (y < wheel.max_y() - kEnd && wheel.At(y).slope < rail.At(at).slope) y += 0.05e-3;
-    const Profile::Sample s = wheel.At(y);
-    const double across = 0.5 * (MeanCurvature(rail, at, window) - MeanCurvature(wheel, y, window));
-    const double along = 0.5 / ((radius + s.z) * std::sqrt(1 + s.slope * s.slope));
-    if (getenv("DUMP")) std::printf("gap %.2f %.2f %.3f\n", 1e3*at, 1e3*y, across);
-    return hertz.BedModulus(along, std::max(across, E("FLAT", 0.05)));
-  };
-  size_t before = raw.size();
-  for (size_t i = 0; i < raw.size(); ++i) {
-    if (!(raw[i] > 0)) continue;
-    for (size_t j = before == raw.size() ? 0 : before + 1; j < i; ++j) {
-      if (before == raw.size()) { raw[j] = raw[i]; continue; }
-      const double share = static_cast<double>(j - before) / static_cast<double>(i - before);
-      if (static_cast<double>(i - before) / per_step_ < gap) raw[j] = raw[before] + share * (raw[i] - raw[before]);
-      else raw[j] = bridged(j);
-    }
-    before = i;
-  }
-  for (size_t j = before + 1; j < raw.size(); ++j) raw[j] = raw[before];
-  // Evened out over the surface.
-  std::vector<double> arc{0};
-  for (int i = 0; i < pieces; ++i) {
-    const double slope = rail.At(begin_ + (i + 0.5) / per_step_).slope;
-    arc.push_back(arc.back() + std::sqrt(1 + slope * slope) / per_step_);
-  }
-  const double smooth = E("SMOOTH", 1.5e-3);
-  for (size_t i = 0; i < raw.size(); ++i) {
-    double sum = 0;
-    double weights = 0;
-    for (size_t j = 0; j < raw.size(); ++j) {
-      const double weight = std::max(0.0, 1 - (getenv("ARC") ? std::abs(arc[j] - arc[i]) : std::abs(double(j) - double(i)) / per_step_) / smooth);
-      sum += weight * raw[j];
-      weights += weight;
-    }
-    bed_.push_back(sum / weights);
-  }
+
+  const Profile& wheel_;
+  const Profile& rail_;
+  double radius_;
+  const Hertz& hertz_;
+  double per_step_;
+  std::vector<double> bed_;
+};
+
+}  // namespace
+
+ContactBed::ContactBed(const Profile& wheel, const Profile& rail, double radius, const Hertz& hertz)
+    : begin_(rail.min_y()) {
+  Table table(wheel, rail, radius, hertz);
+  table.FillTouched();
+  table.FillRest();
+  bed_ = table.EvenedOut();
+  per_step_ = table.per_step();
+  last_ = static_cast<double>(bed_.size() - 1) - 1e-9;
 }
 
 }  // namespace phs::rail
