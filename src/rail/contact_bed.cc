@@ -10,7 +10,6 @@ constexpr double kStep = 0.125e-3;        ///< of the table [m]
 constexpr double kMostShift = 25e-3;      ///< of the wheel across the rail, either way [m]
 constexpr double kShiftStep = 0.1e-3;     ///< [m]
 constexpr double kSearchStep = 0.5e-3;    ///< on the wheel [m]
-constexpr double kPartnerStep = 0.05e-3;  ///< [m]
 constexpr double kJump = 1e-3;            ///< touches farther apart leave the rail between them [m]
 constexpr double kWindow = 0.5e-3;        ///< of curvature, half, arc length [m]
 constexpr double kEven = 1.5e-3;          ///< over which K is evened out, half, arc length [m]
@@ -24,22 +23,6 @@ double MeanCurvature(const Profile& p, double y) {
   const Profile::Sample from = p.At(y - dy);
   const Profile::Sample to = p.At(y + dy);
   return (std::atan(to.slope) - std::atan(from.slope)) / std::hypot(2 * dy, to.z - from.z);
-}
-
-/// Where the flange falls most steeply inwards.
-double FlangeOf(const Profile& wheel) {
-  double flange = wheel.min_y() + kEnd;
-  for (double y = flange; y < wheel.max_y() - kEnd; y += kPartnerStep) {
-    if (wheel.At(y).slope < wheel.At(flange).slope) flange = y;
-  }
-  return flange;
-}
-
-/// From the flange outwards: the first wheel point that is no steeper than the rail.
-double PartnerOf(const Profile& wheel, double flange, double slope) {
-  double y = flange;
-  while (y < wheel.max_y() - kEnd && wheel.At(y).slope < slope) y += kPartnerStep;
-  return y;
 }
 
 /// Where the upright wheel touches first, its origin `shift` outside of the rail's; wheel profile.
@@ -73,6 +56,7 @@ class Table {
     const int pieces = static_cast<int>(std::ceil((rail.max_y() - rail.min_y()) / kStep));
     per_step_ = pieces / (rail.max_y() - rail.min_y());
     bed_.assign(static_cast<size_t>(pieces) + 1, 0);
+    shift_.assign(bed_.size(), 0);
   }
 
   double per_step() const { return per_step_; }
@@ -84,7 +68,7 @@ class Table {
       for (const int way : {0, 1}) {
         const double shift = way == 0 ? size : -size;
         const double y = TouchOf(wheel_, rail_, shift);
-        const Touch now{y + shift, BedOf(y + shift, y)};
+        const Touch now{y + shift, BedOf(y + shift, y), shift};
         const bool near = std::abs(now.rail_y - last[way].rail_y) < kJump;
         Fill(near ? last[way] : now, now);
         last[way] = now;
@@ -92,12 +76,19 @@ class Table {
     }
   }
 
+  /// Between touches the wheel lies opposite as it does when it touches on both sides.
   void FillRest() {
-    const double flange = FlangeOf(wheel_);
-    for (size_t i = 0; i < bed_.size(); ++i) {
-      if (bed_[i] > 0) continue;
-      const double y = rail_.min_y() + static_cast<double>(i) / per_step_;
-      bed_[i] = BedOf(y, PartnerOf(wheel_, flange, rail_.At(y).slope));
+    const size_t none = bed_.size();
+    size_t before = none;
+    for (size_t i = 0; i <= none; ++i) {
+      if (i < none && !(bed_[i] > 0)) continue;
+      const size_t after = i < none ? i : before;
+      for (size_t j = before == none ? 0 : before + 1; j < i; ++j) {
+        const bool nearer = before == none || (i < none && 2 * j > before + i);
+        const double y = rail_.min_y() + static_cast<double>(j) / per_step_;
+        bed_[j] = BedOf(y, y - shift_[nearer ? after : before]);
+      }
+      before = i;
     }
   }
 
@@ -126,7 +117,7 @@ class Table {
 
  private:
   struct Touch {
-    double rail_y = 1e9, bed = 0;
+    double rail_y = 1e9, bed = 0, shift = 0;
   };
 
   double BedOf(double rail_y, double wheel_y) const {
@@ -149,6 +140,7 @@ class Table {
       const double y = rail_.min_y() + static_cast<double>(k) / per_step_;
       const double share = length == 0 ? 1 : std::clamp((y - a.rail_y) / length, 0.0, 1.0);
       bed = a.bed + share * (b.bed - a.bed);
+      shift_[static_cast<size_t>(k)] = b.shift;
     }
   }
 
@@ -157,7 +149,7 @@ class Table {
   double radius_;
   const Hertz& hertz_;
   double per_step_;
-  std::vector<double> bed_;
+  std::vector<double> bed_, shift_;
 };
 
 }  // namespace

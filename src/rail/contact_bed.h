@@ -2,7 +2,8 @@
 //
 // A rail point has a partner: the wheel point that touches it when the upright wheel is moved
 // across the rail, from the middle outwards up to the climbing flange. A point that no wheel
-// touches first, as between tread and flange root, takes the wheel point of its own slope. The
+// touches first, as between tread and flange root, takes the wheel point that lies opposite when
+// the wheel touches on both sides of it. The
 // relative curvature 2 B of the two surfaces there, over an arc of a millimetre (a patch averages
 // over its own width by itself), and the wheel's curvature 2 A along give K: Hertz's force of the
 // pair over the area of its overlap (Hertz::BedModulus). K is then evened out over +-1.5 mm of
