@@ -197,4 +197,26 @@ void ContactSearch::FindPoints(const WheelPlacement& wheel, double rail_y, doubl
   }
 }
 
+OverlapCentre ContactSearch::Centre(const WheelPlacement& wheel, double rail_y,
+                                    double rail_z) const noexcept {
+  constexpr double kFineStep = 0.02e-3;
+  const Axle axle = PlaceAxle(wheel, rail_y, rail_z);
+  OverlapCentre c;
+  double sum = 0;
+  for (double at = wheel_.min_y(); at < wheel_.max_y(); at += kFineStep) {
+    const Locus l = LocusAt(axle, at);
+    if (!(l.overlap > 0)) continue;
+    const double weight = l.overlap * l.overlap * std::sqrt(l.overlap) * l.stretch;
+    sum += weight;
+    c.rail_y += weight * l.y;
+    c.angle -= weight * std::atan(l.rail_slope);
+    c.wheel_y += weight * at;
+  }
+  if (!(sum > 0)) return c;
+  for (double* mean : {&c.rail_y, &c.angle, &c.wheel_y}) *mean /= sum;
+  c.radius = radius_ + wheel_.At(c.wheel_y).z;
+  c.found = true;
+  return c;
+}
+
 }  // namespace phs::rail

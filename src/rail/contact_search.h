@@ -66,6 +66,16 @@ struct Overlap {
   bool at_end = false;  ///< reaches the end of the wheel's or the rail's profile
 };
 
+/// Where CONTACT puts the reference of all patches of a wheel that it takes together: the centre of
+/// the undeformed overlap, weighted with its square (between the two surfaces, so with h^2.5 over
+/// y); the angle is the mean of the rail's with the same weight.
+struct OverlapCentre {
+  double rail_y = 0, wheel_y = 0;  ///< [m]
+  double angle = 0;                ///< > 0 falling to the track centre [rad]
+  double radius = 0;               ///< of the wheel [m]
+  bool found = false;
+};
+
 /// Patches beyond `count` hold nothing.
 struct Overlaps {
   int count = 0;
@@ -87,6 +97,9 @@ class ContactSearch {
   /// curvature: where to begin with a rail on an elastic support.
   void FindPoints(const WheelPlacement& wheel, double rail_y, double rail_z,
                   Overlaps* found) const noexcept;
+
+  /// Slow: over the whole wheel.
+  OverlapCentre Centre(const WheelPlacement& wheel, double rail_y, double rail_z) const noexcept;
 
   const Profile& wheel() const { return wheel_; }
   const Profile& rail() const { return rail_; }
