@@ -15,7 +15,7 @@ using DataPtr = std::unique_ptr<mjData, decltype(&mj_deleteData)>;
 constexpr double kStep = 1e-7;       ///< of the finite differences [m, rad]
 constexpr double kTolerance = 1e-7;  ///< of the accelerations left [m/s^2, rad/s^2]
 constexpr int kMaxIterations = 60;
-constexpr double kStands = 1e-2;     ///< acceleration left to a vehicle that stands [m/s^2, rad/s^2]
+constexpr double kStands = 1e-2;  ///< acceleration left to a vehicle that stands [m/s^2, rad/s^2]
 constexpr double kFirstSinking =
     1e-4;  ///< start below mere touching, so that wheels carry load [m]
 

@@ -6,15 +6,15 @@
 namespace phs::rail {
 namespace {
 
-constexpr double kStep = 0.125e-3;        ///< of the table [m]
-constexpr double kMostShift = 25e-3;      ///< of the wheel across the rail, either way [m]
-constexpr double kShiftStep = 0.1e-3;     ///< [m]
-constexpr double kSearchStep = 0.5e-3;    ///< on the wheel [m]
-constexpr double kJump = 1e-3;            ///< touches farther apart leave the rail between them [m]
-constexpr double kWindow = 0.5e-3;        ///< of curvature, half, arc length [m]
-constexpr double kEven = 1.5e-3;          ///< over which K is evened out, half, arc length [m]
-constexpr double kEnd = 1e-3;             ///< curvature is not asked for nearer to an end [m]
-constexpr double kFlattest = 0.05;        ///< conformal regions carry a wide but finite patch [1/m]
+constexpr double kStep = 0.125e-3;      ///< of the table [m]
+constexpr double kMostShift = 25e-3;    ///< of the wheel across the rail, either way [m]
+constexpr double kShiftStep = 0.1e-3;   ///< [m]
+constexpr double kSearchStep = 0.5e-3;  ///< on the wheel [m]
+constexpr double kJump = 1e-3;          ///< touches farther apart leave the rail between them [m]
+constexpr double kWindow = 0.5e-3;      ///< of curvature, half, arc length [m]
+constexpr double kEven = 1.5e-3;        ///< over which K is evened out, half, arc length [m]
+constexpr double kEnd = 1e-3;           ///< curvature is not asked for nearer to an end [m]
+constexpr double kFlattest = 0.05;      ///< conformal regions carry a wide but finite patch [1/m]
 
 /// Mean curvature: the turn of the surface over its length.
 double MeanCurvature(const Profile& p, double y) {

@@ -15,7 +15,8 @@ constexpr double kEnd = 0.5e-3;  ///< contact this near to an end is at the end 
 /// Flattest relative curvature across: conformal regions carry a wide but finite patch.
 constexpr double kFlattest = 0.05;
 
-/// Panels of the wheel's profile that overlap is integrated over, four-point Gauss-Legendre on [0,1].
+/// Panels of the wheel's profile that overlap is integrated over, four-point Gauss-Legendre on
+/// [0,1].
 constexpr int kSamplesPerPanel = 2;
 constexpr double kNode[] = {0.0694318442029737, 0.3300094782075719, 0.6699905217924281,
                             0.9305681557970263};
