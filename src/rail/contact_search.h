@@ -18,11 +18,15 @@
 // force, and no strip does work on the spin of the axle nor on rolling ahead (m is the wheel's own
 // slope there).
 //
-// K(y) makes the force Hertz's (contact_bed.h).
+// K(y) makes the force Hertz's (contact_bed.h). The integrals are taken over panels of the wheel's
+// profile that keep their places, so that they do not jump when a hump begins or ends elsewhere.
 //
 // The ellipse of creep forces and pressure follows from the load and from the curvature of the
-// overlap as it is: J = int g^2 ds, S = int g (dg/ds)^2 ds, depth = 5 J/(4 I), B = S/J, exact for a
-// parabola.
+// overlap as it is: I = int g ds, J = int g^2 ds, depth = 5 J/(4 I), and B = 2 S/Q, S = int g^3
+// (dg/ds)^2 ds, Q = int g^4 ds; both exact for a parabola. Of an elastic contact only the deeper
+// half of the overlap bears; its load per width squared has the same spread, (b^2)/14 … (b^2)/10,
+// as the curvature weighted with g^4, (b^2)/11, b the half-width of the overlap: a flat shoulder
+// beside the patch does not make it flat.
 //
 // Patches that grow together. Two humps of depths d1, d2 with a ridge of depth r > 0 between them
 // are counted as separate with weight 1 - m and as one with weight m, m = smoothstep(r/min(d1,
