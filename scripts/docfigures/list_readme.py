@@ -41,10 +41,10 @@ def figures(phs):
     def at_most(start):
         return next(ours for what, ours in row.items() if what.startswith(start))
 
-    out["a22_place"] = number(at_most("A-2.2: contact position on the rail"), 2)
-    out["a22_angle"] = number(1e3 * at_most("A-2.2: contact angle"), 1)
-    out["a22_pressure"] = percent(at_most("A-2.2: peak pressure"), 1)
-    out["a22_force"] = percent(at_most("A-2.2: tangential force"), 0)
+    out["a22_place"] = number(at_most("A-2.2, left wheel: reference point"), 2)
+    out["a22_angle"] = number(1e3 * at_most("A-2.2, left wheel: contact angle"), 1)
+    out["a22_pressure"] = percent(at_most("A-2.2, left wheel: peak pressure"), 1)
+    out["a22_force"] = percent(at_most("A-2.2, left wheel: tangential force"), 0)
     out["fastsim"] = number(row["FASTSIM against CONTACT, rms of force error over mu N"], 3)
     out["cooperrider"] = number(at_most("linear critical speed of the Cooperrider"), 2)
     return out

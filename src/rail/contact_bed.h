@@ -1,11 +1,16 @@
 // Modulus of the bed of springs that stands for the elastic contact, along the rail's surface.
 //
-// A rail point touches the wheel where the slopes agree, so it knows its partner in the upright
-// wheelset, and their relative curvature across 2 B: the mean over +- 3 mm of both surfaces, the
-// width of a patch, as arcs have jumps of curvature that a patch does not feel. Hertz's force of
-// this pair on the area of its overlap gives K (Hertz::BedModulus), evened out over the same width.
-// A wheelset that rolls by some milliradians (the other wheel climbs) meets other partners; K is
-// then up to a third off and the approach a few micrometres, the force under a load not at all.
+// A rail point has a partner: the wheel point that touches it when the upright wheel is moved
+// across the rail, from the middle outwards up to the climbing flange. A point that no wheel
+// touches first, as between tread and flange root, takes the wheel point that lies opposite when
+// the wheel touches on both sides of it. The
+// relative curvature 2 B of the two surfaces there, over an arc of a millimetre (a patch averages
+// over its own width by itself), and the wheel's curvature 2 A along give K: Hertz's force of the
+// pair over the area of its overlap (Hertz::BedModulus). K is then evened out over +-1.5 mm of
+// arc, half of a narrow patch, as the integrals need.
+//
+// K belongs to a place of the rail. So the stored energy changes by what a strip's force does, and
+// the force by nothing else than depth.
 #pragma once
 
 #include <algorithm>

@@ -7,9 +7,8 @@
 namespace phs::rail {
 namespace {
 
-///< of the table for the samples [m]
-/// A hump between samples rises above them by less than B step^2/4; B = 1/(12 mm) at most.
-constexpr double kNear = 0.1e-3;
+constexpr double kSpare = 1.25;     ///< a yawed wheel is more curved across
+constexpr double kMostRoll = 0.06;  ///< and other differences of slope at a contact [rad]
 /// Humps whose ridge is this near to the shallower one are one hump.
 constexpr double kSameHump = 0.98;
 constexpr int kMaxRidges = 12;
@@ -22,6 +21,36 @@ double SmoothStep(double x) {
 }
 
 }  // namespace
+
+void ContactSearch::MeasureMargins() {
+  // Where a hump is deepest the slopes of wheel and rail agree, but for the roll; it rises above
+  // the samples on both sides by less than its curvature times the square of their distance/8.
+  constexpr double kFineStep = 0.1e-3;
+  const auto bend = [](const Profile::Sample& s) {
+    return s.second / std::pow(1 + s.slope * s.slope, 1.5);
+  };
+  for (int i = 0; i < samples_; ++i) {
+    double least = 1e9;
+    double most = -1e9;
+    double wheel_bend = 0;
+    double arc = 0;
+    for (double y = WheelY(i); y <= WheelY(i + 1); y += kFineStep) {
+      const Profile::Sample s = wheel_.At(y);
+      least = std::min(least, std::atan(s.slope) - kMostRoll);
+      most = std::max(most, std::atan(s.slope) + kMostRoll);
+      wheel_bend = std::max(wheel_bend, -bend(s));
+      arc += kFineStep * std::sqrt(1 + s.slope * s.slope);
+    }
+    double rail_bend = 0;
+    for (double y = rail_.min_y(); y <= rail_.max_y(); y += kFineStep) {
+      const Profile::Sample s = rail_.At(y);
+      if (std::atan(s.slope) >= least && std::atan(s.slope) <= most) {
+        rail_bend = std::max(rail_bend, bend(s));
+      }
+    }
+    margin_.push_back(kSpare * 0.125 * (wheel_bend + rail_bend) * arc * arc);
+  }
+}
 
 double ContactSearch::DeepestNear(const Axle& axle, double low, double high) const noexcept {
   // The slopes of wheel and rail agree: false position that does not get stuck (Illinois).
@@ -63,22 +92,27 @@ void ContactSearch::FindHumps(const Axle& axle, const Samples& s, Humps* humps) 
       i = end;
       continue;
     }
-    // A hump between samples: this one is nearest and does not quite touch.
-    const bool inside = i > s.first && i < s.last;
-    if (!inside || s.depth[i] < -kNear || s.depth[i - 1] > s.depth[i] ||
-        s.depth[i + 1] >= s.depth[i]) {
-      continue;
-    }
-    const double middle = DeepestNear(axle, WheelY(i - 1), WheelY(i + 1));
-    const Locus l = LocusAt(axle, middle);
-    if (!(l.overlap > 0)) continue;
-    Hump& h = humps->hump[humps->count++];
-    h.begin = EdgeBetween(axle, middle, WheelY(i - 1), 0.5 * (middle + WheelY(i - 1)));
-    h.end = EdgeBetween(axle, middle, WheelY(i + 1), 0.5 * (middle + WheelY(i + 1)));
-    h.depth = l.overlap;
-    h.merge_next = 0;
-    h.at_end = false;
+    // A hump between two samples that both do not touch.
+    if (i == s.last || s.depth[i + 1] > 0) continue;
+    if (std::max(s.depth[i], s.depth[i + 1]) < -margin_[static_cast<size_t>(i)]) continue;
+    AddBetween(axle, WheelY(i), WheelY(i + 1), humps);
   }
+}
+
+void ContactSearch::AddBetween(const Axle& axle, double low, double high,
+                               Humps* humps) const noexcept {
+  const auto rises = [&](double at) {
+    const Locus l = LocusAt(axle, at);
+    return l.slope > l.rail_slope;
+  };
+  if (!rises(low) || rises(high)) return;
+  const double middle = DeepestNear(axle, low, high);
+  if (!(LocusAt(axle, middle).overlap > 0)) return;
+  Hump& h = humps->hump[humps->count++];
+  h.begin = EdgeBetween(axle, middle, low, 0.5 * (middle + low));
+  h.end = EdgeBetween(axle, middle, high, 0.5 * (middle + high));
+  h.merge_next = 0;
+  h.at_end = false;
 }
 
 void ContactSearch::SplitRun(const Axle& axle, const Samples& s, int begin, int end,
@@ -161,6 +195,28 @@ void ContactSearch::FindPoints(const WheelPlacement& wheel, double rail_y, doubl
     p.push = {0, -push * p.slope, push};
     p.weight = 1;
   }
+}
+
+OverlapCentre ContactSearch::Centre(const WheelPlacement& wheel, double rail_y,
+                                    double rail_z) const noexcept {
+  constexpr double kFineStep = 0.02e-3;
+  const Axle axle = PlaceAxle(wheel, rail_y, rail_z);
+  OverlapCentre c;
+  double sum = 0;
+  for (double at = wheel_.min_y(); at < wheel_.max_y(); at += kFineStep) {
+    const Locus l = LocusAt(axle, at);
+    if (!(l.overlap > 0)) continue;
+    const double weight = l.overlap * l.overlap * std::sqrt(l.overlap) * l.stretch;
+    sum += weight;
+    c.rail_y += weight * l.y;
+    c.angle -= weight * std::atan(l.rail_slope);
+    c.wheel_y += weight * at;
+  }
+  if (!(sum > 0)) return c;
+  for (double* mean : {&c.rail_y, &c.angle, &c.wheel_y}) *mean /= sum;
+  c.radius = radius_ + wheel_.At(c.wheel_y).z;
+  c.found = true;
+  return c;
 }
 
 }  // namespace phs::rail

@@ -8,22 +8,20 @@ namespace {
 
 constexpr double kWheelStep = 1.2e-3;  ///< of the samples [m]
 constexpr double kRailStep = 0.125e-3;
-constexpr double kBeyond = 2;    ///< samples beyond the ends of the rail
+constexpr double kBeyond = 5;    ///< samples beyond the ends of the rail
+constexpr double kEdge = 1e-5;   ///< of a step of Newton, whose error is its square [m]
+constexpr double kDoubt = 2e-6;  ///< chords of the rail's table are this near to it, normal [m]
 constexpr double kEnd = 0.5e-3;  ///< contact this near to an end is at the end [m]
 /// Flattest relative curvature across: conformal regions carry a wide but finite patch.
 constexpr double kFlattest = 0.05;
 
-/// Sixteen-point Gauss-Legendre rule on [-1, 1].
-constexpr double kNode[] = {
-    -0.9894009349916499, -0.9445750230732326, -0.8656312023878318, -0.7554044083550030,
-    -0.6178762444026438, -0.4580167776572274, -0.2816035507792589, -0.0950125098376374,
-    0.0950125098376374,  0.2816035507792589,  0.4580167776572274,  0.6178762444026438,
-    0.7554044083550030,  0.8656312023878318,  0.9445750230732326,  0.9894009349916499};
-constexpr double kWeight[] = {
-    0.0271524594117541, 0.0622535239386478, 0.0951585116824929, 0.1246289712555339,
-    0.1495959888165768, 0.1691565193950026, 0.1826034150449236, 0.1894506104550685,
-    0.1894506104550685, 0.1826034150449236, 0.1691565193950026, 0.1495959888165768,
-    0.1246289712555339, 0.0951585116824929, 0.0622535239386478, 0.0271524594117541};
+/// Panels of the wheel's profile that overlap is integrated over, four-point Gauss-Legendre on
+/// [0,1].
+constexpr int kSamplesPerPanel = 2;
+constexpr double kNode[] = {0.0694318442029737, 0.3300094782075719, 0.6699905217924281,
+                            0.9305681557970263};
+constexpr double kWeight[] = {0.1739274225687269, 0.3260725774312731, 0.3260725774312731,
+                              0.1739274225687269};
 
 /// beta = sqrt(1 - x^2); |x| <= 0.3 for slopes up to 6 and yaw up to 50 mrad, error below 1e-9.
 double RootOfRest(double square) {
@@ -52,6 +50,11 @@ ContactSearch::ContactSearch(Profile wheel, Profile rail, double half_tape, doub
     radius_square_.push_back(0.5 * r * s.slope * s.slope);
     cosine_at_.push_back(1 / std::sqrt(1 + s.slope * s.slope));
   }
+  panel_ = kSamplesPerPanel * step_;
+  for (int k = 0; k < (samples_ - 1) / kSamplesPerPanel; ++k) {
+    AddNodes(begin_ + panel_ * k, begin_ + panel_ * (k + 1), &whole_);
+  }
+  MeasureMargins();
   const double rail_width = rail_.max_y() - rail_.min_y();
   const int pieces = static_cast<int>(std::ceil(rail_width / kRailStep));
   rail_begin_ = rail_.min_y();
@@ -134,6 +137,12 @@ void ContactSearch::Sample(const Axle& a, Samples* samples) const noexcept {
     const double rail_z = below + (place[i] - j) * (rail_z_[j + 1] - below);
     samples->depth[i] = (z[i] - rail_z) * cosine_at_[i];
   }
+  // Whether a sample overlaps at all is said by the rail itself.
+  for (int i = first; i < end; ++i) {
+    if (std::abs(samples->depth[i]) < kDoubt) {
+      samples->depth[i] = LocusAt(a, WheelY(i)).overlap * cosine_at_[i];
+    }
+  }
 }
 
 double ContactSearch::EdgeBetween(const Axle& axle, double inside, double outside,
@@ -149,7 +158,7 @@ double ContactSearch::EdgeBetween(const Axle& axle, double inside, double outsid
     if (!(next > low && next < high)) next = 0.5 * (low + high);
     const double step = std::abs(next - at);
     at = next;
-    if (step < 1e-6) break;
+    if (step < kEdge) break;
   }
   return at;
 }
@@ -165,6 +174,7 @@ double ContactSearch::EdgeOfRun(const Axle& axle, const Samples& s, int sample,
 void ContactSearch::Moments::Add(const Moments& m) {
   i += m.i;
   square += m.square;
+  fourth += m.fourth;
   bend += m.bend;
   load += m.load;
   wheel += m.wheel;
@@ -176,54 +186,84 @@ void ContactSearch::Moments::Add(const Moments& m) {
   turn_z += m.turn_z;
 }
 
-ContactSearch::Moments ContactSearch::Integrate(const Axle& a, const Hump& hump) const noexcept {
-  const double middle = 0.5 * (hump.begin + hump.end);
-  const double half = 0.5 * (hump.end - hump.begin);
-  // Pass by pass, so that the arithmetic between the look-ups is done two nodes at a time.
-  double at[kNodes], radius[kNodes], slope[kNodes], second[kNodes];
-  double x[kNodes], y[kNodes], z[kNodes], dy[kNodes];
-  double rail_z[kNodes], rail_slope[kNodes], bed[kNodes];
-  for (int k = 0; k < kNodes; ++k) {
-    at[k] = middle + half * kNode[k];
-    const Profile::Sample s = wheel_.At(at[k]);
-    radius[k] = radius_ + s.z;
-    slope[k] = s.slope;
-    second[k] = s.second;
+void ContactSearch::AddNodes(double from, double to, Nodes* nodes) const noexcept {
+  const double width = to - from;
+  for (int k = 0; k < kPanelNodes; ++k) {
+    const int n = nodes->count++;
+    const Profile::Sample s = wheel_.At(from + width * kNode[k]);
+    nodes->at[n] = from + width * kNode[k];
+    nodes->radius[n] = radius_ + s.z;
+    nodes->slope[n] = s.slope;
+    nodes->second[n] = s.second;
+    nodes->weight[n] = width * kWeight[k];
   }
+}
+
+void ContactSearch::FindNodes(const Hump& hump, Nodes* nodes) const noexcept {
+  // Whole panels keep their places, so that nothing jumps when an end wanders.
+  nodes->count = 0;
+  const int first = static_cast<int>(std::ceil((hump.begin - begin_) / panel_));
+  const int last =
+      std::min(static_cast<int>((hump.end - begin_) / panel_), whole_.count / kPanelNodes);
+  if (last < first) return AddNodes(hump.begin, hump.end, nodes);
+  AddNodes(hump.begin, begin_ + panel_ * first, nodes);
+  const int from = first * kPanelNodes;
+  const int count = (last - first) * kPanelNodes;
+  const int n = nodes->count;
+  std::copy_n(whole_.at + from, count, nodes->at + n);
+  std::copy_n(whole_.radius + from, count, nodes->radius + n);
+  std::copy_n(whole_.slope + from, count, nodes->slope + n);
+  std::copy_n(whole_.second + from, count, nodes->second + n);
+  std::copy_n(whole_.weight + from, count, nodes->weight + n);
+  nodes->count += count;
+  AddNodes(begin_ + panel_ * last, hump.end, nodes);
+}
+
+ContactSearch::Moments ContactSearch::Integrate(const Axle& a, const Hump& hump) const noexcept {
+  Nodes n;
+  FindNodes(hump, &n);
+  const int count = n.count;
+  // Pass by pass, so that the arithmetic between the look-ups is done two nodes at a time.
+  double x[kMaxNodes], y[kMaxNodes], z[kMaxNodes], dy[kMaxNodes], slope[kMaxNodes];
+  double rail_z[kMaxNodes], rail_slope[kMaxNodes], bed[kMaxNodes];
   const double side = a.side * a.side;
-  for (int k = 0; k < kNodes; ++k) {
-    const double t = slope[k];
-    const double along = half_tape_ + at[k];
+  for (int k = 0; k < count; ++k) {
+    const double t = n.slope[k];
+    const double along = half_tape_ + n.at[k];
     const double square = t * t * side;
     const double beta = 1 - square * (0.5 + square * (0.125 + square * 0.0625));
     const double uy = beta * a.beta_y - t * a.alpha_y;
     const double uz = beta * a.beta_z - t * a.alpha_z;
-    x[k] = a.ex * (along + radius[k] * t);
-    y[k] = a.y + a.ey * along + radius[k] * uy;
-    z[k] = a.z + a.ez * along + radius[k] * uz;
+    x[k] = a.ex * (along + n.radius[k] * t);
+    y[k] = a.y + a.ey * along + n.radius[k] * uy;
+    z[k] = a.z + a.ez * along + n.radius[k] * uz;
     slope[k] = -(uy - t * a.ey) / (uz - t * a.ez);
-    dy[k] = a.ey + t * uy - radius[k] * second[k] * (a.alpha_y + t * side * a.beta_y);
+    dy[k] = a.ey + t * uy - n.radius[k] * n.second[k] * (a.alpha_y + t * side * a.beta_y);
   }
-  for (int k = 0; k < kNodes; ++k) {
+  for (int k = 0; k < count; ++k) {
     const Profile::Sample r = rail_.At(y[k]);
     rail_z[k] = r.z;
     rail_slope[k] = r.slope;
     bed[k] = bed_.At(y[k]);
   }
   Moments m;
-  for (int k = 0; k < kNodes; ++k) {
+  for (int k = 0; k < count; ++k) {
     const double h = std::max(z[k] - rail_z[k], 0.0);
-    const double part = h * dy[k] * half * kWeight[k];
+    const double part = h * dy[k] * n.weight[k];
     const double square = 1 / (1 + rail_slope[k] * rail_slope[k]);  // c^2
-    const double depth = part * std::sqrt(square);
+    const double cosine = std::sqrt(square);
+    const double depth = part * cosine;
+    const double depth_of = h * cosine;
     const double turned = (slope[k] - rail_slope[k]) * square;
     const double push_z = bed[k] * depth;
     const double push_y = -slope[k] * push_z;
     m.i += part;
     m.square += depth * h;
-    m.bend += part * turned * turned;
+    const double cube = part * depth_of * depth_of;
+    m.bend += cube * turned * turned;
+    m.fourth += cube * depth_of;
     m.load += bed[k] * part;
-    m.wheel += bed[k] * part * at[k];
+    m.wheel += bed[k] * part * n.at[k];
     m.energy += 0.5 * push_z * h;
     m.push_y += push_y;
     m.push_z += push_z;
@@ -252,7 +292,7 @@ void ContactSearch::Describe(const Axle& a, const Moments& m, Overlap* patch) co
   p.energy = m.energy;
   p.slope = -m.push_y / m.push_z;
   p.depth = 1.25 * m.square / m.i;
-  p.across = std::max(m.bend / m.square, kFlattest);
+  p.across = std::max(2 * m.bend / m.fourth, kFlattest);
 }
 
 void ContactSearch::Find(const WheelPlacement& wheel, double rail_y, double rail_z,

@@ -18,11 +18,15 @@
 // force, and no strip does work on the spin of the axle nor on rolling ahead (m is the wheel's own
 // slope there).
 //
-// K(y) makes the force Hertz's (contact_bed.h).
+// K(y) makes the force Hertz's (contact_bed.h). The integrals are taken over panels of the wheel's
+// profile that keep their places, so that they do not jump when a hump begins or ends elsewhere.
 //
 // The ellipse of creep forces and pressure follows from the load and from the curvature of the
-// overlap as it is: J = int g^2 ds, S = int g (dg/ds)^2 ds, depth = 5 J/(4 I), B = S/J, exact for a
-// parabola.
+// overlap as it is: I = int g ds, J = int g^2 ds, depth = 5 J/(4 I), and B = 2 S/Q, S = int g^3
+// (dg/ds)^2 ds, Q = int g^4 ds; both exact for a parabola. Of an elastic contact only the deeper
+// half of the overlap bears; its load per width squared has the same spread, (b^2)/14 … (b^2)/10,
+// as the curvature weighted with g^4, (b^2)/11, b the half-width of the overlap: a flat shoulder
+// beside the patch does not make it flat.
 //
 // Patches that grow together. Two humps of depths d1, d2 with a ridge of depth r > 0 between them
 // are counted as separate with weight 1 - m and as one with weight m, m = smoothstep(r/min(d1,
@@ -66,6 +70,16 @@ struct Overlap {
   bool at_end = false;  ///< reaches the end of the wheel's or the rail's profile
 };
 
+/// Where CONTACT puts the reference of all patches of a wheel that it takes together: the centre of
+/// the undeformed overlap, weighted with its square (between the two surfaces, so with h^2.5 over
+/// y); the angle is the mean of the rail's with the same weight.
+struct OverlapCentre {
+  double rail_y = 0, wheel_y = 0;  ///< [m]
+  double angle = 0;                ///< > 0 falling to the track centre [rad]
+  double radius = 0;               ///< of the wheel [m]
+  bool found = false;
+};
+
 /// Patches beyond `count` hold nothing.
 struct Overlaps {
   int count = 0;
@@ -88,6 +102,9 @@ class ContactSearch {
   void FindPoints(const WheelPlacement& wheel, double rail_y, double rail_z,
                   Overlaps* found) const noexcept;
 
+  /// Slow: over the whole wheel.
+  OverlapCentre Centre(const WheelPlacement& wheel, double rail_y, double rail_z) const noexcept;
+
   const Profile& wheel() const { return wheel_; }
   const Profile& rail() const { return rail_; }
   double half_tape() const { return half_tape_; }
@@ -95,7 +112,8 @@ class ContactSearch {
  private:
   static constexpr int kMaxSamples = 256;
   static constexpr int kMaxHumps = 3;
-  static constexpr int kNodes = 16;
+  static constexpr int kPanelNodes = 4;
+  static constexpr int kMaxNodes = (kMaxSamples / 2 + 2) * kPanelNodes;
 
   struct Axle {
     double ex, ey, ez;
@@ -115,7 +133,6 @@ class ContactSearch {
   /// Hump of overlap between two ends [m on the wheel profile].
   struct Hump {
     double begin, end;
-    double depth;       ///< greatest sampled normal depth
     double merge_next;  ///< m with the next hump
     bool at_end;
   };
@@ -125,16 +142,24 @@ class ContactSearch {
   };
   /// Integrals over a hump, additive.
   struct Moments {
-    double i = 0, square = 0, bend = 0;  ///< I, J, S
+    double i = 0, square = 0, fourth = 0, bend = 0;  ///< I, J, Q, S
     double load = 0, wheel = 0, energy = 0;
     double push_y = 0, push_z = 0, turn_x = 0, turn_y = 0, turn_z = 0;
     void Add(const Moments& m);
+  };
+  /// Where overlap is evaluated for the integrals.
+  struct Nodes {
+    int count = 0;
+    double at[kMaxNodes];  ///< wheel y [m]
+    double radius[kMaxNodes], slope[kMaxNodes], second[kMaxNodes];
+    double weight[kMaxNodes];  ///< [m]
   };
   struct Samples {
     int first, last;
     double depth[kMaxSamples];  ///< h times the cosine of the wheel's slope: normal depth
   };
 
+  void MeasureMargins();
   Axle PlaceAxle(const WheelPlacement& wheel, double rail_y, double rail_z) const noexcept;
   Locus LocusAt(const Axle& axle, double wheel_y) const noexcept;
   void Sample(const Axle& axle, Samples* samples) const noexcept;
@@ -145,8 +170,13 @@ class ContactSearch {
   double EdgeOfRun(const Axle& axle, const Samples& samples, int sample, int next) const noexcept;
   double DeepestNear(const Axle& axle, double low, double high) const noexcept;
   void FindHumps(const Axle& axle, const Samples& samples, Humps* humps) const noexcept;
+  /// A hump that lies between two places, if there is one.
+  void AddBetween(const Axle& axle, double low, double high, Humps* humps) const noexcept;
   void SplitRun(const Axle& axle, const Samples& samples, int begin, int end,
                 Humps* humps) const noexcept;
+  /// The nodes of one panel.
+  void AddNodes(double from, double to, Nodes* nodes) const noexcept;
+  void FindNodes(const Hump& hump, Nodes* nodes) const noexcept;
   Moments Integrate(const Axle& axle, const Hump& hump) const noexcept;
   void Describe(const Axle& axle, const Moments& moments, Overlap* patch) const noexcept;
   double WheelY(int sample) const { return begin_ + step_ * sample; }
@@ -158,9 +188,12 @@ class ContactSearch {
   ContactBed bed_;
   double begin_;  ///< first sampled wheel position [m]
   double step_;
+  double panel_;  ///< width of a panel [m]
+  Nodes whole_;   ///< of all panels
   int samples_;
   /// [sample] of the wheel: R, R t, R t^2/2, cosine of the slope.
   std::vector<double> radius_at_, radius_slope_, radius_square_, cosine_at_;
+  std::vector<double> margin_;  ///< [sample] what a hump before the next may rise above both [m]
   double rail_begin_, rail_per_step_;
   std::vector<double> rail_z_;  ///< fine equidistant table for the samples
 };

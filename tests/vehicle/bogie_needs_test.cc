@@ -158,7 +158,7 @@ double LargestDifference(const std::vector<double>& a, const std::vector<double>
   return largest;
 }
 
-/// The slide leaves out that a tendon lengthens with y and z too, by 15 um here.
+/// The slide leaves out that a tendon lengthens with y and z too, by 15 um here: 200 N of 3600.
 TEST(SlideCylindersTest, TheSameBogieInACurveHasTheSameForces) {
   const auto curve = [](const std::string& bogie) {
     Scenario s = On(bogie, "curve_r300", 15);
@@ -171,7 +171,7 @@ TEST(SlideCylindersTest, TheSameBogieInACurveHasTheSameForces) {
   for (const char* i : {"1", "2", "3", "4"}) {
     const std::string name = std::string("cylinder_") + i;
     const auto& force = Column(tendons, name + "_force_N");
-    EXPECT_LT(LargestDifference(force, Column(slides, name + "_force_N")), 0.04 * Largest(force))
+    EXPECT_LT(LargestDifference(force, Column(slides, name + "_force_N")), 0.07 * Largest(force))
         << name;
     const auto& piston = Column(tendons, name + "_piston_m");
     EXPECT_LT(LargestDifference(piston, Column(slides, name + "_piston_m")), 0.01 * Largest(piston))
