@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <vector>
 
 #include "hydraulics/extension.h"
@@ -56,6 +57,12 @@ inline bool IsRodLine(const hydraulics::PhsParams& params, int line) {
 inline double LineFactor(const hydraulics::EffectParams& effect,
                          const hydraulics::PhsParams& params, int line) {
   return IsRodLine(params, line) ? effect.values.at("rod_ratio") : 1;
+}
+
+/// How often an effect is listed.
+inline long CountOf(const std::string& effect, const hydraulics::PhsParams& params) {
+  return std::count_if(params.effects.begin(), params.effects.end(),
+                       [&](const auto& other) { return other.name == effect; });
 }
 
 /// A part on a bench: one cylinder without lines.

@@ -17,6 +17,7 @@ using hydraulics::EffectParams;
 using hydraulics::Extension;
 using hydraulics::ForcePlace;
 using hydraulics::Port;
+using hydraulics::Sensor;
 
 constexpr int kCoefficients = 6;
 constexpr FormulaUnit kUnits[] = {FormulaUnit::kForce, FormulaUnit::kVolume, FormulaUnit::kFlow,
@@ -186,17 +187,19 @@ Status AddFlow(const EffectParams& effect, const Formula& formula, Extension* ex
   return {};
 }
 
+struct SensorPlace {
+  int cylinder;
+  Sensor sensor;
+};
+
 /// The sensors whose readings are meant: of pistons, or of the pressures of lines.
-Result<std::vector<hydraulics::InstrumentTerms::Channel*>> Readings(const EffectParams& effect,
-                                                                    FormulaUnit unit,
-                                                                    Extension* extension) {
-  std::vector<hydraulics::InstrumentTerms::Channel*> out;
-  const auto& params = extension->params();
+Result<std::vector<SensorPlace>> Sensors(const EffectParams& effect, FormulaUnit unit,
+                                         const hydraulics::PhsParams& params) {
+  std::vector<SensorPlace> out;
   if (unit == FormulaUnit::kLength) {
     for (int i : TargetCylinders(effect, params)) {
       if (i < 0) return Refuse(effect, "lines have no piston to be measured", "cylinders");
-      extension->instrument(i).present = true;
-      out.push_back(&extension->instrument(i).piston);
+      out.push_back({i, Sensor::kPiston});
     }
     return out;
   }
@@ -206,9 +209,8 @@ Result<std::vector<hydraulics::InstrumentTerms::Channel*>> Readings(const Effect
     for (size_t i = 0; i < params.cylinders.size(); ++i) {
       const auto& c = params.cylinders[i];
       if (c.bore_line != name && c.rod_line != name) continue;
-      hydraulics::InstrumentTerms& terms = extension->instrument(static_cast<int>(i));
-      terms.present = true;
-      out.push_back(c.bore_line == name ? &terms.p_bore : &terms.p_rod);
+      out.push_back({static_cast<int>(i),
+                     c.bore_line == name ? Sensor::kBorePressure : Sensor::kRodPressure});
     }
   }
   return out;
@@ -219,10 +221,11 @@ Status AddReading(const EffectParams& effect, const Formula& formula, FormulaUni
   if (const std::string other = formula.VariableOtherThan("xpqt"); !other.empty()) {
     return Refuse(effect, "a reading over " + other, "a formula over x, p, q and t");
   }
-  const auto readings = Readings(effect, unit, extension);
-  if (!readings.ok()) return readings.error();
-  const auto law = std::make_shared<const FurtherReading>(formula);
-  for (auto* channel : readings.value()) channel->further = law;
+  const auto sensors = Sensors(effect, unit, extension->params());
+  if (!sensors.ok()) return sensors.error();
+  for (const SensorPlace& at : sensors.value()) {
+    extension->AddReading(at.cylinder, at.sensor, std::make_unique<FurtherReading>(formula));
+  }
   return {};
 }
 

@@ -15,91 +15,22 @@
 #include <vector>
 
 #include "base/result.h"
+#include "hydraulics/force_place.h"
+#include "hydraulics/load_law.h"
+#include "hydraulics/oil_laws.h"
 #include "hydraulics/phs_params.h"
+#include "hydraulics/reading_law.h"
 
 namespace phs::hydraulics {
 
-/// How the memory of a VolumeLaw moves: dm/dt = rate(p, m).
-struct MemoryRate {
-  double rate = 0;         ///< [1/s]
-  double rate_slope = 0;   ///< d(rate)/dm [1/s], <= 0
-  double rate_rise = 0;    ///< d(rate)/dp [1/(s Pa)]
-  double volume_rise = 0;  ///< dV/dm at constant pressure [m3]
-};
-
-/// Volume taken up above the static state at pressure p: Volume(p0) = 0, rising with p (passive).
-/// A law may have a memory m, one number that follows the pressure with a lag (creep, dissolving
-/// gas): 0 in the static state, of the order of one.
-class VolumeLaw {
- public:
-  virtual ~VolumeLaw() = default;
-  /// `volume` [m3] and `slope` dV/dp [m3/Pa] >= 0 at constant memory are added to.
-  virtual void Add(double pressure, double memory, double* volume,
-                   double* slope) const noexcept = 0;
-  /// Integral of p dV from the static state, less what was lost on the way [J].
-  virtual double Energy(double pressure, double memory) const noexcept = 0;
-  /// Name of the memory among the states, "creep"; empty = none.
-  virtual std::string MemoryName() const { return {}; }
-  virtual MemoryRate Memory(double /*pressure*/, double /*memory*/) const noexcept { return {}; }
-  /// Available power lost by the memory's moving [W], >= 0.
-  virtual double Loss(double /*pressure*/, double /*memory*/) const noexcept { return 0; }
-};
-
-/// Flow through an opening or pipe: rises with the pressure difference, Flow(0) = 0 (passive).
-class FlowLaw {
- public:
-  virtual ~FlowLaw() = default;
-  /// Volume flow [m3/s] from the high to the low side at p_from - p_to = `dp` [Pa]; `slope` =
-  /// d/d(dp).
-  virtual double Flow(double time, double dp, double* slope) const noexcept = 0;
-  /// Inverse: pressure drop [Pa] at `flow`, and its slope. Needed only with an inertance.
-  virtual double Drop(double time, double flow, double* slope) const noexcept = 0;
-  /// rho l / A [kg/m4]; 0 = the flow follows the pressure at once.
-  virtual double Inertance() const noexcept { return 0; }
-  /// True where the drop is the smoother of the two sides (turbulent flow: q ~ sqrt(dp), steep at
-  /// zero), so that a step is solved for the flow: Newton on dp = Drop(q) does not circle about
-  /// zero.
-  virtual bool SolvedByDrop() const noexcept { return false; }
-};
-
 /// Where a flow law begins and ends.
 enum class Port { kBore, kRod, kLine, kAtmosphere };
-
-/// What a further force of a cylinder (or of a part on a bench) may depend on.
-struct ForcePlace {
-  double time = 0;         ///< [s]
-  double piston = 0;       ///< y [m]
-  double speed = 0;        ///< [m/s]
-  double direction = 0;    ///< friction's own, -1 … 1: turns over its presliding or ramp
-  double bore_rise = 0;    ///< p_bore above static [Pa]; element bench: the pressure itself
-  double rod_rise = 0;     ///< p_rod above static [Pa]
-  double temperature = 0;  ///< above the model's [K]
-};
 
 /// A force beside friction, F > 0 tension.
 class ForceLaw {
  public:
   virtual ~ForceLaw() = default;
   virtual double Force(const ForcePlace& place) const noexcept = 0;
-};
-
-/// What a sensor shows beyond the truth, in the unit of its channel; of `place` time, piston and
-/// pressures are set.
-class ReadingLaw {
- public:
-  virtual ~ReadingLaw() = default;
-  virtual double Error(const ForcePlace& place) const noexcept = 0;
-};
-
-/// A part on a bench, beyond its declared ElementParams.
-///   o--[ m ]--+--[ k ]--+--[ m_f ]     m_f part of the mass behind a spring and a damper:
-///      x      +--[ c ]--+      y       m_f y" = k (x - y) + c (x' - y'),  f² = k/m_f/(2 pi)²
-struct ElementTerms {
-  double pressure_area_m2 = 0;
-  double mass_kg = 0;
-  double flexible_mass_kg = 0;
-  double flexible_Hz = 0;       ///< natural frequency f with the drive held
-  double flexible_damping = 0;  ///< c / (2 sqrt(k m_f))
 };
 
 /// Friction level of one cylinder beyond its curve. level(v, …) = curve(v)
@@ -166,36 +97,6 @@ struct MountTerms {
 /// Stiffness used for a mounting that only has play [N/m].
 inline constexpr double kContactStiffness = 2e9;
 
-/// Error of the instruments of one cylinder: shown = gain * true(t - delay) + offset + drift * t,
-/// or drift T (1 - exp(-t/T)) for a drift that settles with the time T, its t counted from
-/// `start_s` on; plus a slow wave wave_sine sin(2 pi t/P) + wave_cosine (cos(2 pi t/P) - 1).
-struct InstrumentTerms {
-  struct Channel {
-    double gain = 1, offset = 0, drift_per_s = 0, delay_s = 0;
-    double wave_sine = 0, wave_cosine = 0;
-    std::shared_ptr<const ReadingLaw> further;  ///< none if empty
-  };
-  Channel load, p_bore, p_rod, piston;
-  double start_s = 0;     ///< no drift before
-  double settling_s = 0;  ///< T; 0 = never settles
-  double period_s = 100;  ///< P
-  bool present = false;
-};
-
-/// Temperature of surroundings and oil: static + ramp up to `limit` + amplitude sin(2 pi t/period);
-/// ramp: rate t, or rate T_s (1 - exp(-t/T_s)) for one that settles with the time T_s; its t is
-/// counted from `start_s` on.
-struct TemperatureTerms {
-  bool present = false;
-  double rate_K_per_s = 0;
-  double start_s = 0;     ///< no ramp before
-  double settling_s = 0;  ///< T_s; 0 = never settles
-  double amplitude_K = 0, period_s = 86400;
-  double limit_K = 40;           ///< |rate t| stays below this
-  double expansion_1_per_K = 0;  ///< of the oil against its housing
-  double softening_1_per_K = 0;  ///< relative fall of the oil's bulk modulus
-};
-
 /// What an effect may add to while a system is being built.
 class Extension {
  public:
@@ -211,9 +112,10 @@ class Extension {
                             std::unique_ptr<FlowLaw> law) = 0;
   virtual FrictionTerms& friction(int cylinder) = 0;
   virtual MountTerms& mount(int cylinder) = 0;
-  virtual InstrumentTerms& instrument(int cylinder) = 0;
-  virtual TemperatureTerms& temperature() = 0;
-  virtual ElementTerms& element() = 0;
+  virtual void AddReading(int cylinder, Sensor sensor, std::unique_ptr<const ReadingLaw> law) = 0;
+  /// At the driven end of a bench or rig.
+  virtual void AddLoad(std::unique_ptr<const LoadLaw> law) = 0;
+  virtual void AddAmbient(std::unique_ptr<const AmbientLaw> law) = 0;
   /// Line parameters may still be changed (precharge, gas law): laws are compiled afterwards.
   virtual LineParams& line(int index) = 0;
 };

@@ -28,7 +28,7 @@ class Builder final : public Extension {
   explicit Builder(const PhsParams& params) : params_(params), lines_(params.lines) {
     friction_.resize(params.cylinders.size());
     mount_.resize(params.cylinders.size());
-    instrument_.resize(params.cylinders.size());
+    readings_.resize(params.cylinders.size());
   }
   const PhsParams& params() const override { return params_; }
   void AddVolume(int line, std::unique_ptr<VolumeLaw> law) override {
@@ -44,9 +44,13 @@ class Builder final : public Extension {
   }
   FrictionTerms& friction(int cylinder) override { return friction_[cylinder]; }
   MountTerms& mount(int cylinder) override { return mount_[cylinder]; }
-  InstrumentTerms& instrument(int cylinder) override { return instrument_[cylinder]; }
-  TemperatureTerms& temperature() override { return temperature_; }
-  ElementTerms& element() override { return element_; }
+  void AddReading(int cylinder, Sensor sensor, std::unique_ptr<const ReadingLaw> law) override {
+    readings_[cylinder][static_cast<int>(sensor)].push_back(std::move(law));
+  }
+  void AddLoad(std::unique_ptr<const LoadLaw> law) override { loads_.push_back(std::move(law)); }
+  void AddAmbient(std::unique_ptr<const AmbientLaw> law) override {
+    ambient_.push_back(std::move(law));
+  }
   LineParams& line(int index) override { return lines_[index]; }
 
   CompiledPhs Compile();
@@ -68,9 +72,9 @@ class Builder final : public Extension {
   std::vector<PendingSplit> splits_;
   std::vector<FrictionTerms> friction_;
   std::vector<MountTerms> mount_;
-  std::vector<InstrumentTerms> instrument_;
-  TemperatureTerms temperature_;
-  ElementTerms element_;
+  std::vector<std::array<ReadingLaws, kSensors>> readings_;
+  LoadLaws loads_;
+  std::vector<std::unique_ptr<const AmbientLaw>> ambient_;
   std::vector<std::string> path_names_;
   Status status_;
 };
@@ -141,8 +145,8 @@ void Builder::CompileNodes(CompiledPhs* sys) {
     node.oil_volume = line.oil_volume_m3;
     node.bulk_modulus = line.bulk_modulus_Pa;
     node.bulk_slope = line.bulk_modulus_slope;
-    node.softening = temperature_.softening_1_per_K;
-    node.expansion = line.expansion_ratio;
+    node.softening = line.softening_1_per_K;
+    node.expansion = line.expansion_1_per_K;
     node.air = (line.free_air_m3 + kTraceAir * line.oil_volume_m3) * kAtmosphere;
     node.temperature = params_.temperature_K;
     node.sequential = params_.balance == BalanceMethod::kSequential;
@@ -174,7 +178,7 @@ void Builder::CompileCylinders(CompiledPhs* sys) {
     c.friction = Friction(params_.friction, friction_[i]);
     c.stop = from.end_stop;
     c.mount = mount_[i];
-    c.instruments = instrument_[i];
+    c.readings = std::move(readings_[i]);
     if (c.mount.present && c.mount.stiffness_N_per_m <= 0) {
       c.mount.stiffness_N_per_m = kContactStiffness;
     }
@@ -305,8 +309,8 @@ CompiledPhs Builder::Compile() {
   CompileFlows(sys);
   CompileStates(sys);
   for (Node& node : sys->nodes) node.Prepare();
-  sys->temperature = temperature_;
-  sys->element = element_;
+  sys->ambient = std::move(ambient_);
+  sys->loads = std::move(loads_);
   if (static_cast<int>(sys->paths.size()) > kMaxPaths || sys->num_states() > kMaxStates) {
     status_ = Error{params_.name, "too many flows or states for one system",
                     "at most " + std::to_string(kMaxPaths) + " flows", "switch effects off"};

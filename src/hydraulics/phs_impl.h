@@ -29,7 +29,7 @@ struct CompiledCylinder {
   Friction friction;
   EndStopParams stop;
   MountTerms mount;
-  InstrumentTerms instruments;
+  std::array<ReadingLaws, kSensors> readings;
   int bristle = -1, dwell = -1, mount_state = -1;  ///< state indices
   int maxwell[MountTerms::kBranches] = {-1, -1};
   /// Maxwell deflections in `state`; 0 where there is no branch.
@@ -65,8 +65,8 @@ struct CompiledPhs {
   std::vector<Node> nodes;  ///< the first num_lines are the lines themselves
   std::vector<Path> paths;
   std::vector<std::unique_ptr<VolumeLaw>> volume_laws;
-  TemperatureTerms temperature;
-  ElementTerms element;
+  std::vector<std::unique_ptr<const AmbientLaw>> ambient;
+  LoadLaws loads;
   int first_slow = 0;  ///< states below: friction and mounting; from here: hydraulic
   bool friction_needs_pressure = false;
   bool has_mounts = false;

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "hydraulics/drift_time.h"
 #include "hydraulics/phs_impl.h"
 
 namespace phs::hydraulics {
@@ -25,8 +24,8 @@ const std::vector<std::string>& PhsSystem::line_names() const { return impl_->li
 const std::vector<std::string>& PhsSystem::state_names() const { return impl_->state_names; }
 const std::string& PhsSystem::name() const { return impl_->params.name; }
 const PhsParams& PhsSystem::params() const { return impl_->params; }
-const InstrumentTerms& PhsSystem::instruments(int cylinder) const {
-  return impl_->cylinders[cylinder].instruments;
+const ReadingLaws& PhsSystem::readings(int cylinder, Sensor sensor) const {
+  return impl_->cylinders[cylinder].readings[static_cast<size_t>(sensor)];
 }
 const Friction& PhsSystem::friction(int cylinder) const {
   return impl_->cylinders[cylinder].friction;
@@ -34,21 +33,18 @@ const Friction& PhsSystem::friction(int cylinder) const {
 
 const MountTerms& PhsSystem::mount(int cylinder) const { return impl_->cylinders[cylinder].mount; }
 double PhsSystem::Ambient(double time) const { return impl_->Ambient(time); }
-const ElementTerms& PhsSystem::element() const { return impl_->element; }
+const LoadLaws& PhsSystem::loads() const { return impl_->loads; }
 
 double CompiledPhs::Ambient(double time) const {
-  const double T0 = params.temperature_K;
-  if (!temperature.present) return T0;
-  const double counted = DriftTime(time, temperature.start_s, temperature.settling_s);
-  const double ramp =
-      std::clamp(temperature.rate_K_per_s * counted, -temperature.limit_K, temperature.limit_K);
-  return T0 + ramp + temperature.amplitude_K * std::sin(2 * M_PI * time / temperature.period_s);
+  double T = params.temperature_K;
+  for (const auto& law : ambient) T += law->Rise(time);
+  return T;
 }
 
 void CompiledPhs::CalcPushed(const double* state, Instant* at) const {
-  const double warm = temperature.expansion_1_per_K * (at->ambient - params.temperature_K);
+  const double warmer = at->ambient - params.temperature_K;
   for (size_t n = 0; n < nodes.size(); ++n)
-    at->pushed[n] = nodes[n].oil_volume * nodes[n].expansion * warm;
+    at->pushed[n] = nodes[n].oil_volume * (nodes[n].expansion * warmer);
   for (size_t i = 0; i < cylinders.size(); ++i) {
     const CompiledCylinder& c = cylinders[i];
     if (c.bore != kOpen) at->pushed[c.bore] -= c.bore_area * at->piston[i];

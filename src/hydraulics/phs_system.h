@@ -106,15 +106,15 @@ class PhsSystem {
   /// longer than about 0.6 of its inverse damp it away.
   double max_line_frequency() const;
 
-  /// Errors of the instruments of a cylinder, for rigs.
-  const InstrumentTerms& instruments(int cylinder) const;
+  /// Laws of an instrument of a cylinder, for rigs.
+  const ReadingLaws& readings(int cylinder, Sensor sensor) const;
   /// Friction of a cylinder alone, for benches without oil.
   const Friction& friction(int cylinder) const;
   const MountTerms& mount(int cylinder) const;
   /// Temperature of surroundings and oil [K].
   double Ambient(double time) const;
-  /// What effects add to a part on a bench; zero without any.
-  const ElementTerms& element() const;
+  /// What hangs on the driven end of a bench or rig.
+  const LoadLaws& loads() const;
 
  private:
   struct Impl;
