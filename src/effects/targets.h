@@ -1,4 +1,4 @@
-// Which cylinders or lines an effect acts on, and how mountings join.
+// Which cylinders or lines an effect acts on.
 #pragma once
 
 #include <algorithm>
@@ -72,12 +72,6 @@ inline bool IsBenchPart(const hydraulics::PhsParams& params) {
 inline Status NotABenchPart(const std::string& effect) {
   return Error{"effects." + effect, "acts on a part on a bench only",
                "a model of one cylinder without lines (rig: element)", "take it out here"};
-}
-
-/// Puts a spring in series with those already there: 1/k = 1/k1 + 1/k2.
-inline void AddInSeries(hydraulics::MountTerms* mount, double stiffness) {
-  const double old = mount->stiffness_N_per_m;
-  mount->stiffness_N_per_m = old > 0 ? 1 / (1 / old + 1 / stiffness) : stiffness;
 }
 
 }  // namespace phs::effects

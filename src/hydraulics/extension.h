@@ -17,6 +17,7 @@
 #include "base/result.h"
 #include "hydraulics/force_place.h"
 #include "hydraulics/load_law.h"
+#include "hydraulics/mount_law.h"
 #include "hydraulics/oil_laws.h"
 #include "hydraulics/phs_params.h"
 #include "hydraulics/reading_law.h"
@@ -67,36 +68,6 @@ struct FrictionTerms {
   double presliding_share = 1;     ///< of the level that sticks; the rest slides at once
 };
 
-/// Elements in series between mounting and piston: play, spring, spring with Maxwell branches.
-/// Spring force k e (1 + b e²), times `tension_ratio` for e > 0.
-struct MountTerms {
-  static constexpr int kBranches = 2;
-  bool present = false;
-  double gap_m = 0;                ///< total free play
-  double gap_tension_share = 0.5;  ///< of it that is crossed before tension, from rest, 0 … 1
-  double stiffness_N_per_m = 0;    ///< series spring; 0 = the contact stiffness below only
-  double hardening_1_per_m2 = 0;   ///< b >= 0
-  double tension_ratio = 1;        ///< stiffness in tension over that in compression, > 0
-  /// Parallel branches of a bush.
-  double maxwell_stiffness_N_per_m[kBranches] = {0, 0};
-  double maxwell_damping_Ns_per_m[kBranches] = {0, 0};
-  bool HasBranch(int k) const { return maxwell_stiffness_N_per_m[k] > 0; }
-  /// e: what of actuator minus piston `u` is beyond the play [m].
-  double PlayFree(double u) const {
-    const double tension = gap_tension_share * gap_m, compression = gap_m - tension;
-    return u > tension ? u - tension : (u < -compression ? u + compression : 0);
-  }
-  /// Force of the spring [N], tension > 0, and its slope, where `e` is beyond the play.
-  double SpringForce(double e, double* slope) const {
-    const double k = stiffness_N_per_m * (e > 0 ? tension_ratio : 1);
-    const double harder = hardening_1_per_m2 * e * e;
-    *slope = k * (1 + 3 * harder);
-    return k * e * (1 + harder);
-  }
-};
-/// Stiffness used for a mounting that only has play [N/m].
-inline constexpr double kContactStiffness = 2e9;
-
 /// What an effect may add to while a system is being built.
 class Extension {
  public:
@@ -111,7 +82,7 @@ class Extension {
   virtual void SplitChamber(Port chamber, int cylinder, double share, const std::string& name,
                             std::unique_ptr<FlowLaw> law) = 0;
   virtual FrictionTerms& friction(int cylinder) = 0;
-  virtual MountTerms& mount(int cylinder) = 0;
+  virtual void AddMount(int cylinder, std::unique_ptr<const MountLaw> law) = 0;
   virtual void AddReading(int cylinder, Sensor sensor, std::unique_ptr<const ReadingLaw> law) = 0;
   /// At the driven end of a bench or rig.
   virtual void AddLoad(std::unique_ptr<const LoadLaw> law) = 0;

@@ -27,7 +27,7 @@ class Builder final : public Extension {
  public:
   explicit Builder(const PhsParams& params) : params_(params), lines_(params.lines) {
     friction_.resize(params.cylinders.size());
-    mount_.resize(params.cylinders.size());
+    mounts_.resize(params.cylinders.size());
     readings_.resize(params.cylinders.size());
   }
   const PhsParams& params() const override { return params_; }
@@ -43,7 +43,9 @@ class Builder final : public Extension {
     splits_.push_back({chamber, cylinder, share, name, std::move(law)});
   }
   FrictionTerms& friction(int cylinder) override { return friction_[cylinder]; }
-  MountTerms& mount(int cylinder) override { return mount_[cylinder]; }
+  void AddMount(int cylinder, std::unique_ptr<const MountLaw> law) override {
+    mounts_[cylinder].push_back(std::move(law));
+  }
   void AddReading(int cylinder, Sensor sensor, std::unique_ptr<const ReadingLaw> law) override {
     readings_[cylinder][static_cast<int>(sensor)].push_back(std::move(law));
   }
@@ -71,7 +73,7 @@ class Builder final : public Extension {
   std::vector<PendingFlow> flows_;
   std::vector<PendingSplit> splits_;
   std::vector<FrictionTerms> friction_;
-  std::vector<MountTerms> mount_;
+  std::vector<MountLaws> mounts_;
   std::vector<std::array<ReadingLaws, kSensors>> readings_;
   LoadLaws loads_;
   std::vector<std::unique_ptr<const AmbientLaw>> ambient_;
@@ -177,12 +179,9 @@ void Builder::CompileCylinders(CompiledPhs* sys) {
     friction_[i].static_difference_Pa = c.bore_p0 - c.rod_p0;
     c.friction = Friction(params_.friction, friction_[i]);
     c.stop = from.end_stop;
-    c.mount = mount_[i];
+    c.mount = Mount(std::move(mounts_[i]));
     c.readings = std::move(readings_[i]);
-    if (c.mount.present && c.mount.stiffness_N_per_m <= 0) {
-      c.mount.stiffness_N_per_m = kContactStiffness;
-    }
-    sys->has_mounts |= c.mount.present;
+    sys->has_mounts |= c.mount.present();
     sys->friction_needs_pressure |= c.friction.depends_on_pressure();
     sys->cylinders.push_back(std::move(c));
     sys->cylinder_names.push_back(from.name);
@@ -261,8 +260,14 @@ void Builder::CompileFlows(CompiledPhs* sys) {
 }
 
 void Builder::CompileStates(CompiledPhs* sys) {
+  // The second of a name is NAME_2.
   auto add = [sys](const std::string& name) {
-    sys->state_names.push_back(name);
+    std::vector<std::string>& names = sys->state_names;
+    std::string free = name;
+    for (int n = 2; std::find(names.begin(), names.end(), free) != names.end(); ++n) {
+      free = name + "_" + std::to_string(n);
+    }
+    names.push_back(free);
     return sys->num_states() - 1;
   };
   for (size_t i = 0; i < sys->cylinders.size(); ++i) {
@@ -270,11 +275,8 @@ void Builder::CompileStates(CompiledPhs* sys) {
     const std::string& name = sys->cylinder_names[i];
     if (c.friction.model() == FrictionModel::kPresliding) c.bristle = add(name + ".bristle");
     if (c.friction.has_dwell()) c.dwell = add(name + ".dwell");
-    if (c.mount.present) c.mount_state = add(name + ".mount");
-    for (int k = 0; k < MountTerms::kBranches; ++k) {
-      if (!c.mount.present || !c.mount.HasBranch(k)) continue;
-      c.maxwell[k] = add(name + (k == 0 ? ".bush" : ".bush2"));
-    }
+    if (c.mount.present()) c.mount_state = add(name + ".mount");
+    for (const MaxwellBranch& branch : c.mount.branches()) add(name + "." + branch.name);
   }
   sys->first_slow = sys->num_states();
   for (size_t n = 0; n < lines_.size(); ++n) {

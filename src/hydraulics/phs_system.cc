@@ -31,7 +31,7 @@ const Friction& PhsSystem::friction(int cylinder) const {
   return impl_->cylinders[cylinder].friction;
 }
 
-const MountTerms& PhsSystem::mount(int cylinder) const { return impl_->cylinders[cylinder].mount; }
+const Mount& PhsSystem::mount(int cylinder) const { return impl_->cylinders[cylinder].mount; }
 double PhsSystem::Ambient(double time) const { return impl_->Ambient(time); }
 const LoadLaws& PhsSystem::loads() const { return impl_->loads; }
 
@@ -105,12 +105,15 @@ void CalcCylinder(const CompiledPhs& sys, const Instant& at, int i, double pisto
   }
   if (c.mount_state >= 0) {
     const double u = state[c.mount_state];
-    const MountCreep q = c.Creep(state);
+    const double* q = c.Branches(state);
     double slope;
-    force = CalcMountForce(c.mount, u, q, &slope);
+    force = c.mount.Force(u, q, 0, &slope);
     friction_force = force - pressure_force - stop.force;
     if (out->damping) out->damping[i] = 0;  // the mounting stands between
-    if (out->energy) out->stored_energy += CalcMountEnergy(c.mount, u, q);
+    if (out->energy) {
+      out->stored_energy += c.mount.Energy(u, q);
+      out->lost_power += c.mount.Loss(u, q);
+    }
   }
   if (out->force) out->force[i] = force;
   if (out->pressure_force) out->pressure_force[i] = pressure_force;
@@ -200,7 +203,6 @@ void PhsSystem::Calc(double time, const double* x, const double* v, const double
   }
   out->stored_energy += CalcPathEnergy(sys, state);
   out->lost_power += CalcHydraulicLoss(sys, time, at, state);
-  if (sys.has_mounts) out->lost_power += CalcMountLoss(sys, state);
 }
 
 void PhsSystem::CalcStateRate(double time, double h, const double* x, const double* v,

@@ -9,6 +9,7 @@
 #include "base/result.h"
 #include "hydraulics/extension.h"
 #include "hydraulics/friction.h"
+#include "hydraulics/mount.h"
 #include "hydraulics/phs_params.h"
 
 namespace phs::hydraulics {
@@ -110,7 +111,7 @@ class PhsSystem {
   const ReadingLaws& readings(int cylinder, Sensor sensor) const;
   /// Friction of a cylinder alone, for benches without oil.
   const Friction& friction(int cylinder) const;
-  const MountTerms& mount(int cylinder) const;
+  const Mount& mount(int cylinder) const;
   /// Temperature of surroundings and oil [K].
   double Ambient(double time) const;
   /// What hangs on the driven end of a bench or rig.

@@ -9,21 +9,17 @@ namespace {
 using hydraulics::Friction;
 using hydraulics::FrictionModel;
 using hydraulics::FrictionPlace;
-using hydraulics::MountTerms;
+using hydraulics::Mount;
 
 /// Friction at the end of a gap and a spring.
 class MountedFriction {
  public:
-  MountedFriction(const Friction& friction, const MountTerms& mount, double x, double h)
-      : friction_(friction), mount_(mount), y_(x), h_(h) {
-    if (mount_.present && mount_.stiffness_N_per_m <= 0) {
-      mount_.stiffness_N_per_m = hydraulics::kContactStiffness;
-    }
-  }
+  MountedFriction(const Friction& friction, const Mount& mount, double x, double h)
+      : friction_(friction), mount_(mount), y_(x), h_(h) {}
   /// Force with the drive at x, v now; `place` without piston and rest.
   double Calc(double x, double v, FrictionPlace place) {
     place.rested = 1 - eta_;
-    if (!mount_.present) {
+    if (!mount_.present()) {
       place.piston = y_ = x;
       direction_ = friction_.Direction(v, z_, place);
       return friction_.Calc(v, z_, place).force;
@@ -36,7 +32,7 @@ class MountedFriction {
   }
   /// To the next sample, the drive at mean speed v (without a mount only: else done in Calc).
   void Move(double v, FrictionPlace place) {
-    if (mount_.present) return;
+    if (mount_.present()) return;
     place.piston = y_;
     place.rested = 1 - eta_;
     Advance(h_, v, place);
@@ -47,7 +43,7 @@ class MountedFriction {
   /// Move of y that balances friction and mount. Their difference rises with the move: false
   /// position with the Illinois rule inside a bracket.
   double SolveMove(double x, const FrictionPlace& place) const {
-    const double reach = std::abs(x - y_) + mount_.gap_m + 1e-12;
+    const double reach = std::abs(x - y_) + mount_.play() + 1e-12;
     const auto excess = [&](double move) {
       return FrictionAfter(move, place) - MountForce(x - y_ - move);
     };
@@ -90,7 +86,7 @@ class MountedFriction {
   }
 
   const Friction& friction_;
-  MountTerms mount_;
+  const Mount& mount_;
   double y_, h_;
   double z_ = 0, eta_ = 0, direction_ = 0;
 };
