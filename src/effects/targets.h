@@ -32,6 +32,14 @@ inline std::vector<int> TargetLines(const hydraulics::EffectParams& effect,
   return out;
 }
 
+/// Static pressure of a line; atmosphere where there is none [Pa].
+inline double StaticPressure(const std::string& name, const hydraulics::Extension& extension) {
+  const auto& params = extension.params();
+  const int line = params.FindLine(name);
+  return line >= 0 ? params.lines[static_cast<size_t>(line)].static_pressure_Pa
+                   : hydraulics::kAtmosphere;
+}
+
 /// Laminar resistance at the model's static temperature, from its value at 20 °C.
 inline double AtModelTemperature(double laminar_20C, const hydraulics::PhsParams& params) {
   return laminar_20C * hydraulics::CalcViscosityRatio(params.temperature_K);

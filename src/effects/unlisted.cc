@@ -124,7 +124,8 @@ Result<FormulaUnit> UnitOf(const EffectParams& effect) {
   for (const FormulaUnit candidate : kUnits) {
     bool given = false;
     for (int k = 1; k <= kCoefficients; ++k) {
-      given |= effect.values.at(CoefficientName(k, candidate)) != 0;
+      const auto value = effect.values.find(CoefficientName(k, candidate));
+      given |= value != effect.values.end() && value->second != 0;
     }
     if (!given) continue;
     if (found) return Refuse(effect, "coefficients of two units", "one unit: c1_N … or c1_m3 …");
@@ -133,14 +134,24 @@ Result<FormulaUnit> UnitOf(const EffectParams& effect) {
   return unit;
 }
 
+/// How many formulas give a force on a cylinder.
+long ForcesOn(int cylinder, const hydraulics::PhsParams& params) {
+  return std::count_if(params.effects.begin(), params.effects.end(), [&](const auto& other) {
+    if (other.name != UnlistedInfo().name) return false;
+    const Result<FormulaUnit> unit = UnitOf(other);
+    const std::vector<int> targets = TargetCylinders(other, params);
+    return unit.ok() && unit.value() == FormulaUnit::kForce &&
+           std::find(targets.begin(), targets.end(), cylinder) != targets.end();
+  });
+}
+
 Status AddForce(const EffectParams& effect, const Formula& formula, Extension* extension) {
-  const auto law = std::make_shared<const FurtherForce>(formula);
   for (int i : TargetCylinders(effect, extension->params())) {
     if (i < 0) return Refuse(effect, "a force acts on cylinders, not on lines", "cylinders");
-    if (extension->friction(i).further != nullptr) {
+    if (ForcesOn(i, extension->params()) > 1) {
       return Refuse(effect, "a second formula on one cylinder", "one");
     }
-    extension->friction(i).further = law;
+    extension->AddForce(i, std::make_unique<FurtherForce>(formula));
   }
   return {};
 }
@@ -167,10 +178,7 @@ Status AddFlow(const EffectParams& effect, const Formula& formula, Extension* ex
     return Refuse(effect, "a flow that does not vanish at rest", "0 at p = 0");
   }
   const auto& params = extension->params();
-  const auto rest = [&](const std::string& name) {
-    const int line = params.FindLine(name);
-    return line >= 0 ? extension->line(line).static_pressure_Pa : hydraulics::kAtmosphere;
-  };
+  const auto rest = [&](const std::string& name) { return StaticPressure(name, *extension); };
   for (const std::string& target : effect.targets) {
     if (const int i = params.FindCylinder(target); i >= 0 && params.FindLine(target) < 0) {
       const auto& c = params.cylinders[static_cast<size_t>(i)];

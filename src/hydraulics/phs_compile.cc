@@ -42,7 +42,15 @@ class Builder final : public Extension {
                     std::unique_ptr<FlowLaw> law) override {
     splits_.push_back({chamber, cylinder, share, name, std::move(law)});
   }
-  FrictionTerms& friction(int cylinder) override { return friction_[cylinder]; }
+  void AddLevel(int cylinder, std::unique_ptr<const LevelLaw> law) override {
+    friction_[cylinder].levels.push_back(std::move(law));
+  }
+  void AddForce(int cylinder, std::unique_ptr<const ForceLaw> law) override {
+    friction_[cylinder].forces.push_back(std::move(law));
+  }
+  void SetBristle(int cylinder, std::unique_ptr<const BristleLaw> law) override {
+    friction_[cylinder].bristle = std::move(law);
+  }
   void AddMount(int cylinder, std::unique_ptr<const MountLaw> law) override {
     mounts_[cylinder].push_back(std::move(law));
   }
@@ -72,7 +80,7 @@ class Builder final : public Extension {
   std::vector<std::pair<int, std::unique_ptr<VolumeLaw>>> volumes_;
   std::vector<PendingFlow> flows_;
   std::vector<PendingSplit> splits_;
-  std::vector<FrictionTerms> friction_;
+  std::vector<FrictionLaws> friction_;
   std::vector<MountLaws> mounts_;
   std::vector<std::array<ReadingLaws, kSensors>> readings_;
   LoadLaws loads_;
@@ -176,8 +184,7 @@ void Builder::CompileCylinders(CompiledPhs* sys) {
     c.rod_area = from.RodArea();
     if (c.bore >= 0) c.bore_p0 = lines_[c.bore].static_pressure_Pa;
     if (c.rod >= 0) c.rod_p0 = lines_[c.rod].static_pressure_Pa;
-    friction_[i].static_difference_Pa = c.bore_p0 - c.rod_p0;
-    c.friction = Friction(params_.friction, friction_[i]);
+    c.friction = Friction(params_.friction, std::move(friction_[i]));
     c.stop = from.end_stop;
     c.mount = Mount(std::move(mounts_[i]));
     c.readings = std::move(readings_[i]);
@@ -274,7 +281,10 @@ void Builder::CompileStates(CompiledPhs* sys) {
     CompiledCylinder& c = sys->cylinders[i];
     const std::string& name = sys->cylinder_names[i];
     if (c.friction.model() == FrictionModel::kPresliding) c.bristle = add(name + ".bristle");
-    if (c.friction.has_dwell()) c.dwell = add(name + ".dwell");
+    for (int k = 0; k < c.friction.num_memories(); ++k) {
+      const int state = add(name + "." + c.friction.MemoryName(k));
+      if (k == 0) c.memory = state;
+    }
     if (c.mount.present()) c.mount_state = add(name + ".mount");
     for (const MaxwellBranch& branch : c.mount.branches()) add(name + "." + branch.name);
   }

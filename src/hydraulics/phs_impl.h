@@ -28,8 +28,9 @@ struct CompiledCylinder {
   EndStopParams stop;
   Mount mount;
   std::array<ReadingLaws, kSensors> readings;
-  /// State indices; those of the mounting's branches follow its own.
-  int bristle = -1, dwell = -1, mount_state = -1;
+  /// State indices: the bristle, the first memory of friction, the mounting; those of its branches
+  /// follow.
+  int bristle = -1, memory = -1, mount_state = -1;
   /// Deflections of the mounting's branches in `state`.
   const double* Branches(const double* state) const { return state + mount_state + 1; }
 };

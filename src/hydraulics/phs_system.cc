@@ -73,7 +73,7 @@ FrictionPlace CompiledPhs::Place(const Instant& at, int cylinder, const double* 
   }
   place.time = at.time;
   place.warmer = at.ambient - params.temperature_K;
-  if (c.dwell >= 0) place.rested = 1 - state[c.dwell];
+  if (c.memory >= 0) place.memory = state + c.memory;
   return place;
 }
 
@@ -155,7 +155,7 @@ void PlaceKnown(const CompiledPhs& sys, double time, const double* x, const doub
 void CalcCylinderFrictionRate(const CompiledPhs& sys, const Instant& at, int cylinder, double h,
                               double speed, const double* state, double* rate) {
   const CompiledCylinder& c = sys.cylinders[cylinder];
-  if (c.bristle < 0 && c.dwell < 0) return;
+  if (c.bristle < 0 && c.memory < 0) return;
   FrictionPlace place = sys.Place(at, cylinder, state);
   place.piston += 0.5 * h * speed;
   if (c.bristle >= 0) {
@@ -163,10 +163,10 @@ void CalcCylinderFrictionRate(const CompiledPhs& sys, const Instant& at, int cyl
     rate[c.bristle] = h > 0 ? (c.friction.Advance(h, speed, z, place) - z) / h
                             : c.friction.Calc(speed, z, place).bristle_speed;
   }
-  if (c.dwell >= 0) {
-    const double eta = state[c.dwell];
-    rate[c.dwell] = h > 0 ? (c.friction.AdvanceDwell(h, speed, eta) - eta) / h
-                          : c.friction.DwellRate(speed, eta);
+  for (int k = 0; k < c.friction.num_memories(); ++k) {
+    const double now = state[c.memory + k];
+    rate[c.memory + k] = h > 0 ? (c.friction.AdvanceMemory(k, h, speed, now) - now) / h
+                               : c.friction.MemoryRate(k, speed, now);
   }
 }
 

@@ -15,10 +15,14 @@ using hydraulics::Mount;
 class MountedFriction {
  public:
   MountedFriction(const Friction& friction, const Mount& mount, double x, double h)
-      : friction_(friction), mount_(mount), y_(x), h_(h) {}
-  /// Force with the drive at x, v now; `place` without piston and rest.
+      : friction_(friction),
+        mount_(mount),
+        y_(x),
+        h_(h),
+        memory_(static_cast<size_t>(friction.num_memories()), 0.0) {}
+  /// Force with the drive at x, v now; `place` without piston and memory.
   double Calc(double x, double v, FrictionPlace place) {
-    place.rested = 1 - eta_;
+    place.memory = memory_.data();
     if (!mount_.present()) {
       place.piston = y_ = x;
       direction_ = friction_.Direction(v, z_, place);
@@ -34,7 +38,7 @@ class MountedFriction {
   void Move(double v, FrictionPlace place) {
     if (mount_.present()) return;
     place.piston = y_;
-    place.rested = 1 - eta_;
+    place.memory = memory_.data();
     Advance(h_, v, place);
   }
   double direction() const { return direction_; }
@@ -82,13 +86,16 @@ class MountedFriction {
   }
   void Advance(double h, double v, const FrictionPlace& place) {
     if (friction_.model() == FrictionModel::kPresliding) z_ = friction_.Advance(h, v, z_, place);
-    if (friction_.has_dwell()) eta_ = friction_.AdvanceDwell(h, v, eta_);
+    for (size_t k = 0; k < memory_.size(); ++k) {
+      memory_[k] = friction_.AdvanceMemory(static_cast<int>(k), h, v, memory_[k]);
+    }
   }
 
   const Friction& friction_;
   const Mount& mount_;
   double y_, h_;
-  double z_ = 0, eta_ = 0, direction_ = 0;
+  std::vector<double> memory_;
+  double z_ = 0, direction_ = 0;
 };
 
 }  // namespace
