@@ -1,8 +1,10 @@
 #include "effects/asymmetric_friction.h"
 
-#include <cmath>
+#include <algorithm>
+#include <memory>
 
 #include "effects/targets.h"
+#include "effects/viscous_friction.h"
 
 namespace phs::effects {
 namespace {
@@ -10,13 +12,28 @@ namespace {
 using hydraulics::EffectInfo;
 using hydraulics::EffectParams;
 using hydraulics::Extension;
+using hydraulics::LevelParts;
+using hydraulics::LevelPlace;
+
+class Shift final : public hydraulics::LevelLaw {
+ public:
+  explicit Shift(double level_N) : level_N_(level_N) {}
+  void Add(const LevelPlace& place, LevelParts* level) const noexcept override {
+    level->extra += place.sign > 0 ? level_N_ : -level_N_;
+  }
+
+ private:
+  double level_N_;
+};
 
 Status Install(const EffectParams& effect, Extension* extension) {
+  const double d = effect.values.at("level_N"), e = effect.values.at("viscous_Ns_per_m");
   for (int i : TargetCylinders(effect, extension->params())) {
-    hydraulics::FrictionTerms& f = extension->friction(i);
-    f.level_shift_N += effect.values.at("level_N");
-    const double e = effect.values.at("viscous_Ns_per_m");
-    (e >= 0 ? f.viscous_extension_Ns_per_m : f.viscous_retraction_Ns_per_m) += std::abs(e);
+    extension->AddLevel(i, std::make_unique<Shift>(d));
+    if (e != 0) {
+      extension->AddForce(i,
+                          std::make_unique<ViscousForce>(std::max(e, 0.0), std::max(-e, 0.0), 1));
+    }
   }
   return {};
 }

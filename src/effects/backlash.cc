@@ -1,7 +1,8 @@
 #include "effects/backlash.h"
 
-#include <algorithm>
+#include <memory>
 
+#include "effects/hardening.h"
 #include "effects/targets.h"
 
 namespace phs::effects {
@@ -11,14 +12,24 @@ using hydraulics::EffectInfo;
 using hydraulics::EffectParams;
 using hydraulics::Extension;
 
+class Backlash final : public hydraulics::MountLaw {
+ public:
+  explicit Backlash(const EffectParams& effect)
+      : gap_m_(effect.values.at("gap_m")),
+        tension_share_(effect.values.at("tension_share")),
+        contact_(effect.values.at("contact_N_per_m")),
+        hardening_(effect.values.at("hardening_1_per_m2")) {}
+  hydraulics::Play FreePlay() const override { return {gap_m_, tension_share_ * gap_m_}; }
+  double Stiffness() const override { return contact_; }
+  hydraulics::Stiffening Stiffen(double e) const noexcept override { return Harden(hardening_, e); }
+
+ private:
+  double gap_m_, tension_share_, contact_, hardening_;
+};
+
 Status Install(const EffectParams& effect, Extension* extension) {
   for (int i : TargetCylinders(effect, extension->params())) {
-    hydraulics::MountTerms& m = extension->mount(i);
-    m.present = true;
-    m.gap_m += effect.values.at("gap_m");
-    m.gap_tension_share = effect.values.at("tension_share");
-    m.hardening_1_per_m2 = std::max(m.hardening_1_per_m2, effect.values.at("hardening_1_per_m2"));
-    AddInSeries(&m, effect.values.at("contact_N_per_m"));
+    extension->AddMount(i, std::make_unique<Backlash>(effect));
   }
   return {};
 }

@@ -1,7 +1,8 @@
 #include "effects/bush_viscoelastic.h"
 
-#include <algorithm>
+#include <memory>
 
+#include "effects/hardening.h"
 #include "effects/targets.h"
 
 namespace phs::effects {
@@ -11,18 +12,29 @@ using hydraulics::EffectInfo;
 using hydraulics::EffectParams;
 using hydraulics::Extension;
 
+class Bush final : public hydraulics::MountLaw {
+ public:
+  explicit Bush(const EffectParams& effect)
+      : stiffness_(effect.values.at("stiffness_N_per_m")),
+        hardening_(effect.values.at("hardening_1_per_m2")) {
+    const auto add = [&](const char* name, double stiffness, double relaxation_s) {
+      if (stiffness > 0) branches_.push_back({name, stiffness, stiffness * relaxation_s});
+    };
+    add("bush", effect.values.at("relaxing_N_per_m"), effect.values.at("relaxation_s"));
+    add("bush2", effect.values.at("second_N_per_m"), effect.values.at("second_relaxation_s"));
+  }
+  double Stiffness() const override { return stiffness_; }
+  hydraulics::Stiffening Stiffen(double e) const noexcept override { return Harden(hardening_, e); }
+  std::vector<hydraulics::MaxwellBranch> Branches() const override { return branches_; }
+
+ private:
+  double stiffness_, hardening_;
+  std::vector<hydraulics::MaxwellBranch> branches_;
+};
+
 Status Install(const EffectParams& effect, Extension* extension) {
   for (int i : TargetCylinders(effect, extension->params())) {
-    hydraulics::MountTerms& m = extension->mount(i);
-    m.present = true;
-    AddInSeries(&m, effect.values.at("stiffness_N_per_m"));
-    m.hardening_1_per_m2 = std::max(m.hardening_1_per_m2, effect.values.at("hardening_1_per_m2"));
-    m.maxwell_stiffness_N_per_m[0] = effect.values.at("relaxing_N_per_m");
-    m.maxwell_damping_Ns_per_m[0] =
-        m.maxwell_stiffness_N_per_m[0] * effect.values.at("relaxation_s");
-    m.maxwell_stiffness_N_per_m[1] = effect.values.at("second_N_per_m");
-    m.maxwell_damping_Ns_per_m[1] =
-        m.maxwell_stiffness_N_per_m[1] * effect.values.at("second_relaxation_s");
+    extension->AddMount(i, std::make_unique<Bush>(effect));
   }
   return {};
 }

@@ -1,5 +1,9 @@
 #include "effects/dwell_friction.h"
 
+#include <cmath>
+#include <memory>
+#include <string>
+
 #include "effects/targets.h"
 
 namespace phs::effects {
@@ -8,13 +12,38 @@ namespace {
 using hydraulics::EffectInfo;
 using hydraulics::EffectParams;
 using hydraulics::Extension;
+using hydraulics::LevelParts;
+using hydraulics::LevelPlace;
+
+/// Memory: 1 - phi.
+class Dwell final : public hydraulics::LevelLaw {
+ public:
+  explicit Dwell(const EffectParams& effect)
+      : extra_N_(effect.values.at("extra_N")),
+        time_s_(effect.values.at("time_s")),
+        length_m_(effect.values.at("length_m")) {}
+  void Add(const LevelPlace& place, LevelParts* level) const noexcept override {
+    level->extra += extra_N_ * (1 - place.memory);
+  }
+  std::string MemoryName() const override { return "dwell"; }
+  double MemoryRate(double v, double memory) const noexcept override {
+    return -memory / time_s_ + (1 - memory) * std::abs(v) / length_m_;
+  }
+  double AdvanceMemory(double h, double v, double memory) const noexcept override {
+    const double moved = std::abs(v) / length_m_;
+    const double rate = 1 / time_s_ + moved;
+    const double settled = moved / rate;
+    return settled + (memory - settled) * std::exp(-rate * h);
+  }
+
+ private:
+  double extra_N_, time_s_, length_m_;
+};
 
 Status Install(const EffectParams& effect, Extension* extension) {
+  if (effect.values.at("extra_N") == 0) return {};
   for (int i : TargetCylinders(effect, extension->params())) {
-    hydraulics::FrictionTerms& f = extension->friction(i);
-    f.dwell_extra_N = effect.values.at("extra_N");
-    f.dwell_time_s = effect.values.at("time_s");
-    f.dwell_length_m = effect.values.at("length_m");
+    extension->AddLevel(i, std::make_unique<Dwell>(effect));
   }
   return {};
 }

@@ -1,7 +1,8 @@
 #include "effects/mount_compliance.h"
 
-#include <algorithm>
+#include <memory>
 
+#include "effects/hardening.h"
 #include "effects/targets.h"
 
 namespace phs::effects {
@@ -11,13 +12,26 @@ using hydraulics::EffectInfo;
 using hydraulics::EffectParams;
 using hydraulics::Extension;
 
+class Spring final : public hydraulics::MountLaw {
+ public:
+  explicit Spring(const EffectParams& effect)
+      : stiffness_(effect.values.at("stiffness_N_per_m")),
+        hardening_(effect.values.at("hardening_1_per_m2")),
+        tension_ratio_(effect.values.at("tension_ratio")) {}
+  double Stiffness() const override { return stiffness_; }
+  hydraulics::Stiffening Stiffen(double e) const noexcept override {
+    hydraulics::Stiffening out = Harden(hardening_, e);
+    if (e > 0) out.side = tension_ratio_;
+    return out;
+  }
+
+ private:
+  double stiffness_, hardening_, tension_ratio_;
+};
+
 Status Install(const EffectParams& effect, Extension* extension) {
   for (int i : TargetCylinders(effect, extension->params())) {
-    hydraulics::MountTerms& m = extension->mount(i);
-    m.present = true;
-    m.hardening_1_per_m2 = std::max(m.hardening_1_per_m2, effect.values.at("hardening_1_per_m2"));
-    m.tension_ratio = effect.values.at("tension_ratio");
-    AddInSeries(&m, effect.values.at("stiffness_N_per_m"));
+    extension->AddMount(i, std::make_unique<Spring>(effect));
   }
   return {};
 }

@@ -1,5 +1,7 @@
 #include "effects/moving_mass.h"
 
+#include <memory>
+
 namespace phs::effects {
 namespace {
 
@@ -7,13 +9,24 @@ using hydraulics::EffectInfo;
 using hydraulics::EffectParams;
 using hydraulics::Extension;
 
+class MovingMass final : public hydraulics::LoadLaw {
+ public:
+  explicit MovingMass(double mass_kg) : mass_kg_(mass_kg) {}
+  void Add(const hydraulics::LoadMotion& motion, std::vector<double>* force) const override {
+    for (size_t i = 0; i < force->size(); ++i) (*force)[i] += mass_kg_ * motion.acceleration[i];
+  }
+
+ private:
+  double mass_kg_;
+};
+
 Status Install(const EffectParams& effect, Extension* extension) {
   if (extension->params().cylinders.size() != 1) {
     return Error{"effects." + effect.name, "acts on one part or one cylinder on a rig only",
                  "a model of one cylinder (rig: element, cylinder or quarter)",
                  "give the bodies of a bogie their mass in its own file"};
   }
-  extension->element().mass_kg += effect.values.at("mass_kg");
+  extension->AddLoad(std::make_unique<MovingMass>(effect.values.at("mass_kg")));
   return {};
 }
 

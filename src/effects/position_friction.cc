@@ -1,5 +1,9 @@
 #include "effects/position_friction.h"
 
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
 #include "effects/targets.h"
 
 namespace phs::effects {
@@ -8,18 +12,43 @@ namespace {
 using hydraulics::EffectInfo;
 using hydraulics::EffectParams;
 using hydraulics::Extension;
+using hydraulics::LevelParts;
+using hydraulics::LevelPlace;
+
+class PositionLevel final : public hydraulics::LevelLaw {
+ public:
+  explicit PositionLevel(const EffectParams& effect)
+      : slope_(effect.values.at("slope_1_per_m")),
+        curvature_(effect.values.at("curvature_1_per_m2")),
+        spot_share_(effect.values.at("spot_share")),
+        spot_centre_(effect.values.at("spot_centre_m")),
+        spot_width_(effect.values.at("spot_width_m")),
+        wave_sine_(effect.values.at("wave_sine")),
+        wave_cosine_(effect.values.at("wave_cosine")),
+        wave_length_(effect.values.at("wave_length_m")) {}
+  void Add(const LevelPlace& place, LevelParts* level) const noexcept override {
+    const double y = place.at.piston;
+    double shape = 1 + (slope_ + curvature_ * y) * y;
+    if (spot_share_ != 0) {
+      const double away = (y - spot_centre_) / spot_width_;
+      shape += spot_share_ * std::exp(-away * away);
+    }
+    if (wave_sine_ != 0 || wave_cosine_ != 0) {
+      const double phase = 2 * M_PI * y / wave_length_;
+      shape += wave_sine_ * std::sin(phase) + wave_cosine_ * (std::cos(phase) - 1);
+    }
+    level->of_curve *= std::max(shape, 0.0);
+  }
+
+ private:
+  double slope_, curvature_;
+  double spot_share_, spot_centre_, spot_width_;
+  double wave_sine_, wave_cosine_, wave_length_;
+};
 
 Status Install(const EffectParams& effect, Extension* extension) {
   for (int i : TargetCylinders(effect, extension->params())) {
-    hydraulics::FrictionTerms& f = extension->friction(i);
-    f.position_slope_1_per_m += effect.values.at("slope_1_per_m");
-    f.spot_share = effect.values.at("spot_share");
-    f.spot_centre_m = effect.values.at("spot_centre_m");
-    f.spot_width_m = effect.values.at("spot_width_m");
-    f.wave_sine = effect.values.at("wave_sine");
-    f.wave_cosine = effect.values.at("wave_cosine");
-    f.wave_length_m = effect.values.at("wave_length_m");
-    f.position_curvature_1_per_m2 += effect.values.at("curvature_1_per_m2");
+    extension->AddLevel(i, std::make_unique<PositionLevel>(effect));
   }
   return {};
 }

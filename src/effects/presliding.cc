@@ -1,6 +1,10 @@
 #include "effects/presliding.h"
 
+#include <cmath>
+#include <memory>
+
 #include "effects/targets.h"
+#include "hydraulics/bristle.h"
 
 namespace phs::effects {
 namespace {
@@ -9,15 +13,62 @@ using hydraulics::EffectInfo;
 using hydraulics::EffectParams;
 using hydraulics::Extension;
 
+class Bristle : public hydraulics::BristleLaw {
+ public:
+  explicit Bristle(const EffectParams& effect)
+      : stiffness_(effect.values.at("stiffness_N_per_m")), share_(effect.values.at("share")) {}
+  double Stiffness() const final { return stiffness_; }
+  double Share() const final { return share_; }
+
+ private:
+  double stiffness_, share_;
+};
+
+class StickingBristle final : public Bristle {
+ public:
+  explicit StickingBristle(const EffectParams& effect)
+      : Bristle(effect), law_{effect.values.at("breakaway_ratio")} {}
+  double Yield(double along, double z_s) const noexcept override { return law_.Yield(along, z_s); }
+  double Advance(double along, double way, double z_s) const noexcept override {
+    return law_.Advance(along, way, z_s);
+  }
+
+ private:
+  hydraulics::ElastoPlastic law_;
+};
+
+double SignedPower(double x, double n) { return std::copysign(std::pow(std::abs(x), n), x); }
+
+/// g = 1 - along/z_s; after a way x [z_s]: dg/dx = -sgn(g) |g|^i.
+class CreepingBristle final : public Bristle {
+ public:
+  explicit CreepingBristle(const EffectParams& effect)
+      : Bristle(effect), exponent_(effect.values.at("exponent")) {}
+  /// Behind a reversal g = 2.
+  double Steepest() const override { return std::exp2(exponent_); }
+  double Yield(double along, double z_s) const noexcept override {
+    return exponent_ == 1 ? along / z_s : 1 - SignedPower(1 - along / z_s, exponent_);
+  }
+  double Advance(double along, double way, double z_s) const noexcept override {
+    return z_s * (1 - GapAfter(1 - along / z_s, way / z_s));
+  }
+
+ private:
+  double GapAfter(double gap, double x) const {
+    if (std::abs(exponent_ - 1) < 1e-9 || gap == 0) return gap * std::exp(-x);
+    const double left = std::pow(std::abs(gap), 1 - exponent_) + (exponent_ - 1) * x;
+    return left > 0 ? std::copysign(std::pow(left, 1 / (1 - exponent_)), gap) : 0;
+  }
+  double exponent_;
+};
+
 Status Install(const EffectParams& effect, Extension* extension) {
   for (int i : TargetCylinders(effect, extension->params())) {
-    hydraulics::FrictionTerms& f = extension->friction(i);
-    f.presliding = true;
-    f.presliding_stiffness_N_per_m = effect.values.at("stiffness_N_per_m");
-    f.presliding_creeps = effect.values.at("creeping") >= 0.5;
-    f.presliding_exponent = effect.values.at("exponent");
-    f.presliding_share = effect.values.at("share");
-    f.presliding_breakaway_ratio = effect.values.at("breakaway_ratio");
+    if (effect.values.at("creeping") >= 0.5) {
+      extension->SetBristle(i, std::make_unique<CreepingBristle>(effect));
+    } else {
+      extension->SetBristle(i, std::make_unique<StickingBristle>(effect));
+    }
   }
   return {};
 }

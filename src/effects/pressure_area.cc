@@ -1,5 +1,7 @@
 #include "effects/pressure_area.h"
 
+#include <memory>
+
 #include "effects/targets.h"
 
 namespace phs::effects {
@@ -9,9 +11,21 @@ using hydraulics::EffectInfo;
 using hydraulics::EffectParams;
 using hydraulics::Extension;
 
+class PressedArea final : public hydraulics::LoadLaw {
+ public:
+  explicit PressedArea(double area_m2) : area_m2_(area_m2) {}
+  void Add(const hydraulics::LoadMotion& motion, std::vector<double>* force) const override {
+    for (size_t i = 0; i < motion.pressure.size(); ++i)
+      (*force)[i] += area_m2_ * motion.pressure[i];
+  }
+
+ private:
+  double area_m2_;
+};
+
 Status Install(const EffectParams& effect, Extension* extension) {
   if (!IsBenchPart(extension->params())) return NotABenchPart(effect.name);
-  extension->element().pressure_area_m2 += effect.values.at("area_m2");
+  extension->AddLoad(std::make_unique<PressedArea>(effect.values.at("area_m2")));
   return {};
 }
 

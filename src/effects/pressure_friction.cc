@@ -1,5 +1,8 @@
 #include "effects/pressure_friction.h"
 
+#include <cmath>
+#include <memory>
+
 #include "effects/targets.h"
 
 namespace phs::effects {
@@ -8,14 +11,38 @@ namespace {
 using hydraulics::EffectInfo;
 using hydraulics::EffectParams;
 using hydraulics::Extension;
+using hydraulics::LevelParts;
+using hydraulics::LevelPlace;
+
+class PressedSeal final : public hydraulics::LevelLaw {
+ public:
+  /// `at_rest`: p_bore - p_rod in the static state [Pa].
+  PressedSeal(const EffectParams& effect, double at_rest)
+      : bore_(effect.values.at("bore_N_per_Pa")),
+        rod_(effect.values.at("rod_N_per_Pa")),
+        difference_(effect.values.at("difference_N_per_Pa")),
+        retraction_ratio_(effect.values.at("retraction_ratio")),
+        at_rest_(at_rest) {}
+  void Add(const LevelPlace& place, LevelParts* level) const noexcept override {
+    double grip = bore_ * place.at.bore_rise + rod_ * place.at.rod_rise;
+    if (difference_ != 0) {
+      grip += difference_ *
+              (std::abs(at_rest_ + place.at.bore_rise - place.at.rod_rise) - std::abs(at_rest_));
+    }
+    level->extra += place.sign > 0 ? grip : retraction_ratio_ * grip;
+  }
+  bool DependsOnPressure() const override { return bore_ != 0 || rod_ != 0 || difference_ != 0; }
+
+ private:
+  double bore_, rod_, difference_, retraction_ratio_, at_rest_;
+};
 
 Status Install(const EffectParams& effect, Extension* extension) {
   for (int i : TargetCylinders(effect, extension->params())) {
-    hydraulics::FrictionTerms& f = extension->friction(i);
-    f.pressure_bore_N_per_Pa += effect.values.at("bore_N_per_Pa");
-    f.pressure_rod_N_per_Pa += effect.values.at("rod_N_per_Pa");
-    f.pressure_difference_N_per_Pa += effect.values.at("difference_N_per_Pa");
-    f.pressure_retraction_ratio = effect.values.at("retraction_ratio");
+    const auto& c = extension->params().cylinders[static_cast<size_t>(i)];
+    const double at_rest =
+        StaticPressure(c.bore_line, *extension) - StaticPressure(c.rod_line, *extension);
+    extension->AddLevel(i, std::make_unique<PressedSeal>(effect, at_rest));
   }
   return {};
 }

@@ -1,6 +1,6 @@
 #include "effects/sensor_delay.h"
 
-#include "effects/targets.h"
+#include "effects/readings.h"
 
 namespace phs::effects {
 namespace {
@@ -8,16 +8,38 @@ namespace {
 using hydraulics::EffectInfo;
 using hydraulics::EffectParams;
 using hydraulics::Extension;
+using hydraulics::Sensor;
+
+class Delay final : public hydraulics::ReadingLaw {
+ public:
+  explicit Delay(double delay_s) : delay_s_(delay_s) {}
+  // Between samples linear; before the first sample the first value holds.
+  void Lag(double step, std::vector<double>* values) const override {
+    std::vector<double>& y = *values;
+    const double shift = delay_s_ / step;
+    for (size_t i = y.size(); i-- > 0;) {
+      const double at = static_cast<double>(i) - shift;
+      if (at <= 0) {
+        y[i] = y[0];
+        continue;
+      }
+      const size_t k = static_cast<size_t>(at);
+      const double part = at - static_cast<double>(k);
+      y[i] = part > 0 ? y[k] + part * (y[k + 1] - y[k]) : y[k];
+    }
+  }
+
+ private:
+  double delay_s_;
+};
 
 Status Install(const EffectParams& effect, Extension* extension) {
-  for (int i : TargetCylinders(effect, extension->params())) {
-    hydraulics::InstrumentTerms& t = extension->instrument(i);
-    t.present = true;
-    t.load.delay_s += effect.values.at("load_s");
-    t.p_bore.delay_s += effect.values.at("p_bore_s");
-    t.p_rod.delay_s += effect.values.at("p_rod_s");
-    t.piston.delay_s += effect.values.at("piston_s");
-  }
+  AddReadings<Delay>(effect,
+                     {{Sensor::kLoad, "load_s"},
+                      {Sensor::kBorePressure, "p_bore_s"},
+                      {Sensor::kRodPressure, "p_rod_s"},
+                      {Sensor::kPiston, "piston_s"}},
+                     0, extension);
   return {};
 }
 

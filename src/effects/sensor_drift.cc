@@ -1,5 +1,10 @@
 #include "effects/sensor_drift.h"
 
+#include <cmath>
+#include <memory>
+#include <string>
+
+#include "effects/drift_time.h"
 #include "effects/targets.h"
 
 namespace phs::effects {
@@ -8,24 +13,60 @@ namespace {
 using hydraulics::EffectInfo;
 using hydraulics::EffectParams;
 using hydraulics::Extension;
+using hydraulics::ForcePlace;
+using hydraulics::Sensor;
+
+class Drift final : public hydraulics::ReadingLaw {
+ public:
+  Drift(double rate, double start_s, double settling_s)
+      : rate_(rate), start_s_(start_s), settling_s_(settling_s) {}
+  double Error(const ForcePlace& place) const noexcept override {
+    return rate_ * DriftTime(place.time, start_s_, settling_s_);
+  }
+
+ private:
+  double rate_, start_s_, settling_s_;
+};
+
+/// sine sin(2 pi t/P) + cosine (cos(2 pi t/P) - 1): nothing at t = 0.
+class Wave final : public hydraulics::ReadingLaw {
+ public:
+  Wave(double sine, double cosine, double period_s)
+      : sine_(sine), cosine_(cosine), period_s_(period_s) {}
+  double Error(const ForcePlace& place) const noexcept override {
+    const double phase = 2 * M_PI * place.time / period_s_;
+    return sine_ * std::sin(phase) + cosine_ * (std::cos(phase) - 1);
+  }
+
+ private:
+  double sine_, cosine_, period_s_;
+};
+
+struct SensorKeys {
+  Sensor sensor;
+  std::string drift, sine, cosine;
+};
+const SensorKeys kKeys[] = {
+    {Sensor::kLoad, "load_N_per_s", "load_sine_N", "load_cosine_N"},
+    {Sensor::kBorePressure, "p_bore_Pa_per_s", "p_bore_sine_Pa", "p_bore_cosine_Pa"},
+    {Sensor::kRodPressure, "p_rod_Pa_per_s", "p_rod_sine_Pa", "p_rod_cosine_Pa"},
+    {Sensor::kPiston, "piston_m_per_s", "", ""},
+};
 
 Status Install(const EffectParams& effect, Extension* extension) {
+  const auto value = [&](const std::string& key) { return effect.values.at(key); };
+  const double start = value("start_s"), settling = value("settling_s");
   for (int i : TargetCylinders(effect, extension->params())) {
-    hydraulics::InstrumentTerms& t = extension->instrument(i);
-    t.present = true;
-    t.start_s = effect.values.at("start_s");
-    t.settling_s = effect.values.at("settling_s");
-    t.period_s = effect.values.at("period_s");
-    t.load.wave_sine += effect.values.at("load_sine_N");
-    t.load.wave_cosine += effect.values.at("load_cosine_N");
-    t.p_bore.wave_sine += effect.values.at("p_bore_sine_Pa");
-    t.p_bore.wave_cosine += effect.values.at("p_bore_cosine_Pa");
-    t.p_rod.wave_sine += effect.values.at("p_rod_sine_Pa");
-    t.p_rod.wave_cosine += effect.values.at("p_rod_cosine_Pa");
-    t.load.drift_per_s += effect.values.at("load_N_per_s");
-    t.p_bore.drift_per_s += effect.values.at("p_bore_Pa_per_s");
-    t.p_rod.drift_per_s += effect.values.at("p_rod_Pa_per_s");
-    t.piston.drift_per_s += effect.values.at("piston_m_per_s");
+    for (const SensorKeys& keys : kKeys) {
+      if (const double drift = value(keys.drift); drift != 0) {
+        extension->AddReading(i, keys.sensor, std::make_unique<Drift>(drift, start, settling));
+      }
+      if (keys.sine.empty()) continue;
+      const double sine = value(keys.sine), cosine = value(keys.cosine);
+      if (sine == 0 && cosine == 0) continue;
+      extension->AddReading(i, keys.sensor,
+                            std::make_unique<Wave>(sine, cosine, value("period_s")));
+    }
   }
   return {};
 }

@@ -1,6 +1,6 @@
 #include "effects/sensor_gain.h"
 
-#include "effects/targets.h"
+#include "effects/readings.h"
 
 namespace phs::effects {
 namespace {
@@ -8,16 +8,24 @@ namespace {
 using hydraulics::EffectInfo;
 using hydraulics::EffectParams;
 using hydraulics::Extension;
+using hydraulics::Sensor;
+
+class Scale final : public hydraulics::ReadingLaw {
+ public:
+  explicit Scale(double gain) : gain_(gain) {}
+  double Gain() const noexcept override { return gain_; }
+
+ private:
+  double gain_;
+};
 
 Status Install(const EffectParams& effect, Extension* extension) {
-  for (int i : TargetCylinders(effect, extension->params())) {
-    hydraulics::InstrumentTerms& t = extension->instrument(i);
-    t.present = true;
-    t.load.gain *= effect.values.at("load");
-    t.p_bore.gain *= effect.values.at("p_bore");
-    t.p_rod.gain *= effect.values.at("p_rod");
-    t.piston.gain *= effect.values.at("piston");
-  }
+  AddReadings<Scale>(effect,
+                     {{Sensor::kLoad, "load"},
+                      {Sensor::kBorePressure, "p_bore"},
+                      {Sensor::kRodPressure, "p_rod"},
+                      {Sensor::kPiston, "piston"}},
+                     1, extension);
   return {};
 }
 

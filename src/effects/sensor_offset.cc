@@ -1,6 +1,6 @@
 #include "effects/sensor_offset.h"
 
-#include "effects/targets.h"
+#include "effects/readings.h"
 
 namespace phs::effects {
 namespace {
@@ -8,16 +8,24 @@ namespace {
 using hydraulics::EffectInfo;
 using hydraulics::EffectParams;
 using hydraulics::Extension;
+using hydraulics::Sensor;
+
+class Offset final : public hydraulics::ReadingLaw {
+ public:
+  explicit Offset(double offset) : offset_(offset) {}
+  double Error(const hydraulics::ForcePlace&) const noexcept override { return offset_; }
+
+ private:
+  double offset_;
+};
 
 Status Install(const EffectParams& effect, Extension* extension) {
-  for (int i : TargetCylinders(effect, extension->params())) {
-    hydraulics::InstrumentTerms& t = extension->instrument(i);
-    t.present = true;
-    t.load.offset += effect.values.at("load_N");
-    t.p_bore.offset += effect.values.at("p_bore_Pa");
-    t.p_rod.offset += effect.values.at("p_rod_Pa");
-    t.piston.offset += effect.values.at("piston_m");
-  }
+  AddReadings<Offset>(effect,
+                      {{Sensor::kLoad, "load_N"},
+                       {Sensor::kBorePressure, "p_bore_Pa"},
+                       {Sensor::kRodPressure, "p_rod_Pa"},
+                       {Sensor::kPiston, "piston_m"}},
+                      0, extension);
   return {};
 }
 

@@ -1,5 +1,8 @@
 #include "effects/stribeck.h"
 
+#include <cmath>
+#include <memory>
+
 #include "effects/targets.h"
 
 namespace phs::effects {
@@ -8,14 +11,27 @@ namespace {
 using hydraulics::EffectInfo;
 using hydraulics::EffectParams;
 using hydraulics::Extension;
+using hydraulics::LevelParts;
+using hydraulics::LevelPlace;
+
+class Stribeck final : public hydraulics::LevelLaw {
+ public:
+  explicit Stribeck(const EffectParams& effect)
+      : extra_N_(effect.values.at("extra_N")),
+        speed_m_s_(effect.values.at("speed_m_s")),
+        exponent_(effect.values.at("exponent")) {}
+  void Add(const LevelPlace& place, LevelParts* level) const noexcept override {
+    const double ratio = place.speed / speed_m_s_;
+    level->extra += extra_N_ * std::exp(-(exponent_ == 1 ? ratio : std::pow(ratio, exponent_)));
+  }
+
+ private:
+  double extra_N_, speed_m_s_, exponent_;
+};
 
 Status Install(const EffectParams& effect, Extension* extension) {
   for (int i : TargetCylinders(effect, extension->params())) {
-    hydraulics::FrictionTerms& f = extension->friction(i);
-    f.stribeck_extra_extension_N += effect.values.at("extra_N");
-    f.stribeck_extra_retraction_N += effect.values.at("extra_N");
-    f.stribeck_exponent = effect.values.at("exponent");
-    f.stribeck_speed_m_s = effect.values.at("speed_m_s");
+    extension->AddLevel(i, std::make_unique<Stribeck>(effect));
   }
   return {};
 }

@@ -1,8 +1,9 @@
-// Which cylinders or lines an effect acts on, and how mountings join.
+// Which cylinders or lines an effect acts on.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <vector>
 
 #include "hydraulics/extension.h"
@@ -29,6 +30,14 @@ inline std::vector<int> TargetLines(const hydraulics::EffectParams& effect,
   }
   for (const std::string& name : effect.targets) out.push_back(params.FindLine(name));
   return out;
+}
+
+/// Static pressure of a line; atmosphere where there is none [Pa].
+inline double StaticPressure(const std::string& name, const hydraulics::Extension& extension) {
+  const auto& params = extension.params();
+  const int line = params.FindLine(name);
+  return line >= 0 ? params.lines[static_cast<size_t>(line)].static_pressure_Pa
+                   : hydraulics::kAtmosphere;
 }
 
 /// Laminar resistance at the model's static temperature, from its value at 20 °C.
@@ -58,6 +67,12 @@ inline double LineFactor(const hydraulics::EffectParams& effect,
   return IsRodLine(params, line) ? effect.values.at("rod_ratio") : 1;
 }
 
+/// How often an effect is listed.
+inline long CountOf(const std::string& effect, const hydraulics::PhsParams& params) {
+  return std::count_if(params.effects.begin(), params.effects.end(),
+                       [&](const auto& other) { return other.name == effect; });
+}
+
 /// A part on a bench: one cylinder without lines.
 inline bool IsBenchPart(const hydraulics::PhsParams& params) {
   return params.cylinders.size() == 1 && params.lines.empty();
@@ -65,12 +80,6 @@ inline bool IsBenchPart(const hydraulics::PhsParams& params) {
 inline Status NotABenchPart(const std::string& effect) {
   return Error{"effects." + effect, "acts on a part on a bench only",
                "a model of one cylinder without lines (rig: element)", "take it out here"};
-}
-
-/// Puts a spring in series with those already there: 1/k = 1/k1 + 1/k2.
-inline void AddInSeries(hydraulics::MountTerms* mount, double stiffness) {
-  const double old = mount->stiffness_N_per_m;
-  mount->stiffness_N_per_m = old > 0 ? 1 / (1 / old + 1 / stiffness) : stiffness;
 }
 
 }  // namespace phs::effects

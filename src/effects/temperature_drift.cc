@@ -1,5 +1,10 @@
 #include "effects/temperature_drift.h"
 
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "effects/drift_time.h"
 #include "effects/targets.h"
 
 namespace phs::effects {
@@ -9,20 +14,42 @@ using hydraulics::EffectInfo;
 using hydraulics::EffectParams;
 using hydraulics::Extension;
 
+class Ramp final : public hydraulics::AmbientLaw {
+ public:
+  explicit Ramp(const EffectParams& effect)
+      : rate_(effect.values.at("rate_K_per_s")),
+        start_s_(effect.values.at("start_s")),
+        settling_s_(effect.values.at("settling_s")),
+        limit_K_(effect.values.at("limit_K")) {}
+  double Rise(double time) const noexcept override {
+    return std::clamp(rate_ * DriftTime(time, start_s_, settling_s_), -limit_K_, limit_K_);
+  }
+
+ private:
+  double rate_, start_s_, settling_s_, limit_K_;
+};
+
+class Swing final : public hydraulics::AmbientLaw {
+ public:
+  Swing(double amplitude_K, double period_s) : amplitude_K_(amplitude_K), period_s_(period_s) {}
+  double Rise(double time) const noexcept override {
+    return amplitude_K_ * std::sin(2 * M_PI * time / period_s_);
+  }
+
+ private:
+  double amplitude_K_, period_s_;
+};
+
 Status Install(const EffectParams& effect, Extension* extension) {
-  hydraulics::TemperatureTerms& t = extension->temperature();
-  t.present = true;
-  t.rate_K_per_s = effect.values.at("rate_K_per_s");
-  t.start_s = effect.values.at("start_s");
-  t.settling_s = effect.values.at("settling_s");
-  t.limit_K = effect.values.at("limit_K");
-  t.amplitude_K = effect.values.at("amplitude_K");
-  t.period_s = effect.values.at("period_s");
-  t.expansion_1_per_K = effect.values.at("expansion_1_per_K");
-  t.softening_1_per_K = effect.values.at("softening_1_per_K");
+  extension->AddAmbient(std::make_unique<Ramp>(effect));
+  extension->AddAmbient(
+      std::make_unique<Swing>(effect.values.at("amplitude_K"), effect.values.at("period_s")));
   for (size_t i = 0; i < extension->params().lines.size(); ++i) {
     const int line = static_cast<int>(i);
-    extension->line(line).expansion_ratio = LineFactor(effect, extension->params(), line);
+    hydraulics::LineParams& l = extension->line(line);
+    l.expansion_1_per_K =
+        LineFactor(effect, extension->params(), line) * effect.values.at("expansion_1_per_K");
+    l.softening_1_per_K = effect.values.at("softening_1_per_K");
   }
   return {};
 }

@@ -1,5 +1,8 @@
 #include "effects/temperature_friction.h"
 
+#include <algorithm>
+#include <memory>
+
 #include "effects/targets.h"
 
 namespace phs::effects {
@@ -8,10 +11,23 @@ namespace {
 using hydraulics::EffectInfo;
 using hydraulics::EffectParams;
 using hydraulics::Extension;
+using hydraulics::LevelParts;
+using hydraulics::LevelPlace;
+
+class WarmLevel final : public hydraulics::LevelLaw {
+ public:
+  explicit WarmLevel(const EffectParams& effect) : slope_(effect.values.at("slope_1_per_K")) {}
+  void Add(const LevelPlace& place, LevelParts* level) const noexcept override {
+    level->of_all *= std::max(1 - slope_ * place.at.warmer, 0.0);
+  }
+
+ private:
+  double slope_;
+};
 
 Status Install(const EffectParams& effect, Extension* extension) {
   for (int i : TargetCylinders(effect, extension->params())) {
-    extension->friction(i).temperature_slope_1_per_K += effect.values.at("slope_1_per_K");
+    extension->AddLevel(i, std::make_unique<WarmLevel>(effect));
   }
   return {};
 }

@@ -17,6 +17,7 @@ using hydraulics::EffectParams;
 using hydraulics::Extension;
 using hydraulics::ForcePlace;
 using hydraulics::Port;
+using hydraulics::Sensor;
 
 constexpr int kCoefficients = 6;
 constexpr FormulaUnit kUnits[] = {FormulaUnit::kForce, FormulaUnit::kVolume, FormulaUnit::kFlow,
@@ -123,7 +124,8 @@ Result<FormulaUnit> UnitOf(const EffectParams& effect) {
   for (const FormulaUnit candidate : kUnits) {
     bool given = false;
     for (int k = 1; k <= kCoefficients; ++k) {
-      given |= effect.values.at(CoefficientName(k, candidate)) != 0;
+      const auto value = effect.values.find(CoefficientName(k, candidate));
+      given |= value != effect.values.end() && value->second != 0;
     }
     if (!given) continue;
     if (found) return Refuse(effect, "coefficients of two units", "one unit: c1_N … or c1_m3 …");
@@ -132,14 +134,24 @@ Result<FormulaUnit> UnitOf(const EffectParams& effect) {
   return unit;
 }
 
+/// How many formulas give a force on a cylinder.
+long ForcesOn(int cylinder, const hydraulics::PhsParams& params) {
+  return std::count_if(params.effects.begin(), params.effects.end(), [&](const auto& other) {
+    if (other.name != UnlistedInfo().name) return false;
+    const Result<FormulaUnit> unit = UnitOf(other);
+    const std::vector<int> targets = TargetCylinders(other, params);
+    return unit.ok() && unit.value() == FormulaUnit::kForce &&
+           std::find(targets.begin(), targets.end(), cylinder) != targets.end();
+  });
+}
+
 Status AddForce(const EffectParams& effect, const Formula& formula, Extension* extension) {
-  const auto law = std::make_shared<const FurtherForce>(formula);
   for (int i : TargetCylinders(effect, extension->params())) {
     if (i < 0) return Refuse(effect, "a force acts on cylinders, not on lines", "cylinders");
-    if (extension->friction(i).further != nullptr) {
+    if (ForcesOn(i, extension->params()) > 1) {
       return Refuse(effect, "a second formula on one cylinder", "one");
     }
-    extension->friction(i).further = law;
+    extension->AddForce(i, std::make_unique<FurtherForce>(formula));
   }
   return {};
 }
@@ -166,10 +178,7 @@ Status AddFlow(const EffectParams& effect, const Formula& formula, Extension* ex
     return Refuse(effect, "a flow that does not vanish at rest", "0 at p = 0");
   }
   const auto& params = extension->params();
-  const auto rest = [&](const std::string& name) {
-    const int line = params.FindLine(name);
-    return line >= 0 ? extension->line(line).static_pressure_Pa : hydraulics::kAtmosphere;
-  };
+  const auto rest = [&](const std::string& name) { return StaticPressure(name, *extension); };
   for (const std::string& target : effect.targets) {
     if (const int i = params.FindCylinder(target); i >= 0 && params.FindLine(target) < 0) {
       const auto& c = params.cylinders[static_cast<size_t>(i)];
@@ -186,17 +195,19 @@ Status AddFlow(const EffectParams& effect, const Formula& formula, Extension* ex
   return {};
 }
 
+struct SensorPlace {
+  int cylinder;
+  Sensor sensor;
+};
+
 /// The sensors whose readings are meant: of pistons, or of the pressures of lines.
-Result<std::vector<hydraulics::InstrumentTerms::Channel*>> Readings(const EffectParams& effect,
-                                                                    FormulaUnit unit,
-                                                                    Extension* extension) {
-  std::vector<hydraulics::InstrumentTerms::Channel*> out;
-  const auto& params = extension->params();
+Result<std::vector<SensorPlace>> Sensors(const EffectParams& effect, FormulaUnit unit,
+                                         const hydraulics::PhsParams& params) {
+  std::vector<SensorPlace> out;
   if (unit == FormulaUnit::kLength) {
     for (int i : TargetCylinders(effect, params)) {
       if (i < 0) return Refuse(effect, "lines have no piston to be measured", "cylinders");
-      extension->instrument(i).present = true;
-      out.push_back(&extension->instrument(i).piston);
+      out.push_back({i, Sensor::kPiston});
     }
     return out;
   }
@@ -206,9 +217,8 @@ Result<std::vector<hydraulics::InstrumentTerms::Channel*>> Readings(const Effect
     for (size_t i = 0; i < params.cylinders.size(); ++i) {
       const auto& c = params.cylinders[i];
       if (c.bore_line != name && c.rod_line != name) continue;
-      hydraulics::InstrumentTerms& terms = extension->instrument(static_cast<int>(i));
-      terms.present = true;
-      out.push_back(c.bore_line == name ? &terms.p_bore : &terms.p_rod);
+      out.push_back({static_cast<int>(i),
+                     c.bore_line == name ? Sensor::kBorePressure : Sensor::kRodPressure});
     }
   }
   return out;
@@ -219,10 +229,11 @@ Status AddReading(const EffectParams& effect, const Formula& formula, FormulaUni
   if (const std::string other = formula.VariableOtherThan("xpqt"); !other.empty()) {
     return Refuse(effect, "a reading over " + other, "a formula over x, p, q and t");
   }
-  const auto readings = Readings(effect, unit, extension);
-  if (!readings.ok()) return readings.error();
-  const auto law = std::make_shared<const FurtherReading>(formula);
-  for (auto* channel : readings.value()) channel->further = law;
+  const auto sensors = Sensors(effect, unit, extension->params());
+  if (!sensors.ok()) return sensors.error();
+  for (const SensorPlace& at : sensors.value()) {
+    extension->AddReading(at.cylinder, at.sensor, std::make_unique<FurtherReading>(formula));
+  }
   return {};
 }
 

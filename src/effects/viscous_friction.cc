@@ -1,5 +1,8 @@
 #include "effects/viscous_friction.h"
 
+#include <cmath>
+#include <memory>
+
 #include "effects/targets.h"
 
 namespace phs::effects {
@@ -11,15 +14,25 @@ using hydraulics::Extension;
 
 Status Install(const EffectParams& effect, Extension* extension) {
   for (int i : TargetCylinders(effect, extension->params())) {
-    hydraulics::FrictionTerms& f = extension->friction(i);
-    f.viscous_exponent = effect.values.at("exponent");
-    f.viscous_extension_Ns_per_m += effect.values.at("extension_Ns_per_m");
-    f.viscous_retraction_Ns_per_m += effect.values.at("retraction_Ns_per_m");
+    extension->AddForce(i, std::make_unique<ViscousForce>(effect.values.at("extension_Ns_per_m"),
+                                                          effect.values.at("retraction_Ns_per_m"),
+                                                          effect.values.at("exponent")));
   }
   return {};
 }
 
 }  // namespace
+
+double ViscousForce::Force(const hydraulics::ForcePlace& place) const noexcept {
+  constexpr double kReference = 1e-2, kSmooth = 1e-4;  // [m/s]
+  const double v = place.speed;
+  double force = (v > 0 ? extension_ : retraction_) * v;
+  if (force != 0 && exponent_ != 1) {
+    force *=
+        std::pow((v * v + kSmooth * kSmooth) / (kReference * kReference), 0.5 * (exponent_ - 1));
+  }
+  return force;
+}
 
 const EffectInfo& ViscousFrictionInfo() {
   static const EffectInfo info = {

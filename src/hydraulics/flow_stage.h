@@ -1,7 +1,7 @@
 // One implicit stage of the flows of a system: u = base + a F(t, u) for all hydraulic states.
 //
 // Paths, pressures and what nodes remember by one Newton's method; a step is made of two stages
-// (flow_rates.cc), a piston on a yielding mounting is balanced against one (mount.cc).
+// (flow_rates.cc), a piston on a yielding mounting is balanced against one (mount_step.cc).
 #pragma once
 
 #include "hydraulics/node_rates.h"

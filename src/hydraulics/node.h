@@ -12,8 +12,8 @@
 #include <cmath>
 #include <vector>
 
-#include "hydraulics/extension.h"
 #include "hydraulics/gas_law.h"
+#include "hydraulics/oil_laws.h"
 
 namespace phs::hydraulics {
 
@@ -44,7 +44,7 @@ struct Node {
   double bulk_modulus = 0;  ///< [Pa]
   double bulk_slope = 0;    ///< d(beta)/dp [-]
   double softening = 0;     ///< relative fall of beta per kelvin of the surroundings [1/K]
-  double expansion = 1;     ///< of this oil's thermal expansion: factor on the rig's
+  double expansion = 0;     ///< of the oil against its housing [1/K]
   double air = 0;           ///< p V of free air [J]
   double temperature = 0;   ///< static [K]
   std::vector<NodeGas> gases;

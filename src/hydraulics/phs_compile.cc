@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "hydraulics/node_gases.h"
 #include "hydraulics/phs_impl.h"
 #include "hydraulics/phs_validate.h"
 #include "hydraulics/pipe.h"
@@ -28,8 +29,8 @@ class Builder final : public Extension {
  public:
   explicit Builder(const PhsParams& params) : params_(params), lines_(params.lines) {
     friction_.resize(params.cylinders.size());
-    mount_.resize(params.cylinders.size());
-    instrument_.resize(params.cylinders.size());
+    mounts_.resize(params.cylinders.size());
+    readings_.resize(params.cylinders.size());
   }
   const PhsParams& params() const override { return params_; }
   void AddVolume(int line, std::unique_ptr<VolumeLaw> law) override {
@@ -43,11 +44,25 @@ class Builder final : public Extension {
                     std::unique_ptr<FlowLaw> law) override {
     splits_.push_back({chamber, cylinder, share, name, std::move(law)});
   }
-  FrictionTerms& friction(int cylinder) override { return friction_[cylinder]; }
-  MountTerms& mount(int cylinder) override { return mount_[cylinder]; }
-  InstrumentTerms& instrument(int cylinder) override { return instrument_[cylinder]; }
-  TemperatureTerms& temperature() override { return temperature_; }
-  ElementTerms& element() override { return element_; }
+  void AddLevel(int cylinder, std::unique_ptr<const LevelLaw> law) override {
+    friction_[cylinder].levels.push_back(std::move(law));
+  }
+  void AddForce(int cylinder, std::unique_ptr<const ForceLaw> law) override {
+    friction_[cylinder].forces.push_back(std::move(law));
+  }
+  void SetBristle(int cylinder, std::unique_ptr<const BristleLaw> law) override {
+    friction_[cylinder].bristle = std::move(law);
+  }
+  void AddMount(int cylinder, std::unique_ptr<const MountLaw> law) override {
+    mounts_[cylinder].push_back(std::move(law));
+  }
+  void AddReading(int cylinder, Sensor sensor, std::unique_ptr<const ReadingLaw> law) override {
+    readings_[cylinder][static_cast<int>(sensor)].push_back(std::move(law));
+  }
+  void AddLoad(std::unique_ptr<const LoadLaw> law) override { loads_.push_back(std::move(law)); }
+  void AddAmbient(std::unique_ptr<const AmbientLaw> law) override {
+    ambient_.push_back(std::move(law));
+  }
   LineParams& line(int index) override { return lines_[index]; }
 
   CompiledPhs Compile();
@@ -67,73 +82,14 @@ class Builder final : public Extension {
   std::vector<std::pair<int, std::unique_ptr<VolumeLaw>>> volumes_;
   std::vector<PendingFlow> flows_;
   std::vector<PendingSplit> splits_;
-  std::vector<FrictionTerms> friction_;
-  std::vector<MountTerms> mount_;
-  std::vector<InstrumentTerms> instrument_;
-  TemperatureTerms temperature_;
-  ElementTerms element_;
+  std::vector<FrictionLaws> friction_;
+  std::vector<MountLaws> mounts_;
+  std::vector<std::array<ReadingLaws, kSensors>> readings_;
+  LoadLaws loads_;
+  std::vector<std::unique_ptr<const AmbientLaw>> ambient_;
   std::vector<std::string> path_names_;
   Status status_;
 };
-
-NodeGas CompileGas(const GasChargeParams& charge, double volume, double pressure, double T) {
-  NodeGas g;
-  g.gas.law = charge.law;
-  g.gas.reference_volume = volume;
-  g.gas.reference_pressure = pressure;
-  g.gas.reference_temperature = T;
-  g.gas.exponent = charge.polytropic_exponent;
-  g.gas.thermal_time = charge.thermal_time_s;
-  g.gas.heat_capacity_ratio = charge.heat_capacity_ratio;
-  g.gas.wall_heat_ratio = charge.wall_heat_ratio;
-  g.gas.density_exponent = charge.density_exponent;
-  g.gas.wall_time = charge.wall_time_s;
-  g.gas.min_volume = charge.min_gas_volume_m3;
-  g.gas.max_volume = std::max(charge.volume_m3, volume);
-  g.static_volume = volume;
-  g.gas.SetMass();
-  return g;
-}
-
-// Three equal parts about a mean stand for what starts gradually: their standard deviation is 1.
-constexpr double kParts[] = {-1.224744871391589, 0, 1.224744871391589};
-
-// The reservoir: one gas, or parts of its diaphragm with stops of their own.
-void AddReservoir(const LineParams& line, double T, Node* node) {
-  GasChargeParams charge = line.reservoir;
-  const double volume = line.gas_volume_m3, p0 = line.static_pressure_Pa;
-  if (charge.stop_spread == 0 || charge.min_gas_volume_m3 == 0) {
-    node->gases.push_back(CompileGas(charge, volume, p0, T));
-    return;
-  }
-  charge.volume_m3 /= 3;
-  for (const double part : kParts) {
-    const double least = line.reservoir.min_gas_volume_m3 / 3 * (1 + part * charge.stop_spread);
-    charge.min_gas_volume_m3 = std::clamp(least, 0.0, volume / 3);
-    node->gases.push_back(CompileGas(charge, volume / 3, p0, T));
-  }
-}
-
-// The blow-off accumulator, or parts of it with precharges of their own.
-void AddAccumulator(const LineParams& line, double T, Node* node) {
-  auto add = [&](double volume, double precharge) {
-    GasChargeParams charge = line.accumulator;
-    charge.min_gas_volume_m3 *= volume / line.accumulator.volume_m3;
-    charge.volume_m3 = volume;
-    NodeGas g = CompileGas(charge, volume, precharge, T);
-    g.blow_off = true;
-    // At a static pressure above its precharge the accumulator is partly full of oil from the
-    // start.
-    g.static_volume = CalcGas(g.gas, node->p0, T).volume;
-    node->gases.push_back(g);
-  };
-  const double volume = line.accumulator.volume_m3, mean = line.accumulator_precharge_Pa;
-  if (line.accumulator_spread_Pa == 0) return add(volume, mean);
-  constexpr double kLeast = 0.05;  // of the mean
-  for (const double part : kParts) {
-    add(volume / 3, std::max(mean + part * line.accumulator_spread_Pa, kLeast * mean));
-  }
-}
 
 void Builder::CompileNodes(CompiledPhs* sys) {
   for (const LineParams& line : lines_) {
@@ -142,8 +98,8 @@ void Builder::CompileNodes(CompiledPhs* sys) {
     node.oil_volume = line.oil_volume_m3;
     node.bulk_modulus = line.bulk_modulus_Pa;
     node.bulk_slope = line.bulk_modulus_slope;
-    node.softening = temperature_.softening_1_per_K;
-    node.expansion = line.expansion_ratio;
+    node.softening = line.softening_1_per_K;
+    node.expansion = line.expansion_1_per_K;
     node.air = (line.free_air_m3 + kTraceAir * line.oil_volume_m3) * kAtmosphere;
     node.temperature = params_.temperature_K;
     node.sequential = params_.balance == BalanceMethod::kSequential;
@@ -171,15 +127,11 @@ void Builder::CompileCylinders(CompiledPhs* sys) {
     c.rod_area = from.RodArea();
     if (c.bore >= 0) c.bore_p0 = lines_[c.bore].static_pressure_Pa;
     if (c.rod >= 0) c.rod_p0 = lines_[c.rod].static_pressure_Pa;
-    friction_[i].static_difference_Pa = c.bore_p0 - c.rod_p0;
-    c.friction = Friction(params_.friction, friction_[i]);
+    c.friction = Friction(params_.friction, std::move(friction_[i]));
     c.stop = from.end_stop;
-    c.mount = mount_[i];
-    c.instruments = instrument_[i];
-    if (c.mount.present && c.mount.stiffness_N_per_m <= 0) {
-      c.mount.stiffness_N_per_m = kContactStiffness;
-    }
-    sys->has_mounts |= c.mount.present;
+    c.mount = Mount(std::move(mounts_[i]));
+    c.readings = std::move(readings_[i]);
+    sys->has_mounts |= c.mount.present();
     sys->friction_needs_pressure |= c.friction.depends_on_pressure();
     sys->cylinders.push_back(std::move(c));
     sys->cylinder_names.push_back(from.name);
@@ -258,20 +210,26 @@ void Builder::CompileFlows(CompiledPhs* sys) {
 }
 
 void Builder::CompileStates(CompiledPhs* sys) {
+  // The second of a name is NAME_2.
   auto add = [sys](const std::string& name) {
-    sys->state_names.push_back(name);
+    std::vector<std::string>& names = sys->state_names;
+    std::string free = name;
+    for (int n = 2; std::find(names.begin(), names.end(), free) != names.end(); ++n) {
+      free = name + "_" + std::to_string(n);
+    }
+    names.push_back(free);
     return sys->num_states() - 1;
   };
   for (size_t i = 0; i < sys->cylinders.size(); ++i) {
     CompiledCylinder& c = sys->cylinders[i];
     const std::string& name = sys->cylinder_names[i];
     if (c.friction.model() == FrictionModel::kPresliding) c.bristle = add(name + ".bristle");
-    if (c.friction.has_dwell()) c.dwell = add(name + ".dwell");
-    if (c.mount.present) c.mount_state = add(name + ".mount");
-    for (int k = 0; k < MountTerms::kBranches; ++k) {
-      if (!c.mount.present || !c.mount.HasBranch(k)) continue;
-      c.maxwell[k] = add(name + (k == 0 ? ".bush" : ".bush2"));
+    for (int k = 0; k < c.friction.num_memories(); ++k) {
+      const int state = add(name + "." + c.friction.MemoryName(k));
+      if (k == 0) c.memory = state;
     }
+    if (c.mount.present()) c.mount_state = add(name + ".mount");
+    for (const MaxwellBranch& branch : c.mount.branches()) add(name + "." + branch.name);
   }
   sys->first_slow = sys->num_states();
   for (size_t n = 0; n < lines_.size(); ++n) {
@@ -306,8 +264,8 @@ CompiledPhs Builder::Compile() {
   CompileFlows(sys);
   CompileStates(sys);
   for (Node& node : sys->nodes) node.Prepare();
-  sys->temperature = temperature_;
-  sys->element = element_;
+  sys->ambient = std::move(ambient_);
+  sys->loads = std::move(loads_);
   if (static_cast<int>(sys->paths.size()) > kMaxPaths || sys->num_states() > kMaxStates) {
     status_ = Error{params_.name, "too many flows or states for one system",
                     "at most " + std::to_string(kMaxPaths) + " flows", "switch effects off"};

@@ -8,6 +8,7 @@
 
 #include "hydraulics/end_stop.h"
 #include "hydraulics/friction.h"
+#include "hydraulics/mount.h"
 #include "hydraulics/node.h"
 #include "hydraulics/phs_system.h"
 
@@ -19,27 +20,19 @@ inline constexpr int kMaxPaths = 32;
 inline constexpr int kMaxStates = 192;
 inline constexpr int kOpen = -1;  ///< node index of the atmosphere
 
-/// Maxwell deflections of a mounting [m].
-using MountCreep = std::array<double, MountTerms::kBranches>;
-
 struct CompiledCylinder {
   int bore = kOpen, rod = kOpen;  ///< nodes of its chambers
   double bore_area = 0, rod_area = 0;
   double bore_p0 = kAtmosphere, rod_p0 = kAtmosphere;
   Friction friction;
   EndStopParams stop;
-  MountTerms mount;
-  InstrumentTerms instruments;
-  int bristle = -1, dwell = -1, mount_state = -1;  ///< state indices
-  int maxwell[MountTerms::kBranches] = {-1, -1};
-  /// Maxwell deflections in `state`; 0 where there is no branch.
-  MountCreep Creep(const double* state) const {
-    MountCreep q{};
-    for (int k = 0; k < MountTerms::kBranches; ++k) {
-      if (maxwell[k] >= 0) q[k] = state[maxwell[k]];
-    }
-    return q;
-  }
+  Mount mount;
+  std::array<ReadingLaws, kSensors> readings;
+  /// State indices: the bristle, the first memory of friction, the mounting; those of its branches
+  /// follow.
+  int bristle = -1, memory = -1, mount_state = -1;
+  /// Deflections of the mounting's branches in `state`.
+  const double* Branches(const double* state) const { return state + mount_state + 1; }
 };
 
 /// Flow from one node to another; `volume` state = volume that went from `from` to `to` [m3].
@@ -65,8 +58,8 @@ struct CompiledPhs {
   std::vector<Node> nodes;  ///< the first num_lines are the lines themselves
   std::vector<Path> paths;
   std::vector<std::unique_ptr<VolumeLaw>> volume_laws;
-  TemperatureTerms temperature;
-  ElementTerms element;
+  std::vector<std::unique_ptr<const AmbientLaw>> ambient;
+  LoadLaws loads;
   int first_slow = 0;  ///< states below: friction and mounting; from here: hydraulic
   bool friction_needs_pressure = false;
   bool has_mounts = false;
@@ -88,15 +81,10 @@ struct PhsSystem::Impl : CompiledPhs {};
 /// Force of the cylinder's chambers on its piston, tension > 0 [N].
 double CalcPressureForce(const CompiledPhs& sys, const Instant& at, int cylinder);
 
-/// Mean piston speeds over h and rates of the mount states (mount.cc). `near`: solved nodes close
-/// by, or null; where oil flows, the solved start of the step.
+/// Mean piston speeds over h and rates of the mount states (mount_step.cc). `near`: solved nodes
+/// close by, or null; where oil flows, the solved start of the step.
 void CalcMountRates(const CompiledPhs& sys, double time, double h, const double* x, const double* v,
                     const double* state, const Instant* near, double* piston_speed, double* rate);
-/// Force of a mounting at deflection u = x - y and Maxwell deflections q [N]; `slope` = dF/du.
-double CalcMountForce(const MountTerms& mount, double u, const MountCreep& q, double* slope);
-double CalcMountEnergy(const MountTerms& mount, double u, const MountCreep& q);
-/// Power lost in the Maxwell branches of all mountings [W].
-double CalcMountLoss(const CompiledPhs& sys, const double* state);
 
 /// Rates of gas temperatures and flows over h (flow_rates.cc).
 void CalcHydraulicRates(const CompiledPhs& sys, double time, double h, const Instant& start,

@@ -75,7 +75,8 @@ struct LineParams {
   /// Standard deviation of the precharge over the parts of an accumulator that lift off one after
   /// the other; set by accumulator_precharge.
   double accumulator_spread_Pa = 0;
-  double expansion_ratio = 1;  ///< of its oil's thermal expansion; set by temperature_drift
+  double expansion_1_per_K = 0;  ///< of its oil against the housing; set by temperature_drift
+  double softening_1_per_K = 0;  ///< relative fall of its bulk modulus; set by temperature_drift
   bool operator==(const LineParams&) const = default;
 };
 

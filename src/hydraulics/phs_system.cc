@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "hydraulics/drift_time.h"
 #include "hydraulics/phs_impl.h"
 
 namespace phs::hydraulics {
@@ -25,30 +24,27 @@ const std::vector<std::string>& PhsSystem::line_names() const { return impl_->li
 const std::vector<std::string>& PhsSystem::state_names() const { return impl_->state_names; }
 const std::string& PhsSystem::name() const { return impl_->params.name; }
 const PhsParams& PhsSystem::params() const { return impl_->params; }
-const InstrumentTerms& PhsSystem::instruments(int cylinder) const {
-  return impl_->cylinders[cylinder].instruments;
+const ReadingLaws& PhsSystem::readings(int cylinder, Sensor sensor) const {
+  return impl_->cylinders[cylinder].readings[static_cast<size_t>(sensor)];
 }
 const Friction& PhsSystem::friction(int cylinder) const {
   return impl_->cylinders[cylinder].friction;
 }
 
-const MountTerms& PhsSystem::mount(int cylinder) const { return impl_->cylinders[cylinder].mount; }
+const Mount& PhsSystem::mount(int cylinder) const { return impl_->cylinders[cylinder].mount; }
 double PhsSystem::Ambient(double time) const { return impl_->Ambient(time); }
-const ElementTerms& PhsSystem::element() const { return impl_->element; }
+const LoadLaws& PhsSystem::loads() const { return impl_->loads; }
 
 double CompiledPhs::Ambient(double time) const {
-  const double T0 = params.temperature_K;
-  if (!temperature.present) return T0;
-  const double counted = DriftTime(time, temperature.start_s, temperature.settling_s);
-  const double ramp =
-      std::clamp(temperature.rate_K_per_s * counted, -temperature.limit_K, temperature.limit_K);
-  return T0 + ramp + temperature.amplitude_K * std::sin(2 * M_PI * time / temperature.period_s);
+  double T = params.temperature_K;
+  for (const auto& law : ambient) T += law->Rise(time);
+  return T;
 }
 
 void CompiledPhs::CalcPushed(const double* state, Instant* at) const {
-  const double warm = temperature.expansion_1_per_K * (at->ambient - params.temperature_K);
+  const double warmer = at->ambient - params.temperature_K;
   for (size_t n = 0; n < nodes.size(); ++n)
-    at->pushed[n] = nodes[n].oil_volume * nodes[n].expansion * warm;
+    at->pushed[n] = nodes[n].oil_volume * (nodes[n].expansion * warmer);
   for (size_t i = 0; i < cylinders.size(); ++i) {
     const CompiledCylinder& c = cylinders[i];
     if (c.bore != kOpen) at->pushed[c.bore] -= c.bore_area * at->piston[i];
@@ -77,7 +73,7 @@ FrictionPlace CompiledPhs::Place(const Instant& at, int cylinder, const double* 
   }
   place.time = at.time;
   place.warmer = at.ambient - params.temperature_K;
-  if (c.dwell >= 0) place.rested = 1 - state[c.dwell];
+  if (c.memory >= 0) place.memory = state + c.memory;
   return place;
 }
 
@@ -109,12 +105,15 @@ void CalcCylinder(const CompiledPhs& sys, const Instant& at, int i, double pisto
   }
   if (c.mount_state >= 0) {
     const double u = state[c.mount_state];
-    const MountCreep q = c.Creep(state);
+    const double* q = c.Branches(state);
     double slope;
-    force = CalcMountForce(c.mount, u, q, &slope);
+    force = c.mount.Force(u, q, 0, &slope);
     friction_force = force - pressure_force - stop.force;
     if (out->damping) out->damping[i] = 0;  // the mounting stands between
-    if (out->energy) out->stored_energy += CalcMountEnergy(c.mount, u, q);
+    if (out->energy) {
+      out->stored_energy += c.mount.Energy(u, q);
+      out->lost_power += c.mount.Loss(u, q);
+    }
   }
   if (out->force) out->force[i] = force;
   if (out->pressure_force) out->pressure_force[i] = pressure_force;
@@ -156,7 +155,7 @@ void PlaceKnown(const CompiledPhs& sys, double time, const double* x, const doub
 void CalcCylinderFrictionRate(const CompiledPhs& sys, const Instant& at, int cylinder, double h,
                               double speed, const double* state, double* rate) {
   const CompiledCylinder& c = sys.cylinders[cylinder];
-  if (c.bristle < 0 && c.dwell < 0) return;
+  if (c.bristle < 0 && c.memory < 0) return;
   FrictionPlace place = sys.Place(at, cylinder, state);
   place.piston += 0.5 * h * speed;
   if (c.bristle >= 0) {
@@ -164,10 +163,10 @@ void CalcCylinderFrictionRate(const CompiledPhs& sys, const Instant& at, int cyl
     rate[c.bristle] = h > 0 ? (c.friction.Advance(h, speed, z, place) - z) / h
                             : c.friction.Calc(speed, z, place).bristle_speed;
   }
-  if (c.dwell >= 0) {
-    const double eta = state[c.dwell];
-    rate[c.dwell] = h > 0 ? (c.friction.AdvanceDwell(h, speed, eta) - eta) / h
-                          : c.friction.DwellRate(speed, eta);
+  for (int k = 0; k < c.friction.num_memories(); ++k) {
+    const double now = state[c.memory + k];
+    rate[c.memory + k] = h > 0 ? (c.friction.AdvanceMemory(k, h, speed, now) - now) / h
+                               : c.friction.MemoryRate(k, speed, now);
   }
 }
 
@@ -204,7 +203,6 @@ void PhsSystem::Calc(double time, const double* x, const double* v, const double
   }
   out->stored_energy += CalcPathEnergy(sys, state);
   out->lost_power += CalcHydraulicLoss(sys, time, at, state);
-  if (sys.has_mounts) out->lost_power += CalcMountLoss(sys, state);
 }
 
 void PhsSystem::CalcStateRate(double time, double h, const double* x, const double* v,

@@ -9,6 +9,7 @@
 #include "base/result.h"
 #include "hydraulics/extension.h"
 #include "hydraulics/friction.h"
+#include "hydraulics/mount.h"
 #include "hydraulics/phs_params.h"
 
 namespace phs::hydraulics {
@@ -106,15 +107,15 @@ class PhsSystem {
   /// longer than about 0.6 of its inverse damp it away.
   double max_line_frequency() const;
 
-  /// Errors of the instruments of a cylinder, for rigs.
-  const InstrumentTerms& instruments(int cylinder) const;
+  /// Laws of an instrument of a cylinder, for rigs.
+  const ReadingLaws& readings(int cylinder, Sensor sensor) const;
   /// Friction of a cylinder alone, for benches without oil.
   const Friction& friction(int cylinder) const;
-  const MountTerms& mount(int cylinder) const;
+  const Mount& mount(int cylinder) const;
   /// Temperature of surroundings and oil [K].
   double Ambient(double time) const;
-  /// What effects add to a part on a bench; zero without any.
-  const ElementTerms& element() const;
+  /// What hangs on the driven end of a bench or rig.
+  const LoadLaws& loads() const;
 
  private:
   struct Impl;

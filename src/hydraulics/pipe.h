@@ -7,7 +7,7 @@
 
 #include <memory>
 
-#include "hydraulics/extension.h"
+#include "hydraulics/oil_laws.h"
 
 namespace phs::hydraulics {
 

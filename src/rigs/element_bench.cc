@@ -6,66 +6,24 @@
 namespace phs::rigs {
 namespace {
 
-using hydraulics::ElementTerms;
 using hydraulics::Friction;
 using hydraulics::FrictionModel;
 using hydraulics::FrictionPlace;
-using hydraulics::MountTerms;
-
-/// d = y - x of the flexible part: d" + 2 zeta w d' + w² d = -x", over samples of constant x".
-class FlexiblePart {
- public:
-  FlexiblePart(const ElementTerms& terms, double h)
-      : mass_(terms.flexible_mass_kg),
-        w_(2 * M_PI * terms.flexible_Hz),
-        damping_(2 * terms.flexible_damping * w_) {
-    if (mass_ <= 0) return;
-    // exp([0 1; -w² -c] h) by a Taylor series over h/2^n, squared n times.
-    int halvings = 0;
-    double part = h;
-    while (part * (w_ + damping_) > 0.1 && halvings < 60) part *= 0.5, ++halvings;
-    double term[4] = {1, 0, 0, 1};
-    for (int k = 1; k <= 8; ++k) {
-      const double a = term[0], b = term[1], c = term[2], d = term[3];
-      const double f = part / k;
-      term[0] = -b * w_ * w_ * f, term[1] = (a - b * damping_) * f;
-      term[2] = -d * w_ * w_ * f, term[3] = (c - d * damping_) * f;
-      for (int i = 0; i < 4; ++i) step_[i] += term[i];
-    }
-    for (int k = 0; k < halvings; ++k) {
-      const double a = step_[0], b = step_[1], c = step_[2], d = step_[3];
-      step_[0] = a * a + b * c, step_[1] = b * (a + d);
-      step_[2] = c * (a + d), step_[3] = b * c + d * d;
-    }
-  }
-  double mass() const { return mass_; }
-  double Force() const { return -mass_ * (w_ * w_ * d_ + damping_ * rate_); }
-  void Advance(double acceleration) {
-    // Around the particular solution d = -a/w².
-    const double rest = -acceleration / (w_ * w_), e = d_ - rest;
-    d_ = rest + step_[0] * e + step_[1] * rate_;
-    rate_ = step_[2] * e + step_[3] * rate_;
-  }
-
- private:
-  double mass_, w_, damping_;
-  double step_[4] = {1, 0, 0, 1};
-  double d_ = 0, rate_ = 0;
-};
+using hydraulics::Mount;
 
 /// Friction at the end of a gap and a spring.
 class MountedFriction {
  public:
-  MountedFriction(const Friction& friction, const MountTerms& mount, double x, double h)
-      : friction_(friction), mount_(mount), y_(x), h_(h) {
-    if (mount_.present && mount_.stiffness_N_per_m <= 0) {
-      mount_.stiffness_N_per_m = hydraulics::kContactStiffness;
-    }
-  }
-  /// Force with the drive at x, v now; `place` without piston and rest.
+  MountedFriction(const Friction& friction, const Mount& mount, double x, double h)
+      : friction_(friction),
+        mount_(mount),
+        y_(x),
+        h_(h),
+        memory_(static_cast<size_t>(friction.num_memories()), 0.0) {}
+  /// Force with the drive at x, v now; `place` without piston and memory.
   double Calc(double x, double v, FrictionPlace place) {
-    place.rested = 1 - eta_;
-    if (!mount_.present) {
+    place.memory = memory_.data();
+    if (!mount_.present()) {
       place.piston = y_ = x;
       direction_ = friction_.Direction(v, z_, place);
       return friction_.Calc(v, z_, place).force;
@@ -78,9 +36,9 @@ class MountedFriction {
   }
   /// To the next sample, the drive at mean speed v (without a mount only: else done in Calc).
   void Move(double v, FrictionPlace place) {
-    if (mount_.present) return;
+    if (mount_.present()) return;
     place.piston = y_;
-    place.rested = 1 - eta_;
+    place.memory = memory_.data();
     Advance(h_, v, place);
   }
   double direction() const { return direction_; }
@@ -89,7 +47,7 @@ class MountedFriction {
   /// Move of y that balances friction and mount. Their difference rises with the move: false
   /// position with the Illinois rule inside a bracket.
   double SolveMove(double x, const FrictionPlace& place) const {
-    const double reach = std::abs(x - y_) + mount_.gap_m + 1e-12;
+    const double reach = std::abs(x - y_) + mount_.play() + 1e-12;
     const auto excess = [&](double move) {
       return FrictionAfter(move, place) - MountForce(x - y_ - move);
     };
@@ -128,13 +86,16 @@ class MountedFriction {
   }
   void Advance(double h, double v, const FrictionPlace& place) {
     if (friction_.model() == FrictionModel::kPresliding) z_ = friction_.Advance(h, v, z_, place);
-    if (friction_.has_dwell()) eta_ = friction_.AdvanceDwell(h, v, eta_);
+    for (size_t k = 0; k < memory_.size(); ++k) {
+      memory_[k] = friction_.AdvanceMemory(static_cast<int>(k), h, v, memory_[k]);
+    }
   }
 
   const Friction& friction_;
-  MountTerms mount_;
+  const Mount& mount_;
   double y_, h_;
-  double z_ = 0, eta_ = 0, direction_ = 0;
+  std::vector<double> memory_;
+  double z_ = 0, direction_ = 0;
 };
 
 }  // namespace
@@ -144,15 +105,11 @@ void RunElementBench(const hydraulics::PhsSystem& system, const RigMotion& motio
                      ElementPlaces* places) {
   const int n = motion.num_samples();
   const hydraulics::ElementParams& part = system.params().element;
-  const ElementTerms& terms = system.element();
-  const double mass = part.mass_kg + terms.mass_kg;
-  const double area = part.pressure_area_m2 + terms.pressure_area_m2;
   const std::vector<double>& x = motion.position_m[0];
   std::vector<double> acceleration;
-  if (mass > 0 || terms.flexible_mass_kg > 0) {
+  if (part.mass_kg > 0 || !system.loads().empty()) {
     acceleration = DifferentiateMotion(speed, motion.step_s);
   }
-  FlexiblePart flexible(terms, motion.step_s);
   MountedFriction friction(system.friction(0), system.mount(0), x[0], motion.step_s);
   if (places != nullptr) places->direction.resize(static_cast<size_t>(n));
   for (int i = 0; i < n; ++i) {
@@ -163,15 +120,16 @@ void RunElementBench(const hydraulics::PhsSystem& system, const RigMotion& motio
     const double T =
         motion.temperature_K.empty() ? system.Ambient(place.time) : motion.temperature_K[i];
     place.warmer = T - system.params().temperature_K;
-    double sum = part.offset_N + part.stiffness_N_per_m * x[i] + area * p +
+    double sum = part.offset_N + part.stiffness_N_per_m * x[i] + part.pressure_area_m2 * p +
                  friction.Calc(x[i], speed[i], place);
-    if (!acceleration.empty()) sum += (mass - flexible.mass()) * acceleration[i];
-    if (flexible.mass() > 0) sum += flexible.Force();
+    if (part.mass_kg > 0) sum += part.mass_kg * acceleration[i];
     (*force)[i] = sum;
     if (places != nullptr) places->direction[i] = friction.direction();
     if (i + 1 == n) continue;
     friction.Move((x[i + 1] - x[i]) / motion.step_s, place);
-    if (flexible.mass() > 0) flexible.Advance(0.5 * (acceleration[i] + acceleration[i + 1]));
+  }
+  for (const auto& law : system.loads()) {
+    law->Add({motion.step_s, acceleration, motion.pressure_Pa}, force);
   }
 }
 

@@ -1,13 +1,11 @@
 // A part on a bench moved by prescribed motion x(t): what force does it ask for?
 //
-//   o--[ m ]--+--[ mount ]--+--[ friction ]--|ground     F = m x" + k x + A p + offset
-//      x      |             y                              + friction(y, y', p, T, …)
-//             +--[ spring, damper ]--[ m_f ]               + force of the flexible part
+//   o--[ m ]--[ mount ]--+--[ friction ]--|ground     F = m x" + k x + A p + offset
+//      x                 y                              + friction(y, y', p, T, …) + loads
 //
-// m, k, A, offset: ElementParams and the effects moving_mass, pressure_area. Mount: gap and spring
-// of the effects backlash and mount_compliance, friction behind them, solved for y each sample
-// (the friction is monotone in y's move, the mount falls: one root, found by bisection). The
-// flexible part (load_flexibility) is stepped exactly for constant acceleration over a sample.
+// m, k, A, offset: ElementParams. Mount: play and spring of the mount laws, friction behind them,
+// solved for y each sample (the friction is monotone in y's move, the mount falls: one root, found
+// by bisection). Loads: the load laws, at x.
 // F > 0 pulls in the direction of x > 0.
 #pragma once
 

@@ -1,5 +1,4 @@
-// Instrument errors on predicted channels: shown = gain * true(t - delay) + offset + drift * t +
-// what a formula says of the true state (effect `unlisted`).
+// Instrument errors on predicted channels, by the reading laws of each sensor.
 #pragma once
 
 #include "hydraulics/phs_system.h"

@@ -174,12 +174,14 @@ void RigModel::Impl::RunFull(const RigMotion& motion, const std::vector<std::vec
   }
 }
 
-/// Force of a mass that moves with the actuator behind the load cell, tension > 0.
-void AddMovedMass(double mass_kg, const std::vector<double>& speed, double step_s,
-                  std::vector<double>* load) {
-  if (mass_kg == 0) return;
-  const std::vector<double> acceleration = DifferentiateMotion(speed, step_s);
-  for (size_t i = 0; i < load->size(); ++i) (*load)[i] += mass_kg * acceleration[i];
+/// What moves with the actuator behind the load cell.
+void AddLoads(const PhsSystem& system, const std::vector<double>& speed, const RigMotion& motion,
+              std::vector<double>* load) {
+  if (system.loads().empty()) return;
+  const std::vector<double> acceleration = DifferentiateMotion(speed, motion.step_s);
+  for (const auto& law : system.loads()) {
+    law->Add({motion.step_s, acceleration, motion.pressure_Pa}, load);
+  }
 }
 
 Status RigModel::Run(const RigMotion& motion, RigPrediction* prediction) const {
@@ -209,8 +211,7 @@ Status RigModel::Run(const RigMotion& motion, RigPrediction* prediction,
       break;
     default:
       RunCylinder(impl_->system, impl_->options, motion, speed[0], pressures, prediction);
-      AddMovedMass(impl_->system.element().mass_kg, speed[0], motion.step_s,
-                   &prediction->channels[1]);
+      AddLoads(impl_->system, speed[0], motion, &prediction->channels[1]);
       break;
   }
   ApplyInstruments(impl_->kind, impl_->system, motion.t0_s, motion.step_s, prediction);

@@ -290,41 +290,59 @@ TEST(EffectForms, AMountHardensAndDiffersByDirection) {
   }
 }
 
-hydraulics::Friction Rubbing(const hydraulics::FrictionTerms& terms) {
-  hydraulics::FrictionParams params;
-  params.model = hydraulics::FrictionModel::kStatic;
-  params.curve = hydraulics::FrictionCurve::kCoulomb;
-  params.coulomb_extension_N = params.coulomb_retraction_N = 1000;
-  params.breakaway_extension_N = params.breakaway_retraction_N = 1000;
-  params.viscous_extension_Ns_per_m = params.viscous_retraction_Ns_per_m = 0;
-  params.damping_Ns_per_m = 0;
-  return hydraulics::Friction(params, terms);
+/// A bench part that rubs with 1000 N and has one effect.
+PhsSystem Rubbing(const std::string& effect, std::map<std::string, double> values) {
+  PhsParams params;
+  params.cylinders.resize(1);
+  params.cylinders[0].name = "1";
+  hydraulics::FrictionParams& f = params.friction;
+  f.model = FrictionModel::kStatic;
+  f.curve = hydraulics::FrictionCurve::kCoulomb;
+  f.coulomb_extension_N = f.coulomb_retraction_N = 1000;
+  f.breakaway_extension_N = f.breakaway_retraction_N = 1000;
+  f.viscous_extension_Ns_per_m = f.viscous_retraction_Ns_per_m = 0;
+  f.damping_Ns_per_m = 0;
+  return Compile(With(params, effect, std::move(values)));
 }
 
 TEST(EffectForms, FrictionOverPlaceSpeedAndPressureDifference) {
-  hydraulics::FrictionTerms spot;
-  spot.spot_share = 0.5, spot.spot_centre_m = 1e-3, spot.spot_width_m = 2e-3;
-  spot.wave_sine = 0.1, spot.wave_length_m = 4e-3;
+  const PhsSystem spot = Rubbing("position_friction", {{"slope_1_per_m", 0},
+                                                       {"spot_share", 0.5},
+                                                       {"spot_centre_m", 1e-3},
+                                                       {"spot_width_m", 2e-3},
+                                                       {"wave_sine", 0.1},
+                                                       {"wave_length_m", 4e-3}});
   hydraulics::FrictionPlace place;
   place.piston = 3e-3;
-  EXPECT_NEAR(Rubbing(spot).Level(1, 0.01, place), 1000 * (1 + 0.5 * std::exp(-1) - 0.1), 1e-6);
-  hydraulics::FrictionTerms slow;
-  slow.stribeck_extra_extension_N = 300, slow.stribeck_speed_m_s = 1e-2, slow.stribeck_exponent = 2;
-  EXPECT_NEAR(Rubbing(slow).Level(1, 2e-2, {}), 1000 + 300 * std::exp(-4), 1e-6);
-  hydraulics::FrictionTerms fast;
-  fast.viscous_extension_Ns_per_m = 1e4, fast.viscous_exponent = 2;
-  EXPECT_NEAR(Rubbing(fast).Calc(0.05, 0, {}).force, 1000 + 1e4 * 0.05 * 5, 0.01);
-  hydraulics::FrictionTerms pressed;
-  pressed.pressure_difference_N_per_Pa = 1e-4, pressed.static_difference_Pa = -2e5;
+  EXPECT_NEAR(spot.friction(0).Level(1, 0.01, place), 1000 * (1 + 0.5 * std::exp(-1) - 0.1), 1e-6);
+  const PhsSystem slow =
+      Rubbing("stribeck", {{"extra_N", 300}, {"speed_m_s", 1e-2}, {"exponent", 2}});
+  EXPECT_NEAR(slow.friction(0).Level(1, 2e-2, {}), 1000 + 300 * std::exp(-4), 1e-6);
+  const PhsSystem fast =
+      Rubbing("viscous_friction", {{"extension_Ns_per_m", 1e4}, {"exponent", 2}});
+  EXPECT_NEAR(fast.friction(0).Calc(0.05, 0, {}).force, 1000 + 1e4 * 0.05 * 5, 0.01);
+}
+
+TEST(EffectForms, SealsArePressedByTheDifferenceOfThePressures) {
+  const double k = 1e-4;
+  PhsParams params = With(Quarter(), "pressure_friction",
+                          {{"bore_N_per_Pa", 0}, {"rod_N_per_Pa", 0}, {"difference_N_per_Pa", k}});
+  const PhsSystem s = Compile(params);
+  const double rest =
+      params.lines[params.FindLine(params.cylinders[0].bore_line)].static_pressure_Pa -
+      params.lines[params.FindLine(params.cylinders[0].rod_line)].static_pressure_Pa;
+  ASSERT_LT(rest, -1e5);
+  hydraulics::FrictionPlace place;
+  const double plain = s.friction(0).Level(-1, 0.01, place);
   place.bore_rise = 3e6, place.rod_rise = 1e6;
-  EXPECT_NEAR(Rubbing(pressed).Level(-1, 0.01, place), 1000 + 1e-4 * (1.8e6 - 2e5), 1e-6);
+  EXPECT_NEAR(s.friction(0).Level(-1, 0.01, place) - plain,
+              k * (std::abs(rest + 2e6) - std::abs(rest)), 1e-6);
 }
 
 TEST(EffectForms, TheCreepingBristleApproachesItsLevelExponentially) {
-  hydraulics::FrictionTerms terms;
-  terms.presliding = true, terms.presliding_creeps = true, terms.presliding_share = 0.4;
-  terms.presliding_stiffness_N_per_m = 1e7;
-  const hydraulics::Friction friction = Rubbing(terms);
+  const PhsSystem s =
+      Rubbing("presliding", {{"creeping", 1}, {"share", 0.4}, {"stiffness_N_per_m", 1e7}});
+  const hydraulics::Friction& friction = s.friction(0);
   const double end = 0.4 * 1000 / 1e7;
   double z = -0.5 * end;
   for (int i = 0; i < 10; ++i) z = friction.Advance(1e-3, 3e-3, z, {});

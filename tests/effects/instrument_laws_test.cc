@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 #include "rigs/rig_model.h"
 #include "tests/effects/driven_cylinder.h"
@@ -14,33 +15,46 @@ using rigs::RigMotion;
 using rigs::RigPrediction;
 namespace {
 
-TEST(Instruments, GainOffsetDriftDelayOnPredictedChannels) {
+std::vector<std::vector<double>> Shown(const PhsParams& params) {
   RigMotion motion;
   motion.step_s = 0.01;
   motion.position_m.resize(1);
   for (int i = 0; i < 400; ++i) motion.position_m[0].push_back(1e-3 * std::sin(0.02 * i));
+  Result<RigModel> rig = RigModel::Create(RigKind::kQuarter, params);
+  EXPECT_TRUE(rig.ok()) << rig.error().Line();
+  RigPrediction out;
+  EXPECT_TRUE(rig.value().Run(motion, &out).ok());
+  return out.channels;
+}
+
+TEST(Instruments, GainOffsetDriftDelayOnPredictedChannels) {
   const PhsParams p = Quarter();
-  auto run = [&](const PhsParams& params) {
-    Result<RigModel> rig = RigModel::Create(RigKind::kQuarter, params);
-    EXPECT_TRUE(rig.ok()) << rig.error().Line();
-    RigPrediction out;
-    EXPECT_TRUE(rig.value().Run(motion, &out).ok());
-    return out.channels;
-  };
-  const auto plain = run(p);
-  const auto offset = run(With(p, "sensor_offset", {{"load_N", 120}, {"p_rod_Pa", -3e4}}));
-  const auto drift = run(With(p, "sensor_drift", {{"p_bore_Pa_per_s", 500}}));
-  const auto gain = run(With(p, "sensor_gain", {{"load", 1.05}}));
-  const auto delay = run(With(p, "sensor_delay", {{"load_s", 0.025}}));
+  const auto plain = Shown(p);
+  const auto offset = Shown(With(p, "sensor_offset", {{"load_N", 120}, {"p_rod_Pa", -3e4}}));
+  const auto drift = Shown(With(p, "sensor_drift", {{"p_bore_Pa_per_s", 500}}));
+  const auto gain = Shown(With(p, "sensor_gain", {{"load", 1.05}}));
+  const auto delay = Shown(With(p, "sensor_delay", {{"load_s", 0.025}}));
   EXPECT_DOUBLE_EQ(offset[1][200], plain[1][200] + 120);
   EXPECT_DOUBLE_EQ(offset[3][200], plain[3][200] - 3e4);
   EXPECT_DOUBLE_EQ(drift[2][200], plain[2][200] + 1000);
-  const auto later = run(
+  const auto later = Shown(
       With(p, "sensor_drift", {{"p_bore_Pa_per_s", 500}, {"start_s", 1.5}, {"settling_s", 0.5}}));
   EXPECT_DOUBLE_EQ(later[2][140], plain[2][140]);
   EXPECT_NEAR(later[2][200], plain[2][200] + 500 * 0.5 * (1 - std::exp(-1)), 1e-6);
   EXPECT_DOUBLE_EQ(gain[1][200], 1.05 * plain[1][200]);
   EXPECT_NEAR(delay[1][200], 0.5 * (plain[1][197] + plain[1][198]), 1e-6);
+}
+
+TEST(Instruments, LagsAndGainsComeBeforeErrorsWhateverTheirOrder) {
+  const auto plain = Shown(Quarter());
+  PhsParams p = With(Quarter(), "sensor_offset", {{"load_N", 120}});
+  p = With(p, "sensor_gain", {{"load", 1.05}});
+  p = With(p, "sensor_drift", {{"load_N_per_s", 50}});
+  p = With(p, "sensor_delay", {{"load_s", 0.02}});
+  p = With(p, "sensor_gain", {{"load", 0.9}});
+  const auto shown = Shown(p);
+  EXPECT_NEAR(shown[1][200], 1.05 * 0.9 * plain[1][198] + 120 + 50 * 2, 1e-9);
+  EXPECT_EQ(shown[2], plain[2]);
 }
 
 }  // namespace

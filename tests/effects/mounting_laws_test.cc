@@ -1,7 +1,10 @@
 // The law of every mounting effect, on its own: closed formulas at a few points.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
+#include <string>
 
 #include "tests/effects/driven_cylinder.h"
 
@@ -60,6 +63,42 @@ TEST(BushViscoelastic, RelaxesWithItsTime) {
   const double F0 = end.force;
   EXPECT_NEAR((soon.force - F0) / ((k2 * x)), 1, 0.02);
   EXPECT_NEAR((later.force - F0) / (soon.force - F0), std::exp(-1), 0.01);
+}
+
+// Plays add, springs stand in series whatever their order, and the one that stiffens most counts.
+TEST(Mountings, SeveralComposeAsASeries) {
+  const double gap = 2e-4, contact = 2e8, k = 5e7, b = 4e6;
+  for (const bool play_first : {true, false}) {
+    PhsParams p = Quarter();
+    const auto add_play = [&] {
+      p = With(p, "backlash",
+               {{"gap_m", gap}, {"contact_N_per_m", contact}, {"tension_share", 0.2}});
+    };
+    if (play_first) add_play();
+    p = With(p, "mount_compliance", {{"stiffness_N_per_m", k}, {"hardening_1_per_m2", b}});
+    if (!play_first) add_play();
+    const PhsSystem s = Compile(p);
+    const double together = 1 / (1 / contact + 1 / k);
+    for (const double x : {3e-3, -3e-3}) {
+      const Held h = Drive(s, 1, 1e-3, [x](double t) { return x * t; });
+      const double e = x - h.piston - (x > 0 ? 0.2 * gap : -0.8 * gap);
+      EXPECT_NEAR(h.force, together * e * (1 + b * e * e), 1e-9 * std::abs(h.force));
+      EXPECT_GT(std::abs(h.force), 5e3);
+    }
+  }
+}
+
+TEST(Mountings, TwoBushesKeepTheirStatesApart) {
+  const std::map<std::string, double> slow = {{"relaxation_s", 3}}, fast = {{"relaxation_s", 0.03}};
+  const PhsSystem s =
+      Compile(With(With(Quarter(), "bush_viscoelastic", slow), "bush_viscoelastic", fast));
+  const auto& names = s.state_names();
+  for (const char* name : {"1.bush", "1.bush_2"}) {
+    EXPECT_EQ(std::count(names.begin(), names.end(), name), 1) << name;
+  }
+  const Held h = Drive(s, 0.3, 1e-3, [](double t) { return 3e-3 * t; });
+  const size_t bush = std::find(names.begin(), names.end(), "1.bush") - names.begin();
+  EXPECT_GT(h.state[bush + 1], 2 * h.state[bush]) << "the slow one follows the deflection later";
 }
 
 }  // namespace

@@ -6,7 +6,9 @@
 #include <rapidcheck/gtest.h>
 
 #include <cmath>
+#include <memory>
 #include <random>
+#include <utility>
 
 #include "test_systems.h"
 
@@ -46,7 +48,7 @@ TEST(Presliding, HoldsWithoutFlickerUnderSpeedNoise) {
 
 TEST(Presliding, SticksUnderLoadBelowBreakawayForever) {
   // Dither of +-10 um about a deflection held below breakaway: no drift after 10^5 cycles.
-  const Friction f(FrictionParams{}, FrictionTerms{});
+  const Friction f(FrictionParams{});
   double z = 2e-5;
   for (int i = 0; i < 100000; ++i) {
     z = f.Advance(1e-3, 1e-2, z, {});
@@ -56,7 +58,7 @@ TEST(Presliding, SticksUnderLoadBelowBreakawayForever) {
 }
 
 TEST(Presliding, SlidesAtTheLevelOfTheTable) {
-  const Friction f(FrictionParams{}, FrictionTerms{});
+  const Friction f(FrictionParams{});
   for (auto [v, F] : {std::pair{0.01, 1950.0},
                       {-0.01, -1700.0},
                       {0.05, 2150.0},
@@ -69,7 +71,7 @@ TEST(Presliding, SlidesAtTheLevelOfTheTable) {
 }
 
 TEST(Presliding, ExactUpdateMatchesFineIntegration) {
-  const Friction f(FrictionParams{}, FrictionTerms{});
+  const Friction f(FrictionParams{});
   for (double start : {-6e-5, -2e-5, 0.0, 3e-5, 4.6e-5, 5.3e-5}) {
     for (double v : {1e-3, -2e-3}) {
       double z = start;
@@ -82,7 +84,7 @@ TEST(Presliding, ExactUpdateMatchesFineIntegration) {
 }
 
 TEST(Presliding, HysteresisDissipatesAreaOfTheLoop) {
-  const Friction f(FrictionParams{}, FrictionTerms{});
+  const Friction f(FrictionParams{});
   double z = 0, work = 0, lost = 0;
   const double h = 1e-4, amplitude = 1e-3, w = 2 * M_PI * 0.5;
   const int period = 20000;
@@ -102,15 +104,40 @@ TEST(Presliding, HysteresisDissipatesAreaOfTheLoop) {
   EXPECT_LT(work, 4 * amplitude * 1850);
 }
 
+/// Level times 1 + slope y, and a force more where it creeps in extension.
+class Level final : public LevelLaw {
+ public:
+  Level(double slope, double extra) : slope_(slope), extra_(extra) {}
+  void Add(const LevelPlace& place, LevelParts* level) const noexcept override {
+    level->of_curve *= std::max(1 + slope_ * place.at.piston, 0.0);
+    if (place.sign > 0) level->extra += extra_ * std::exp(-place.speed / 1e-3);
+  }
+
+ private:
+  double slope_, extra_;
+};
+
+/// c v in retraction.
+class Viscous final : public ForceLaw {
+ public:
+  explicit Viscous(double c) : c_(c) {}
+  double Force(const ForcePlace& place) const noexcept override {
+    return place.speed < 0 ? c_ * place.speed : 0;
+  }
+
+ private:
+  double c_;
+};
+
 RC_GTEST_PROP(Friction, NeverGivesEnergyOverRandomMotion, ()) {
   FrictionParams p;
   p.model = *rc::gen::element(FrictionModel::kStatic, FrictionModel::kPresliding);
   p.curve = *rc::gen::element(FrictionCurve::kTable, FrictionCurve::kCoulomb);
-  FrictionTerms t;
-  t.stribeck_extra_extension_N = *rc::gen::inRange(0, 1000);
-  t.viscous_retraction_Ns_per_m = *rc::gen::inRange(0, 10000);
-  t.position_slope_1_per_m = *rc::gen::inRange(-20, 20);
-  const Friction f(p, t);
+  FrictionLaws laws;
+  laws.levels.push_back(
+      std::make_unique<Level>(*rc::gen::inRange(-20, 20), *rc::gen::inRange(-3000, 1000)));
+  laws.forces.push_back(std::make_unique<Viscous>(*rc::gen::inRange(0, 10000)));
+  const Friction f(p, std::move(laws));
   double z = 0, y = 0, work = 0;
   const double h = 1e-3;
   for (int i = 0; i < 300; ++i) {
@@ -129,10 +156,46 @@ RC_GTEST_PROP(Friction, NeverGivesEnergyOverRandomMotion, ()) {
   RC_ASSERT(work - f.Energy(z) > -1.0);
 }
 
+/// Adds 200 N, halves the curve, takes three quarters of all; remembers how far it went.
+class Worn final : public LevelLaw {
+ public:
+  void Add(const LevelPlace& place, LevelParts* level) const noexcept override {
+    level->extra += 200 + 10 * place.memory;
+    level->of_curve *= 0.5;
+    level->of_all *= 0.75;
+  }
+  std::string MemoryName() const override { return "wear"; }
+  double MemoryRate(double v, double) const noexcept override { return std::abs(v); }
+  double AdvanceMemory(double h, double v, double memory) const noexcept override {
+    return memory + h * std::abs(v);
+  }
+};
+
+TEST(LevelLaws, ComposeWhateverTheirOrder) {
+  for (const bool worn_first : {true, false}) {
+    FrictionParams p;
+    FrictionLaws laws;
+    if (worn_first) laws.levels.push_back(std::make_unique<Worn>());
+    laws.levels.push_back(std::make_unique<Level>(20, 0));
+    if (!worn_first) laws.levels.push_back(std::make_unique<Worn>());
+    laws.levels.push_back(std::make_unique<Worn>());
+    const Friction f(p, std::move(laws));
+    const double memory[] = {3, 5};
+    FrictionPlace place{.piston = 0.01, .memory = memory};
+    EXPECT_NEAR(f.Level(1, 0.01, place), (1950 * 0.25 * 1.2 + 400 + 80) * 0.75 * 0.75, 1e-9);
+    place.memory = nullptr;
+    EXPECT_NEAR(f.Level(1, 0.01, place), (1950 * 0.25 * 1.2 + 400) * 0.75 * 0.75, 1e-9);
+    place.piston = -1;  // a factor below zero would push
+    EXPECT_NEAR(f.Level(1, 0.01, place), 400 * 0.75 * 0.75, 1e-9);
+    EXPECT_EQ(f.num_memories(), 2);
+    EXPECT_EQ(f.AdvanceMemory(1, 0.5, -4, 1), 3);
+  }
+}
+
 TEST(Static, IsTheLookUpOfTheTable) {
   FrictionParams p;
   p.model = FrictionModel::kStatic;
-  const Friction f(p, FrictionTerms{});
+  const Friction f(p);
   for (auto [v, F] : {std::pair{0.0, 0.0},
                       {0.0001, 850.0},
                       {-0.0001, -750.0},
@@ -149,7 +212,7 @@ TEST(Coulomb, StribeckAndViscousPerDirection) {
   p.model = FrictionModel::kStatic;
   p.curve = FrictionCurve::kCoulomb;
   p.breakaway_extension_N = 2500;
-  const Friction f(p, FrictionTerms{});
+  const Friction f(p);
   EXPECT_NEAR(f.Calc(0.02, 0, {}).force, 1850 + 650 * std::exp(-20.0) + 80, 1e-9);
   EXPECT_NEAR(f.Calc(-0.02, 0, {}).force, -1600 - 80, 1e-9);
 }
@@ -158,7 +221,7 @@ TEST(Presliding, NoLevelNoForce) {
   FrictionParams p;
   p.scale = 0;
   p.damping_Ns_per_m = 0;
-  const Friction f(p, FrictionTerms{});
+  const Friction f(p);
   EXPECT_EQ(f.Advance(0.1, 1e-2, 0, {}), 0);
   EXPECT_EQ(f.Calc(1e-2, 0, {}).force, 0);
 }

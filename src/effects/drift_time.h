@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace phs::hydraulics {
+namespace phs::effects {
 
 /// 0 before `start`, then t - start; `start` 0: t, also where it is negative. For a drift that
 /// settles T (1 - exp(-(t - start)/T)) with T = `settling` > 0. All in s.
@@ -13,4 +13,4 @@ inline double DriftTime(double time, double start, double settling) {
   return settling > 0 ? -settling * std::expm1(-since / settling) : since;
 }
 
-}  // namespace phs::hydraulics
+}  // namespace phs::effects

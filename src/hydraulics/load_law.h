@@ -1,0 +1,24 @@
+// What hangs on the driven end of a bench, or of a cylinder on a rig behind its load cell.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+namespace phs::hydraulics {
+
+/// How the driven end moves, sample by sample.
+struct LoadMotion {
+  double step_s;                            ///< between samples
+  const std::vector<double>& acceleration;  ///< [m/s2]
+  const std::vector<double>& pressure;      ///< of the bench's channel [Pa]; empty: none
+};
+
+/// Adds its force, tension > 0, to that of every sample [N]; starts from rest.
+class LoadLaw {
+ public:
+  virtual ~LoadLaw() = default;
+  virtual void Add(const LoadMotion& motion, std::vector<double>* force) const = 0;
+};
+using LoadLaws = std::vector<std::unique_ptr<const LoadLaw>>;
+
+}  // namespace phs::hydraulics

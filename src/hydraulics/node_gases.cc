@@ -1,0 +1,67 @@
+#include "hydraulics/node_gases.h"
+
+#include <algorithm>
+
+namespace phs::hydraulics {
+namespace {
+
+NodeGas CompileGas(const GasChargeParams& charge, double volume, double pressure, double T) {
+  NodeGas g;
+  g.gas.law = charge.law;
+  g.gas.reference_volume = volume;
+  g.gas.reference_pressure = pressure;
+  g.gas.reference_temperature = T;
+  g.gas.exponent = charge.polytropic_exponent;
+  g.gas.thermal_time = charge.thermal_time_s;
+  g.gas.heat_capacity_ratio = charge.heat_capacity_ratio;
+  g.gas.wall_heat_ratio = charge.wall_heat_ratio;
+  g.gas.density_exponent = charge.density_exponent;
+  g.gas.wall_time = charge.wall_time_s;
+  g.gas.min_volume = charge.min_gas_volume_m3;
+  g.gas.max_volume = std::max(charge.volume_m3, volume);
+  g.static_volume = volume;
+  g.gas.SetMass();
+  return g;
+}
+
+// Three equal parts about a mean stand for what starts gradually: their standard deviation is 1.
+constexpr double kParts[] = {-1.224744871391589, 0, 1.224744871391589};
+
+}  // namespace
+
+void AddReservoir(const LineParams& line, double T, Node* node) {
+  GasChargeParams charge = line.reservoir;
+  const double volume = line.gas_volume_m3, p0 = line.static_pressure_Pa;
+  if (charge.stop_spread == 0 || charge.min_gas_volume_m3 == 0) {
+    node->gases.push_back(CompileGas(charge, volume, p0, T));
+    return;
+  }
+  charge.volume_m3 /= 3;
+  for (const double part : kParts) {
+    const double least = line.reservoir.min_gas_volume_m3 / 3 * (1 + part * charge.stop_spread);
+    charge.min_gas_volume_m3 = std::clamp(least, 0.0, volume / 3);
+    node->gases.push_back(CompileGas(charge, volume / 3, p0, T));
+  }
+}
+
+void AddAccumulator(const LineParams& line, double T, Node* node) {
+  auto add = [&](double volume, double precharge) {
+    GasChargeParams charge = line.accumulator;
+    charge.min_gas_volume_m3 *= volume / line.accumulator.volume_m3;
+    charge.volume_m3 = volume;
+    NodeGas g = CompileGas(charge, volume, precharge, T);
+    g.blow_off = true;
+    // At a static pressure above its precharge the accumulator is partly full of oil from the
+    // start.
+    g.static_volume = CalcGas(g.gas, node->p0, T).volume;
+    node->gases.push_back(g);
+  };
+  const double volume = line.accumulator.volume_m3, mean = line.accumulator_precharge_Pa;
+  if (line.accumulator_spread_Pa == 0) return add(volume, mean);
+  constexpr double kLeast = 0.05;  // of the mean
+  for (const double part : kParts) {
+    add(volume / 3, std::max(mean + part * line.accumulator_spread_Pa, kLeast * mean));
+  }
+}
+
+}  // namespace phs::hydraulics

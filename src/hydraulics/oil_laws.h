@@ -1,0 +1,58 @@
+// Laws that effects add to lines and chambers: volume taken up, flow between pressures, warmth.
+#pragma once
+
+#include <string>
+
+namespace phs::hydraulics {
+
+/// How the memory of a VolumeLaw moves: dm/dt = rate(p, m).
+struct MemoryRate {
+  double rate = 0;         ///< [1/s]
+  double rate_slope = 0;   ///< d(rate)/dm [1/s], <= 0
+  double rate_rise = 0;    ///< d(rate)/dp [1/(s Pa)]
+  double volume_rise = 0;  ///< dV/dm at constant pressure [m3]
+};
+
+/// Volume taken up above the static state at pressure p: Volume(p0) = 0, rising with p (passive).
+/// A law may have a memory m, one number that follows the pressure with a lag (creep, dissolving
+/// gas): 0 in the static state, of the order of one.
+class VolumeLaw {
+ public:
+  virtual ~VolumeLaw() = default;
+  /// `volume` [m3] and `slope` dV/dp [m3/Pa] >= 0 at constant memory are added to.
+  virtual void Add(double pressure, double memory, double* volume,
+                   double* slope) const noexcept = 0;
+  /// Integral of p dV from the static state, less what was lost on the way [J].
+  virtual double Energy(double pressure, double memory) const noexcept = 0;
+  /// Name of the memory among the states, "creep"; empty = none.
+  virtual std::string MemoryName() const { return {}; }
+  virtual MemoryRate Memory(double /*pressure*/, double /*memory*/) const noexcept { return {}; }
+  /// Available power lost by the memory's moving [W], >= 0.
+  virtual double Loss(double /*pressure*/, double /*memory*/) const noexcept { return 0; }
+};
+
+/// Flow through an opening or pipe: rises with the pressure difference, Flow(0) = 0 (passive).
+class FlowLaw {
+ public:
+  virtual ~FlowLaw() = default;
+  /// Volume flow [m3/s] from the high to the low side at p_from - p_to = `dp` [Pa]; `slope` =
+  /// d/d(dp).
+  virtual double Flow(double time, double dp, double* slope) const noexcept = 0;
+  /// Inverse: pressure drop [Pa] at `flow`, and its slope. Needed only with an inertance.
+  virtual double Drop(double time, double flow, double* slope) const noexcept = 0;
+  /// rho l / A [kg/m4]; 0 = the flow follows the pressure at once.
+  virtual double Inertance() const noexcept { return 0; }
+  /// True where the drop is the smoother of the two sides (turbulent flow: q ~ sqrt(dp), steep at
+  /// zero), so that a step is solved for the flow: Newton on dp = Drop(q) does not circle about
+  /// zero.
+  virtual bool SolvedByDrop() const noexcept { return false; }
+};
+
+/// Warmth of surroundings and oil above the static temperature; several add up.
+class AmbientLaw {
+ public:
+  virtual ~AmbientLaw() = default;
+  virtual double Rise(double time) const noexcept = 0;  ///< [K]
+};
+
+}  // namespace phs::hydraulics

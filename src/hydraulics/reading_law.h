@@ -1,0 +1,29 @@
+// What the instruments of a cylinder show of the truth on a rig.
+//
+// Several laws at one sensor: shown = (product of gains) true', + sum of errors, where true' is the
+// true series after all lags. Lags and gains are linear, so the order of the laws does not count.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "hydraulics/force_place.h"
+
+namespace phs::hydraulics {
+
+enum class Sensor { kPiston, kLoad, kBorePressure, kRodPressure };
+inline constexpr int kSensors = 4;
+
+class ReadingLaw {
+ public:
+  virtual ~ReadingLaw() = default;
+  /// What comes late or smoothed: changes true values at samples `step` [s] apart, in place.
+  virtual void Lag(double /*step*/, std::vector<double>* /*values*/) const {}
+  virtual double Gain() const noexcept { return 1; }
+  /// Added to what is shown, in the unit of the channel; of `place`, the true one, time, piston and
+  /// pressures are set.
+  virtual double Error(const ForcePlace& /*place*/) const noexcept { return 0; }
+};
+using ReadingLaws = std::vector<std::unique_ptr<const ReadingLaw>>;
+
+}  // namespace phs::hydraulics
