@@ -3,7 +3,7 @@
 
 #include "base/range.h"
 #include "base/words.h"
-#include "hydraulics/phs_impl.h"
+#include "hydraulics/compiled_phs.h"
 
 namespace phs::hydraulics {
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hydraulics/solve_node.h"
+
 namespace phs::hydraulics {
 namespace {
 

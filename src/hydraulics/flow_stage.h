@@ -4,8 +4,8 @@
 // (flow_rates.cc), a piston on a yielding mounting is balanced against one (mount_step.cc).
 #pragma once
 
+#include "hydraulics/compiled_phs.h"
 #include "hydraulics/node_rates.h"
-#include "hydraulics/phs_impl.h"
 
 namespace phs::hydraulics {
 

@@ -6,8 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hydraulics/compiled_phs.h"
 #include "hydraulics/flow_stage.h"
-#include "hydraulics/phs_impl.h"
+#include "hydraulics/solve_node.h"
 
 namespace phs::hydraulics {
 namespace {

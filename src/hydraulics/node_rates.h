@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-#include "hydraulics/phs_impl.h"
+#include "hydraulics/compiled_phs.h"
 
 namespace phs::hydraulics {
 

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "hydraulics/node_gases.h"
-#include "hydraulics/phs_impl.h"
+#include "hydraulics/phs_system_impl.h"
 #include "hydraulics/phs_validate.h"
 #include "hydraulics/pipe.h"
 

@@ -4,7 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "hydraulics/phs_impl.h"
+#include "hydraulics/phs_system_impl.h"
+#include "hydraulics/solve_node.h"
 
 namespace phs::hydraulics {
 

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "hydraulics/node.h"
+#include "hydraulics/solve_node.h"
 
 namespace phs::hydraulics {
 

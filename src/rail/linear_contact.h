@@ -17,7 +17,7 @@
 #pragma once
 
 #include "base/result.h"
-#include "rail/wheel_rail.h"
+#include "rail/wheel_contact.h"
 
 namespace phs::rail {
 

@@ -1,11 +1,10 @@
 // The volume balance of one pressure: a few Newton steps lead to the solution by brackets.
-#include "hydraulics/node.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "hydraulics/perfect_gas.h"
+#include "hydraulics/solve_node.h"
 
 namespace phs::hydraulics {
 namespace {

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Files of a folder include each other in one direction (docs/design.md).
 
-check_chains.py [--table] [ROOT]: a header and its source file count as one part; parts of a folder that
+check_chains.py [--table] [ROOT]: a header, its source file and its X_impl.h count as one part; parts of a folder that
 include each other in a circle are printed, exit code 1. --table prints the longest chain of each folder.
 """
 import collections
@@ -20,9 +20,10 @@ def read_parts(root):
         if not folder.is_dir():
             continue
         for file in sorted(folder.glob("*.h")) + sorted(folder.glob("*.cc")):
-            part = f"{folder.name}/{file.stem}"
+            part = f"{folder.name}/{file.stem}".removesuffix("_impl")
             of_part = includes.setdefault(part, set())
             for name in re.findall(r'#include "([^"]+)\.h"', file.read_text()):
+                name = name.removesuffix("_impl")
                 if name != part and name.startswith(folder.name + "/"):
                     of_part.add(name)
     return includes

@@ -1,4 +1,4 @@
-#include "hydraulics/node.h"
+#include "hydraulics/solve_node.h"
 
 #include <algorithm>
 #include <cmath>

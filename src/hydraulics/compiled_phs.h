@@ -7,10 +7,12 @@
 #include <vector>
 
 #include "hydraulics/end_stop.h"
+#include "hydraulics/extension.h"
 #include "hydraulics/friction.h"
 #include "hydraulics/mount.h"
 #include "hydraulics/node.h"
-#include "hydraulics/phs_system.h"
+#include "hydraulics/phs_outputs.h"
+#include "hydraulics/phs_params.h"
 
 namespace phs::hydraulics {
 
@@ -75,8 +77,6 @@ struct CompiledPhs {
   void SolveNodes(const double* state, Instant* at, const Instant* near = nullptr) const;
   FrictionPlace Place(const Instant& at, int cylinder, const double* state) const;
 };
-
-struct PhsSystem::Impl : CompiledPhs {};
 
 /// Force of the cylinder's chambers on its piston, tension > 0 [N].
 double CalcPressureForce(const CompiledPhs& sys, const Instant& at, int cylinder);
