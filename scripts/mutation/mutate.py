@@ -24,7 +24,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 PLACES = {"hydraulics": "src/hydraulics", "effects": "src/effects", "rail": "src/rail",
           "plugin": "plugin", "vehicle": "src/vehicle"}
 COPIED = ["CMakeLists.txt", "CMakePresets.json", "src", "plugin", "tests", "models", "bogie_xml",
-          "scripts", "docs", "README.md", "benchmarks"]
+          "scripts", "docs", "README.md", "CHANGELOG.md", "LICENSE", "NOTICE", "benchmarks"]
 PRELUDE = """#pragma once
 #include <cstdlib>
 /// The mutant that runs; none without PHS_MUTANT.
@@ -132,13 +132,14 @@ def draw(folder, count, seed):
 
 def write_tree(tree, mutants):
     """A copy of the sources with all mutants in it; unchanged files keep their times."""
-    tree.mkdir(parents=True, exist_ok=True)
-    for name in COPIED:
-        source = ROOT / name
-        if source.exists():
-            subprocess.run(["rsync", "-a", "--delete", str(source) + ("/" if source.is_dir() else ""),
-                            str(tree / name) + ("/" if source.is_dir() else "")], check=True)
-    (tree / "mutants.h").write_text(PRELUDE)
+    listed = subprocess.run(["git", "ls-files", "-z", *COPIED], cwd=ROOT, check=True,
+                            capture_output=True, text=True).stdout
+    names = [name for name in listed.split("\0") if name]
+    for name in [n for n in names if (ROOT / n).is_symlink() and not (tree / n).is_symlink()]:
+        (tree / name).parent.mkdir(parents=True, exist_ok=True)
+        (tree / name).symlink_to(os.readlink(ROOT / name))
+    wanted = {n: (ROOT / n).read_bytes() for n in names if not (ROOT / n).is_symlink()}
+    wanted["src/mutants.h"] = PRELUDE.encode()
     by_file = {}
     for number, mutant in enumerate(mutants, 1):
         mutant["number"] = number
@@ -149,18 +150,26 @@ def write_tree(tree, mutants):
             mutant["before"] = " ".join(text[mutant["begin"]:mutant["end"]].split())
             new = mutant["make"](mutant["number"])
             text = text[:mutant["begin"]] + new + text[mutant["end"]:]
-        (tree / file).write_text('#include "mutants.h"\n' + text)
+        wanted[file] = ('#include "mutants.h"\n' + text).encode()
+    for name, content in wanted.items():
+        path = tree / name
+        if path.is_file() and path.read_bytes() == content:
+            continue
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(content)
+        shutil.copymode(ROOT / name, path) if (ROOT / name).exists() else None
 
 
 def build(tree, folder):
     """Builds the tests of the folder; statements that do not compile are given back by number."""
-    binary = tree / "build"
+    binary = tree / "build/release"
     if not (binary / "build.ninja").exists():
         subprocess.run(["cmake", "-S", str(tree), "-B", str(binary), "-G", "Ninja",
                         "-DCMAKE_BUILD_TYPE=Release", "-DPHS_BENCHMARKS=OFF",
-                        "-DCMAKE_CXX_COMPILER_LAUNCHER=ccache", "-DCMAKE_C_COMPILER_LAUNCHER=ccache",
-                        f"-DCMAKE_CXX_FLAGS=-I{tree}"], check=True, stdout=subprocess.DEVNULL)
-    run = subprocess.run(["cmake", "--build", str(binary), "--target", f"test_{folder}", "test_laws", "--",
+                        "-DCMAKE_CXX_COMPILER_LAUNCHER=ccache", "-DCMAKE_C_COMPILER_LAUNCHER=ccache"],
+                       check=True, stdout=subprocess.DEVNULL)
+    run = subprocess.run(["cmake", "--build", str(binary), "--target", f"test_{folder}", "test_laws",
+                          "--",
                           "-k", "0"], capture_output=True, text=True)
     broken = set()
     if run.returncode != 0:
@@ -184,7 +193,7 @@ def run_tests(tree, folder, number, limit):
                            GTEST_FAIL_FAST="1")
         begin = time.monotonic()
         try:
-            run = subprocess.run([str(tree / "build/tests" / program)], cwd=tree, env=environment,
+            run = subprocess.run([str(tree / "build/release/tests" / program)], cwd=tree, env=environment,
                                  stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
                                  timeout=None if limit is None else 5 * limit[program] + 5)
         except subprocess.TimeoutExpired:

@@ -1,17 +1,15 @@
 // docs/phs_models.md is made from the rows of the program: every key of a model file with unit,
-// range and default, and every effect. PHS_WRITE_DOCS=1 writes it anew.
+// range and default, and every effect. scripts/write_pages writes it anew.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-#include <fstream>
-#include <iterator>
 #include <string>
 
 #include "effects/catalogue.h"
 #include "hydraulics/phs_numbers.h"
 #include "phs_model/keys.h"
 #include "phs_model/phs_model.h"
+#include "tests/base/page_section.h"
 
 namespace phs::phs_model {
 namespace {
@@ -19,13 +17,6 @@ namespace {
 using hydraulics::CylinderParams;
 using hydraulics::LineParams;
 using hydraulics::PhsParams;
-
-const std::string kDocument = std::string(PHS_SOURCE_DIR) + "/docs/phs_models.md";
-
-std::string ReadText(const std::string& path) {
-  std::ifstream file(path);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
 
 std::string Bounds(const Range& range) {
   if (range.open_min && range.min == 0) return fmt::format("> 0, ≤ {:g}", range.max);
@@ -86,23 +77,8 @@ std::string EffectsText() {
   return text;
 }
 
-/// The part of the page called `name` says what `expected` says, or is made to.
 void ExpectSection(const std::string& name, const std::string& expected) {
-  SCOPED_TRACE(name);
-  const std::string begin = "<!-- " + name +
-                            ": written by PHS_WRITE_DOCS=1 test_phs_model "
-                            "--gtest_filter=PhsModelsDoc.* -->\n";
-  const std::string end = "<!-- /" + name + " -->";
-  std::string page = ReadText(kDocument);
-  ASSERT_NE(page.find(begin), std::string::npos);
-  const size_t from = page.find(begin) + begin.size();
-  ASSERT_NE(page.find(end, from), std::string::npos);
-  if (std::getenv("PHS_WRITE_DOCS") != nullptr) {
-    page.replace(from, page.find(end, from) - from, expected);
-    std::ofstream(kDocument) << page;
-  }
-  EXPECT_EQ(page.substr(from, page.find(end, from) - from), expected)
-      << "write it anew: see the comment in docs/phs_models.md";
+  ExpectPageSection("phs_models.md", name, expected);
 }
 
 TEST(PhsModelsDoc, HasEveryKeyAndEffectAsTheProgramSaysIt) {

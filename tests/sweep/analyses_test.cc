@@ -5,26 +5,14 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-#include <fstream>
-#include <iterator>
 #include <set>
 
 #include "base/json_path.h"
+#include "tests/base/page_section.h"
 #include "vehicle/scenario_file.h"
 
 namespace phs::sweep {
 namespace {
-
-const std::string kDocument = std::string(PHS_SOURCE_DIR) + "/docs/sweep_optimise.md";
-const std::string kBegin =
-    "<!-- analyses: written by PHS_WRITE_DOCS=1 test_sweep --gtest_filter=AnalysesDoc.* -->\n";
-const std::string kEnd = "<!-- /analyses -->";
-
-std::string Document() {
-  std::ifstream file(kDocument);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
 
 std::string AnalysesText() {
   std::string text = "| `analysis` | results (paths as in the JSON of the verb) |\n|---|---|\n";
@@ -33,17 +21,7 @@ std::string AnalysesText() {
 }
 
 TEST(AnalysesDoc, HasEveryAnalysisAsTheTableSaysIt) {
-  std::string document = Document();
-  const size_t begin = document.find(kBegin), end = document.find(kEnd);
-  ASSERT_NE(begin, std::string::npos);
-  ASSERT_NE(end, std::string::npos);
-  const size_t from = begin + kBegin.size();
-  if (std::getenv("PHS_WRITE_DOCS") != nullptr) {
-    std::ofstream(kDocument) << document.replace(from, end - from, AnalysesText());
-    document = Document();
-  }
-  EXPECT_EQ(document.substr(from, document.find(kEnd) - from), AnalysesText())
-      << "write it anew: see the comment in docs/sweep_optimise.md";
+  ExpectPageSection("sweep_optimise.md", "analyses", AnalysesText());
 }
 
 TEST(AnalysesTest, EveryAnalysisHasTheOutputsThatItNamesFirst) {
