@@ -15,7 +15,7 @@ struct Verb {
 };
 
 AddVerb AddSimulate, AddCompare, AddContact, AddModes, AddIdentify, AddImport, AddLoads,
-    AddStability, AddRig, AddCurving, AddReport, AddSweep, AddValidate;
+    AddStability, AddRig, AddCurving, AddReport, AddSweep, AddValidate, AddList, AddShow;
 
 inline constexpr Verb kVerbs[] = {
     {"simulate", "One bogie on one track", &AddSimulate},
@@ -36,6 +36,8 @@ inline constexpr Verb kVerbs[] = {
     {"report", "Remake report.html of a simulate or compare result", &AddReport},
     {"sweep", "Many runs of one scenario, resumable, on all cores or a cluster", &AddSweep},
     {"validate", "Every published check: ours, reference, difference, tolerance", &AddValidate},
+    {"list", "What ships and can be asked for by name, with a line each", &AddList},
+    {"show", "The file, or the numbers, behind a name that `list` prints", &AddShow},
 };
 
 }  // namespace phs::cli
