@@ -31,7 +31,7 @@ def read_tree():
         files = [ROOT / part] if (ROOT / part).is_file() else sorted((ROOT / part).rglob("*"))
         for file in files:
             path = file.relative_to(ROOT)
-            if not file.is_file() or path.parts[:2] == ("tests", "extend") or "__pycache__" in path.parts:
+            if not file.is_file() or "__pycache__" in path.parts:
                 continue
             test = path.parts[0] == "tests" and len(path.parts) == 3 and path.parts[1] in TESTED
             if test and path.name.endswith("_test.cc") and path.name not in KEPT:

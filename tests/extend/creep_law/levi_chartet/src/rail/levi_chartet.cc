@@ -41,8 +41,10 @@ bool ReadPower(const std::string& option, CreepLawParams* p) {
 }  // namespace
 
 CreepLawRow LeviChartetRow() {
-  return {"levi_chartet", "linear theory with Levi and Chartet's saturation",
-          {"n", "n = 1 … 10, the power", ReadPower}, [](const CreepLawParams& p) {
+  return {"levi_chartet",
+          "linear theory with Levi and Chartet's saturation",
+          {"n", "n = 1 … 10, the power", ReadPower},
+          [](const CreepLawParams& p) {
             return std::unique_ptr<CreepLaw>(new LeviChartet(p.material, PowerOf(p)));
           }};
 }

@@ -8,12 +8,12 @@
 namespace phs::rail {
 namespace {
 
-/// R of the middle strip [m]: a² = 2 (1 - nu) N' R/(pi G). Of an ellipsoidal pressure it carries
+/// R of the middle strip [m]: a² = 4 (1 - nu) N' R/(pi G). Of an ellipsoidal pressure it carries
 /// N' = 3 N/(4 b) per length.
 double RelativeRadius(const CreepInput& in, const ContactMaterial& m) {
   const double per_length = 0.75 * in.normal / in.b;
   return std::numbers::pi * m.shear_modulus_Pa * in.a * in.a /
-         (2 * (1 - m.poisson_ratio) * per_length);
+         (4 * (1 - m.poisson_ratio) * per_length);
 }
 
 class LineContact : public CreepLaw {
@@ -23,8 +23,7 @@ class LineContact : public CreepLaw {
     if (!InContact(in)) return {};
     const double slip = std::hypot(in.xi, in.eta);
     if (!(slip > 0)) return {};
-    const double share =
-        CalcCarterStrips(slip, RelativeRadius(in, material_), in.a, in.friction);
+    const double share = CalcCarterStrips(slip, RelativeRadius(in, material_), in.a, in.friction);
     const double force = in.friction * in.normal * share / slip;
     return {force * in.xi, force * in.eta, 0};
   }

@@ -1,7 +1,8 @@
-// Carter's theory on an ellipse cut into strips along rolling (carter.h), longitudinal creepage
-// only: 1/R follows from Hertz's line contact in each strip, N' = pi G a²/(2 (1 - nu) R) per
-// length, so that  a'/a = 1 - |xi| R/(f a).  Lateral creepage and spin turn the direction: the
-// force stands against the total slip at the patch's centre.
+// Carter's theory of the line contact on an elliptic patch cut into strips along rolling (carter.h).
+//
+// Of the middle strip R follows from Hertz, a² = 4 (1 - nu) N' R/(pi G), N' = 3 N/(4 b); the strips
+// beside it have the same R. The creepage is s = sqrt(xi² + eta²), the force stands against it.
+// Without spin. In the limit of a wide patch C11 is Kalker's pi²/(4 (1 - nu)).
 #pragma once
 
 #include "rail/creep_law.h"

@@ -29,7 +29,9 @@ class ShenHedrickElkins : public CreepLaw {
 }  // namespace
 
 CreepLawRow ShenHedrickElkinsRow() {
-  return {"shen_hedrick_elkins", "linear theory cut back to the friction limit", {},
+  return {"shen_hedrick_elkins",
+          "linear theory cut back to the friction limit",
+          {},
           [](const CreepLawParams& p) {
             return std::unique_ptr<CreepLaw>(new ShenHedrickElkins(p.material));
           }};

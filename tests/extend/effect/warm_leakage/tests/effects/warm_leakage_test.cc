@@ -11,13 +11,16 @@ constexpr double kConductance = 1e-14;
 
 /// Pressure of the rod's line after 10 s that are warmer by `kelvin`.
 double After10s(double kelvin, double conductance) {
-  PhsParams p = With(Frictionless(), "warm_leakage",
-                     {{"conductance_m3_per_Pas", conductance}, {"opens_K", 5}, {"range_K", 10}},
-                     {"L1"});
+  PhsParams p =
+      With(Frictionless(), "warm_leakage",
+           {{"conductance_m3_per_Pas", conductance}, {"opens_K", 5}, {"range_K", 10}}, {"L1"});
   // Warmth of the surroundings alone: the oil neither expands nor softens.
   p = With(p, "temperature_drift",
-           {{"rate_K_per_s", 1e3}, {"limit_K", kelvin}, {"expansion_1_per_K", 0},
-            {"softening_1_per_K", 0}, {"amplitude_K", 0}});
+           {{"rate_K_per_s", 1e3},
+            {"limit_K", kelvin},
+            {"expansion_1_per_K", 0},
+            {"softening_1_per_K", 0},
+            {"amplitude_K", 0}});
   return Hold(Compile(p), 0, 10).p_rod;
 }
 

@@ -15,8 +15,8 @@ int Describe(const std::string& name) {
   if (info == nullptr) {
     std::vector<std::string> names;
     for (const auto& known : effects::Catalogue().effects()) names.push_back(known.name);
-    return BadInput({"effect", Quoted(name) + " is not known", JoinWords(names),
-                     DidYouMean(name, names)});
+    return BadInput(
+        {"effect", Quoted(name) + " is not known", JoinWords(names), DidYouMean(name, names)});
   }
   fmt::print("{} ({}): {}\n", info->name, info->family, info->text);
   for (const auto& p : info->parameters) {
