@@ -81,19 +81,19 @@ class FurtherFlow final : public hydraulics::FlowLaw {
   /// `static_dp`: p_from - p_to in the static state [Pa].
   FurtherFlow(Formula formula, double static_dp)
       : formula_(std::move(formula)), static_dp_(static_dp) {}
-  double Flow(double time, double dp, double* slope) const noexcept override {
-    *slope = (At(time, dp + kNudge) - At(time, dp - kNudge)) / (2 * kNudge);
-    return At(time, dp);
+  double Flow(const hydraulics::FlowPlace& at, double dp, double* slope) const noexcept override {
+    *slope = (At(at.time, dp + kNudge) - At(at.time, dp - kNudge)) / (2 * kNudge);
+    return At(at.time, dp);
   }
   // The flow rises with dp: bisection. Asked for only behind a resistance in series.
-  double Drop(double time, double flow, double* slope) const noexcept override {
+  double Drop(const hydraulics::FlowPlace& at, double flow, double* slope) const noexcept override {
     double low = -1e9, high = 1e9;
     for (int i = 0; i < 100; ++i) {
       const double middle = 0.5 * (low + high);
-      (At(time, middle) < flow ? low : high) = middle;
+      (At(at.time, middle) < flow ? low : high) = middle;
     }
     double rise;
-    Flow(time, 0.5 * (low + high), &rise);
+    Flow(at, 0.5 * (low + high), &rise);
     *slope = 1 / std::max(rise, 1e-30);
     return 0.5 * (low + high);
   }

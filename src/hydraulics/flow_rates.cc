@@ -171,11 +171,12 @@ double CalcPathEnergy(const CompiledPhs& sys, const double* state) {
 
 double CalcHydraulicLoss(const CompiledPhs& sys, double time, const Instant& at,
                          const double* state) {
+  const FlowPlace place{time, at.ambient - sys.params.temperature_K};
   double lost = 0, slope;
   for (const Path& path : sys.paths) {
     const double dp = sys.Pressure(at, path.from) - sys.Pressure(at, path.to);
-    lost += path.flow >= 0 ? path.law->Drop(time, state[path.flow], &slope) * state[path.flow]
-                           : path.law->Flow(time, dp, &slope) * dp;
+    lost += path.flow >= 0 ? path.law->Drop(place, state[path.flow], &slope) * state[path.flow]
+                           : path.law->Flow(place, dp, &slope) * dp;
   }
   for (size_t n = 0; n < sys.nodes.size(); ++n) {
     for (const NodeLaw& l : sys.nodes[n].laws) {

@@ -45,11 +45,12 @@ struct PathMatrix {
 
 // Flow of a path at dp and its slope. With a flow `q` of the last iterate: linear about it where
 // the law is solved by its drop, q + (dp - Drop(q))/Drop'(q).
-double CalcFlow(const FlowLaw& law, double time, double dp, const double* q, double* slope) {
-  if (q == nullptr || !law.SolvedByDrop()) return law.Flow(time, dp, slope);
+double CalcFlow(const FlowLaw& law, const FlowPlace& at, double dp, const double* q,
+                double* slope) {
+  if (q == nullptr || !law.SolvedByDrop()) return law.Flow(at, dp, slope);
   constexpr double kLeast = 1e3;  // [Pa s/m3] at rest without laminar resistance
   double rise;
-  const double drop = law.Drop(time, *q, &rise);
+  const double drop = law.Drop(at, *q, &rise);
   *slope = 1 / std::max(rise, kLeast);
   return *q + (dp - drop) * *slope;
 }
@@ -136,17 +137,18 @@ PathInertances OwnInertances(const CompiledPhs& sys) {
 void CalcPathRates(const CompiledPhs& sys, const PathInertances& inertances, double time,
                    const Instant& at, const double* state, const double* flows, double* rate,
                    PathSlopes* slopes) {
+  const FlowPlace place{time, at.ambient - sys.params.temperature_K};
   for (size_t k = 0; k < sys.paths.size(); ++k) {
     const Path& path = sys.paths[k];
     const double dp = sys.Pressure(at, path.from) - sys.Pressure(at, path.to);
     double* slope = &slopes->law[k];
     if (path.flow >= 0) {
       const double flow = state[path.flow];
-      rate[path.flow] = (dp - path.law->Drop(time, flow, slope)) / inertances.value[k];
+      rate[path.flow] = (dp - path.law->Drop(place, flow, slope)) / inertances.value[k];
       rate[path.volume] = flow;
     } else {
       rate[path.volume] =
-          CalcFlow(*path.law, time, dp, flows != nullptr ? &flows[path.volume] : nullptr, slope);
+          CalcFlow(*path.law, place, dp, flows != nullptr ? &flows[path.volume] : nullptr, slope);
     }
   }
 }

@@ -31,15 +31,21 @@ class VolumeLaw {
   virtual double Loss(double /*pressure*/, double /*memory*/) const noexcept { return 0; }
 };
 
+/// When and how warm it is where oil flows.
+struct FlowPlace {
+  double time = 0;    ///< [s]
+  double warmer = 0;  ///< temperature above the model's [K]
+};
+
 /// Flow through an opening or pipe: rises with the pressure difference, Flow(0) = 0 (passive).
 class FlowLaw {
  public:
   virtual ~FlowLaw() = default;
   /// Volume flow [m3/s] from the high to the low side at p_from - p_to = `dp` [Pa]; `slope` =
   /// d/d(dp).
-  virtual double Flow(double time, double dp, double* slope) const noexcept = 0;
+  virtual double Flow(const FlowPlace& at, double dp, double* slope) const noexcept = 0;
   /// Inverse: pressure drop [Pa] at `flow`, and its slope. Needed only with an inertance.
-  virtual double Drop(double time, double flow, double* slope) const noexcept = 0;
+  virtual double Drop(const FlowPlace& at, double flow, double* slope) const noexcept = 0;
   /// rho l / A [kg/m4]; 0 = the flow follows the pressure at once.
   virtual double Inertance() const noexcept { return 0; }
   /// True where the drop is the smoother of the two sides (turbulent flow: q ~ sqrt(dp), steep at

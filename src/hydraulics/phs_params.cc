@@ -1,11 +1,6 @@
 #include "hydraulics/phs_params.h"
 
-#include <cmath>
-
 namespace phs::hydraulics {
-
-double CylinderParams::BoreArea() const { return M_PI / 4 * bore_m * bore_m; }
-double CylinderParams::RodArea() const { return M_PI / 4 * (bore_m * bore_m - rod_m * rod_m); }
 
 int PhsParams::FindLine(const std::string& line) const {
   for (size_t i = 0; i < lines.size(); ++i) {

@@ -10,6 +10,7 @@
 //      +--------------+==+---------------+              x > 0: the two eyes move apart
 #pragma once
 
+#include <cmath>
 #include <map>
 #include <string>
 #include <vector>
@@ -37,8 +38,8 @@ struct CylinderParams {
   double rod_m = 0.032;   ///< rod diameter, < bore_m
   EndStopParams end_stop;
 
-  double BoreArea() const;  ///< pi/4 bore² [m2]
-  double RodArea() const;   ///< pi/4 (bore² - rod²) [m2]
+  double BoreArea() const { return M_PI / 4 * bore_m * bore_m; }                   ///< [m2]
+  double RodArea() const { return M_PI / 4 * (bore_m * bore_m - rod_m * rod_m); }  ///< [m2]
   bool operator==(const CylinderParams&) const = default;
 };
 

@@ -297,7 +297,7 @@ double PhsSystem::max_line_frequency() const {
     }
     const double inertance = path.law->Inertance();
     double resistance;
-    path.law->Drop(0, 0, &resistance);
+    path.law->Drop({}, 0, &resistance);
     const double decay = 0.5 * resistance / inertance;
     most = std::max(most, std::sqrt(std::max(0.0, stiffness / inertance - decay * decay)));
   }

@@ -11,20 +11,20 @@ class SeriesFlow final : public FlowLaw {
  public:
   SeriesFlow(std::unique_ptr<FlowLaw> first, std::unique_ptr<FlowLaw> second)
       : first_(std::move(first)), second_(std::move(second)) {}
-  double Drop(double time, double flow, double* slope) const noexcept override {
+  double Drop(const FlowPlace& at, double flow, double* slope) const noexcept override {
     double slope2;
-    const double drop = first_->Drop(time, flow, slope) + second_->Drop(time, flow, &slope2);
+    const double drop = first_->Drop(at, flow, slope) + second_->Drop(at, flow, &slope2);
     *slope += slope2;
     return drop;
   }
   // Drops rise with flow: Newton from the smaller of the two single flows, inside [0, that].
-  double Flow(double time, double dp, double* slope) const noexcept override {
+  double Flow(const FlowPlace& at, double dp, double* slope) const noexcept override {
     double s1, s2;
-    const double q1 = first_->Flow(time, dp, &s1), q2 = second_->Flow(time, dp, &s2);
+    const double q1 = first_->Flow(at, dp, &s1), q2 = second_->Flow(at, dp, &s2);
     double outer = std::abs(q1) < std::abs(q2) ? q1 : q2, inner = 0, q = outer;
     double rise = 1;
     for (int i = 0; i < 60; ++i) {
-      const double error = Drop(time, q, &rise) - dp;
+      const double error = Drop(at, q, &rise) - dp;
       ((error > 0) == (dp > 0) ? outer : inner) = q;
       double next = q - error / rise;
       if ((next - inner) * (next - outer) > 0) next = 0.5 * (inner + outer);
@@ -32,7 +32,7 @@ class SeriesFlow final : public FlowLaw {
       q = next;
       if (change <= 1e-14 * std::abs(q)) break;
     }
-    Drop(time, q, &rise);
+    Drop(at, q, &rise);
     *slope = 1 / rise;
     return q;
   }
@@ -58,15 +58,15 @@ double CalcInertance(double density_kg_m3, double length_m, double bore_m) {
   return density_kg_m3 * length_m / (M_PI / 4 * bore_m * bore_m);
 }
 
-double PipeFlow::Drop(double time, double flow, double* slope) const noexcept {
+double PipeFlow::Drop(const FlowPlace& at, double flow, double* slope) const noexcept {
   const Resistance& r = flow >= 0 ? forward_ : backward_;
-  const double closed = time < start_ ? 1e12 : 1;
+  const double closed = at.time < start_ ? 1e12 : 1;
   *slope = closed * (r.laminar + 2 * r.turbulent * std::abs(flow));
   return closed * (r.laminar + r.turbulent * std::abs(flow)) * flow;
 }
 
-double PipeFlow::Flow(double time, double dp, double* slope) const noexcept {
-  if (time < start_) {
+double PipeFlow::Flow(const FlowPlace& at, double dp, double* slope) const noexcept {
+  if (at.time < start_) {
     *slope = 0;
     return 0;
   }
@@ -76,8 +76,8 @@ double PipeFlow::Flow(double time, double dp, double* slope) const noexcept {
   return 2 * dp / (r.laminar + root);
 }
 
-double GapFlow::Flow(double time, double dp, double* slope) const noexcept {
-  if (time < start_) {
+double GapFlow::Flow(const FlowPlace& at, double dp, double* slope) const noexcept {
+  if (at.time < start_) {
     *slope = 0;
     return 0;
   }
@@ -95,13 +95,14 @@ double GapFlow::Flow(double time, double dp, double* slope) const noexcept {
 
 // A leak has no inertia, so its drop is never asked for in a run; Newton, for completeness of the
 // law: the flow rises with dp.
-double GapFlow::Drop(double time, double flow, double* slope) const noexcept {
+double GapFlow::Drop(const FlowPlace& at, double flow, double* slope) const noexcept {
   double dp = kReference *
               std::copysign(
                   std::pow(std::abs(flow) / (Conductance(flow) * kReference), 1 / exponent_), flow);
+  const FlowPlace open{std::max(at.time, start_), at.warmer};
   double rise = 1;
   for (int i = 0; i < 50; ++i) {
-    const double error = Flow(std::max(time, start_), dp, &rise) - flow;
+    const double error = Flow(open, dp, &rise) - flow;
     dp -= error / rise;
     if (std::abs(error) <= 1e-14 * std::abs(flow)) break;
   }

@@ -24,8 +24,8 @@ class PipeFlow final : public FlowLaw {
   };
   PipeFlow(Resistance forward, Resistance backward, double inertance, double start_s = -1e300)
       : forward_(forward), backward_(backward), inertance_(inertance), start_(start_s) {}
-  double Flow(double time, double dp, double* slope) const noexcept override;
-  double Drop(double time, double flow, double* slope) const noexcept override;
+  double Flow(const FlowPlace& at, double dp, double* slope) const noexcept override;
+  double Drop(const FlowPlace& at, double flow, double* slope) const noexcept override;
   double Inertance() const noexcept override { return inertance_; }
   bool SolvedByDrop() const noexcept override { return true; }
 
@@ -46,8 +46,8 @@ class GapFlow final : public FlowLaw {
         exponent_(exponent),
         start_(start_s),
         return_ratio_(return_ratio) {}
-  double Flow(double time, double dp, double* slope) const noexcept override;
-  double Drop(double time, double flow, double* slope) const noexcept override;
+  double Flow(const FlowPlace& at, double dp, double* slope) const noexcept override;
+  double Drop(const FlowPlace& at, double flow, double* slope) const noexcept override;
 
  private:
   double Conductance(double dp) const {

@@ -112,14 +112,14 @@ TEST(EffectForms, LeakThroughGapOrificeAndWideningGap) {
   double slope;
   for (double n : {0.5, 1.0, 1.7}) {
     const hydraulics::GapFlow leak(2e-14, n);
-    EXPECT_NEAR(leak.Flow(0, 5e6, &slope), 2e-14 * 5e6, 1e-6 * 1e-7);
+    EXPECT_NEAR(leak.Flow({}, 5e6, &slope), 2e-14 * 5e6, 1e-6 * 1e-7);
     EXPECT_NEAR(slope, n * 2e-14, 1e-6 * 2e-14);
-    EXPECT_NEAR(leak.Flow(0, -2e7, &slope), -1e-7 * std::pow(4, n), 1e-6 * 1e-7);
-    EXPECT_NEAR(leak.Drop(0, 1e-7, &slope), 5e6, 1);
+    EXPECT_NEAR(leak.Flow({}, -2e7, &slope), -1e-7 * std::pow(4, n), 1e-6 * 1e-7);
+    EXPECT_NEAR(leak.Drop({}, 1e-7, &slope), 5e6, 1);
     const hydraulics::GapFlow lip(2e-14, n, -1, 0.25);
-    EXPECT_NEAR(lip.Flow(0, 5e6, &slope), 1e-7, 1e-13);
-    EXPECT_NEAR(lip.Flow(0, -5e6, &slope), -0.25e-7, 1e-13);
-    EXPECT_NEAR(lip.Drop(0, -0.25e-7, &slope), -5e6, 1);
+    EXPECT_NEAR(lip.Flow({}, 5e6, &slope), 1e-7, 1e-13);
+    EXPECT_NEAR(lip.Flow({}, -5e6, &slope), -0.25e-7, 1e-13);
+    EXPECT_NEAR(lip.Drop({}, -0.25e-7, &slope), -5e6, 1);
   }
 }
 

@@ -53,8 +53,8 @@ TEST(Pipe, FlowIsTheInverseOfDropByDirectionAndInSeries) {
     for (const FlowLaw* law :
          {static_cast<const FlowLaw*>(&pipe), static_cast<const FlowLaw*>(series.get())}) {
       double slope, rise;
-      const double q = law->Flow(0, dp, &slope);
-      EXPECT_NEAR(law->Drop(0, q, &rise), dp, 1e-6 * std::abs(dp) + 1e-9);
+      const double q = law->Flow({}, dp, &slope);
+      EXPECT_NEAR(law->Drop({}, q, &rise), dp, 1e-6 * std::abs(dp) + 1e-9);
       EXPECT_NEAR(slope * rise, 1, 1e-6);
       EXPECT_GE(q * dp, 0) << "passive";
     }
