@@ -181,11 +181,11 @@ TEST(LevelLawsTest, ALevelKnowsPressureMemoryAndWarmth) {
 
 struct Column final : FlowLaw {
   Column(double resistance, double inertance) : R(resistance), I(inertance) {}
-  double Flow(double, double dp, double* slope) const noexcept override {
+  double Flow(const FlowPlace&, double dp, double* slope) const noexcept override {
     *slope = 1 / R;
     return dp / R;
   }
-  double Drop(double, double flow, double* slope) const noexcept override {
+  double Drop(const FlowPlace&, double flow, double* slope) const noexcept override {
     *slope = R;
     return R * flow;
   }
