@@ -53,7 +53,7 @@ const EffectInfo& WarmLeakageInfo() {
       "q = G s (p - p_atmosphere), s = (warmth - opens)/range within 0 … 1",
       {
           {"conductance_m3_per_Pas", "m3/(Pa s)", 1e-13, 0, 1e-3, 1e-16, 1e-11, "G, fully open"},
-          {"opens_K", "K", 10, -100, 100, 0, 40, "warmth above static at which it opens"},
+          {"opens_K", "K", -5, -100, 100, -5, 40, "warmth above static at which it opens"},
           {"range_K", "K", 10, 0.1, 100, 1, 30, "from there to fully open"},
       },
       Install};

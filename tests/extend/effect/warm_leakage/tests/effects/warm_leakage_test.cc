@@ -16,7 +16,8 @@ double After10s(double kelvin, double conductance) {
            {{"conductance_m3_per_Pas", conductance}, {"opens_K", 5}, {"range_K", 10}}, {"L1"});
   // Warmth of the surroundings alone: the oil neither expands nor softens.
   p = With(p, "temperature_drift",
-           {{"rate_K_per_s", 1e3},
+           {{"rate_K_per_s", 10},
+            {"start_s", -100},
             {"limit_K", kelvin},
             {"expansion_1_per_K", 0},
             {"softening_1_per_K", 0},

@@ -18,7 +18,7 @@ TEST(VerbEffects, ListsTheCatalogueAndOneEffectWithItsNumbers) {
   EXPECT_THAT(ExecutePhs("effects backlash").text, HasSubstr("  gap_m = "));
   const Output none = ExecutePhs("effects backlas");
   EXPECT_EQ(none.code, 3);
-  EXPECT_THAT(none.text, HasSubstr("did you mean backlash?"));
+  EXPECT_THAT(none.text, HasSubstr("did you mean 'backlash'?"));
 }
 
 }  // namespace
