@@ -22,7 +22,6 @@ using measurement::RigCase;
 namespace {
 
 using json = nlohmann::ordered_json;
-using measurement::ChannelScore;
 using measurement::Manifest;
 using measurement::Window;
 using rigs::RigModel;

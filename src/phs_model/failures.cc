@@ -1,7 +1,6 @@
 #include "phs_model/failures.h"
 
 #include "base/words.h"
-#include "effects/catalogue.h"
 #include "effects/targets.h"
 #include "phs_model/bogie_spread.h"
 

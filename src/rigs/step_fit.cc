@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "effects/catalogue.h"
 #include "rigs/step_table.h"
 
 namespace phs::rigs {
