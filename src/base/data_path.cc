@@ -15,10 +15,10 @@ namespace {
 namespace fs = std::filesystem;
 
 /// `share/phs` beside the folder that holds a program or library: PREFIX/bin/phs, PREFIX/lib/x.so,
-/// PREFIX/lib/TRIPLET/x.so.
+/// PREFIX/lib/TRIPLET/x.so, PREFIX/lib/python3/dist-packages/phs/x.so.
 void AddShareOf(const fs::path& binary, std::vector<fs::path>* roots) {
   fs::path folder = binary.parent_path();
-  for (int level = 0; level < 2 && folder.has_relative_path(); ++level) {
+  for (int level = 0; level < 4 && folder.has_relative_path(); ++level) {
     folder = folder.parent_path();
     roots->push_back(folder / "share" / "phs");
   }

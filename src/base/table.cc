@@ -9,6 +9,7 @@
 #include <unordered_set>
 
 #include "base/numbers.h"
+#include "base/origin.h"
 #include "base/result_dir.h"
 #include "base/words.h"
 
@@ -143,11 +144,14 @@ Result<Table> ParseCsv(const std::string& text, const std::string& name) {
 Result<Table> ReadCsv(const std::string& path) {
   auto text = ReadFile(path);
   if (!text.ok()) return text.error();
+  NoteInput(path, text.value());
   return ParseCsv(text.value(), path);
 }
 
 Result<Table> ReadTable(const std::string& path) {
-  return path.ends_with(".mat") ? ReadMat(path) : ReadCsv(path);
+  if (!path.ends_with(".mat")) return ReadCsv(path);
+  NoteInput(path);
+  return ReadMat(path);
 }
 
 Status WriteCsv(const std::string& path, const std::vector<std::string>& names,

@@ -4,12 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <set>
 
 #include "base/numbers.h"
+#include "base/origin.h"
 #include "base/result_dir.h"
 #include "base/yaml_document.h"
+#include "base/yaml_probe.h"
 
 namespace phs {
 
@@ -33,6 +36,8 @@ struct YamlMap::Impl {
   std::set<std::string> asked;
   std::map<std::string, std::shared_ptr<Impl>> children;  ///< by name: asked twice, the same one
   int line = 1;
+  YamlProbe* probe = nullptr;  ///< answers in place of a document
+  YamlShape* shape = nullptr;  ///< where it keeps what is asked of this map
 
   void Read(const YAML::Node& node) {
     if (!node.IsMap()) return;
@@ -64,17 +69,32 @@ struct YamlMap::Impl {
     if (!document->error) document->missing = {this, std::string(key)};
     Fail({Where(key), "is missing", allowed, "add it"});
   }
-  /// The key that stands there for a missing one, mistyped. Once all keys have been asked for.
-  std::optional<Error> MistypedFor(const std::string& key) const {
-    std::vector<std::string> unknown;
-    for (const Entry& entry : entries) {
-      if (asked.count(entry.key) == 0) unknown.push_back(entry.key);
+  std::set<std::string> Given() const {
+    std::set<std::string> given;
+    for (const Entry& entry : entries) given.insert(entry.key);
+    return given;
+  }
+  /// The key that stands there mistyped: for the missing one, or for another that is not there
+  /// either. Once all keys have been asked for.
+  std::optional<Error> MistypedFor(const std::string& missing) const {
+    const std::set<std::string> given = Given();
+    std::vector<std::string> unknown, absent;
+    std::set_difference(given.begin(), given.end(), asked.begin(), asked.end(),
+                        std::back_inserter(unknown));
+    std::set_difference(asked.begin(), asked.end(), given.begin(), given.end(),
+                        std::back_inserter(absent));
+    const std::vector<std::string> known(asked.begin(), asked.end());
+    const auto told = [&](const std::string& found, const std::string& meant) {
+      return Error{Where(found), "unknown key", JoinWords(known),
+                   DidYouMean(found, known, "did you mean " + Quoted(meant) + "?")};
+    };
+    const std::string found = NearestWord(missing, unknown);
+    if (!found.empty()) return told(found, missing);
+    for (const std::string& key : unknown) {
+      const std::string meant = NearestWord(key, absent);
+      if (!meant.empty()) return told(key, meant);
     }
-    const std::string found = NearestWord(key, unknown);
-    if (found.empty()) return std::nullopt;
-    return Error{Where(found), "unknown key",
-                 JoinWords(std::vector<std::string>(asked.begin(), asked.end())),
-                 DidYouMean(found, {key}, "did you mean " + Quoted(key) + "?")};
+    return std::nullopt;
   }
   double ToNumber(const std::string& where, const YAML::Node& node, const Range& range) {
     const auto value = node.IsScalar() ? ParseNumber(node.Scalar()) : std::nullopt;
@@ -96,6 +116,13 @@ struct YamlMap::Impl {
     children[name] = child;
     return child;
   }
+  std::shared_ptr<Impl> Probed(std::string_view key, bool list) {
+    auto child = std::make_shared<Impl>();
+    child->document = document;
+    child->probe = probe;
+    child->shape = probe->Map(shape, key, list);
+    return child;
+  }
   /// Keeps in `first` the topmost unknown key of this map and those read from it.
   void FindUnknown(std::optional<std::pair<int, Error>>* first) const {
     for (const auto& [key, at, node] : entries) {
@@ -113,6 +140,7 @@ struct YamlMap::Impl {
 Result<YamlMap> YamlMap::Load(const std::string& path) {
   auto text = ReadFile(path);
   if (!text.ok()) return text.error();
+  NoteInput(path, text.value());
   return Parse(text.value(), path);
 }
 
@@ -123,17 +151,24 @@ Result<YamlMap> YamlMap::Parse(const std::string& text, const std::string& name)
   impl->document = std::make_shared<Document>();
   impl->document->path = name;
   impl->Read(root.value());
+  impl->probe = YamlProbe::For(name);
+  if (impl->probe != nullptr) impl->shape = impl->probe->root();
   return YamlMap(impl);
 }
 
-bool YamlMap::Has(std::string_view key) const { return impl_->Find(key) != nullptr; }
+bool YamlMap::Has(std::string_view key) const {
+  if (impl_->probe != nullptr) return impl_->probe->Has(impl_->shape, key);
+  return impl_->Find(key) != nullptr;
+}
 
 bool YamlMap::IsMap(std::string_view key) const {
+  if (impl_->probe != nullptr) return impl_->probe->IsMap(impl_->shape, key);
   const YAML::Node* node = impl_->Find(key);
   return node != nullptr && node->IsMap();
 }
 
 double YamlMap::Number(std::string_view key, const Range& range) {
+  if (impl_->probe != nullptr) return impl_->probe->Number(impl_->shape, key, range, {});
   const YAML::Node* node = impl_->Find(key);
   if (node == nullptr) {
     impl_->Missing(key, range.Text());
@@ -143,12 +178,14 @@ double YamlMap::Number(std::string_view key, const Range& range) {
 }
 
 double YamlMap::Number(std::string_view key, const Range& range, double otherwise) {
+  if (impl_->probe != nullptr) return impl_->probe->Number(impl_->shape, key, range, otherwise);
   const YAML::Node* node = impl_->Find(key);
   return node == nullptr ? otherwise : impl_->ToNumber(impl_->Where(key), *node, range);
 }
 
 int YamlMap::Integer(std::string_view key, int min, int max) {
   const Range range{static_cast<double>(min), static_cast<double>(max)};
+  if (impl_->probe != nullptr) return impl_->probe->Integer(impl_->shape, key, range, {});
   const double value = Number(key, range);
   if (value != std::floor(value)) {
     Fail(key, Shortest(value) + " is no whole number", "whole numbers, " + range.Text());
@@ -158,10 +195,15 @@ int YamlMap::Integer(std::string_view key, int min, int max) {
 }
 
 int YamlMap::Integer(std::string_view key, int min, int max, int otherwise) {
+  if (impl_->probe != nullptr) {
+    const Range range{static_cast<double>(min), static_cast<double>(max)};
+    return impl_->probe->Integer(impl_->shape, key, range, otherwise);
+  }
   return Has(key) ? Integer(key, min, max) : otherwise;
 }
 
 bool YamlMap::Bool(std::string_view key, bool otherwise) {
+  if (impl_->probe != nullptr) return impl_->probe->Bool(impl_->shape, key, otherwise);
   const YAML::Node* node = impl_->Find(key);
   if (node == nullptr) return otherwise;
   const std::string text = node->IsScalar() ? node->Scalar() : "";
@@ -172,6 +214,7 @@ bool YamlMap::Bool(std::string_view key, bool otherwise) {
 }
 
 std::string YamlMap::Text(std::string_view key) {
+  if (impl_->probe != nullptr) return impl_->probe->Text(impl_->shape, key, {});
   const YAML::Node* node = impl_->Find(key);
   if (node == nullptr) {
     impl_->Missing(key, "a word");
@@ -181,6 +224,9 @@ std::string YamlMap::Text(std::string_view key) {
 }
 
 std::string YamlMap::Text(std::string_view key, std::string_view otherwise) {
+  if (impl_->probe != nullptr) {
+    return impl_->probe->Text(impl_->shape, key, std::string(otherwise));
+  }
   const YAML::Node* node = impl_->Find(key);
   if (node == nullptr) return std::string(otherwise);
   if (!node->IsScalar()) {
@@ -191,6 +237,7 @@ std::string YamlMap::Text(std::string_view key, std::string_view otherwise) {
 }
 
 std::string YamlMap::Word(std::string_view key, const std::vector<std::string>& words) {
+  if (impl_->probe != nullptr) return impl_->probe->Word(impl_->shape, key, words, {});
   if (impl_->Find(key) == nullptr) {
     impl_->Missing(key, JoinWords(words));
     return words.empty() ? "" : words[0];
@@ -200,6 +247,9 @@ std::string YamlMap::Word(std::string_view key, const std::vector<std::string>& 
 
 std::string YamlMap::Word(std::string_view key, const std::vector<std::string>& words,
                           std::string_view otherwise) {
+  if (impl_->probe != nullptr) {
+    return impl_->probe->Word(impl_->shape, key, words, std::string(otherwise));
+  }
   const std::string word = Text(key, otherwise);
   if (word == otherwise || std::find(words.begin(), words.end(), word) != words.end()) return word;
   Fail(key, Quoted(word) + " is unknown", JoinWords(words), DidYouMean(word, words));
@@ -207,6 +257,7 @@ std::string YamlMap::Word(std::string_view key, const std::vector<std::string>& 
 }
 
 std::vector<double> YamlMap::Numbers(std::string_view key, const Range& range) {
+  if (impl_->probe != nullptr) return impl_->probe->Numbers(impl_->shape, key, range, true);
   if (impl_->Find(key) == nullptr) {
     impl_->Missing(key, "a list of " + range.Text());
     return {};
@@ -216,6 +267,7 @@ std::vector<double> YamlMap::Numbers(std::string_view key, const Range& range) {
 
 std::vector<double> YamlMap::Numbers(std::string_view key, const Range& range,
                                      std::vector<double> otherwise) {
+  if (impl_->probe != nullptr) return impl_->probe->Numbers(impl_->shape, key, range, false);
   const YAML::Node* node = impl_->Find(key);
   if (node == nullptr) return otherwise;
   if (!node->IsSequence()) {
@@ -233,6 +285,7 @@ std::vector<double> YamlMap::Numbers(std::string_view key, const Range& range,
 }
 
 std::vector<std::string> YamlMap::Texts(std::string_view key) {
+  if (impl_->probe != nullptr) return impl_->probe->Texts(impl_->shape, key);
   const YAML::Node* node = impl_->Find(key);
   std::vector<std::string> words;
   if (node == nullptr) return words;
@@ -251,6 +304,7 @@ std::vector<std::string> YamlMap::Texts(std::string_view key) {
 }
 
 YamlMap YamlMap::Map(std::string_view key) {
+  if (impl_->probe != nullptr) return YamlMap(impl_->Probed(key, false));
   const YAML::Node* node = impl_->Find(key);
   if (node != nullptr && !node->IsMap() && !node->IsNull()) {
     Fail(key, Described(*node) + " is no map", "lines of 'key: value'");
@@ -259,6 +313,7 @@ YamlMap YamlMap::Map(std::string_view key) {
 }
 
 std::vector<YamlMap> YamlMap::Maps(std::string_view key) {
+  if (impl_->probe != nullptr) return {YamlMap(impl_->Probed(key, true))};
   const YAML::Node* node = impl_->Find(key);
   std::vector<YamlMap> maps;
   if (node == nullptr) return maps;
@@ -275,6 +330,7 @@ std::vector<YamlMap> YamlMap::Maps(std::string_view key) {
 }
 
 std::vector<std::string> YamlMap::Keys() const {
+  if (impl_->probe != nullptr) return impl_->probe->Keys(impl_->shape);
   std::vector<std::string> keys;
   for (const auto& entry : impl_->entries) keys.push_back(entry.key);
   return keys;
@@ -288,6 +344,8 @@ std::string YamlMap::Where(std::string_view key) const { return impl_->Where(key
 const std::string& YamlMap::path() const { return impl_->document->path; }
 
 Status YamlMap::Finish() const {
+  // Nothing is made of the answers of a probe.
+  if (impl_->probe != nullptr) return Error{path(), "is probed", "", ""};
   if (impl_->document->error) {
     const auto& [map, key] = impl_->document->missing;
     const auto mistyped = map == nullptr ? std::nullopt : map->MistypedFor(key);

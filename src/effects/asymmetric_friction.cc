@@ -14,6 +14,7 @@ using hydraulics::EffectParams;
 using hydraulics::Extension;
 using hydraulics::LevelParts;
 using hydraulics::LevelPlace;
+using hydraulics::Walk;
 
 class Shift final : public hydraulics::LevelLaw {
  public:
@@ -41,15 +42,38 @@ Status Install(const EffectParams& effect, Extension* extension) {
 }  // namespace
 
 const EffectInfo& AsymmetricFrictionInfo() {
-  static const EffectInfo info = {"asymmetric_friction",
-                                  "friction",
-                                  "cylinders",
-                                  "level +- d by direction, viscous part e in extension",
-                                  {
-                                      {"level_N", "N", 100, -1e6, 1e6, -2000, 2000, "d"},
-                                      {"viscous_Ns_per_m", "N s/m", 0, -1e8, 1e8, -1e4, 1e4, "e"},
-                                  },
-                                  Install};
+  static const EffectInfo info = {
+      "asymmetric_friction",
+      "friction",
+      "cylinders",
+      "level +- d by direction, viscous part e in extension",
+      {
+          {"level_N", "N", 100, -1e6, 1e6, -2000, 2000, "d"},
+          {"viscous_Ns_per_m", "N s/m", 0, -1e8, 1e8, -1e4, 1e4, "e"},
+      },
+      Install,
+      {
+          .rig =
+              {
+                  {.free = {{"level_N", 0}}, .held = {{"viscous_Ns_per_m", 0}}},
+              },
+          .bench =
+              {
+                  {.free = {{"viscous_Ns_per_m", 0.1, 0.1, 1, Walk::kEitherWay, -20, 20}},
+                   .held = {{"level_N", 0}}},
+                  // A level that differs by direction and an offset of the load cell are one and the same force.
+                  {.free = {{"viscous_Ns_per_m", 0.1, 0.1, 1, Walk::kEitherWay, -20, 20},
+                            {"level_N", 0, 0, 1, Walk::kEach, -1, 1}},
+                   .beside = {"element.offset"}},
+                  {.free = {{"level_N", 0, 0, 1, Walk::kEach, -1, 1}},
+                   .held = {{"viscous_Ns_per_m", 0}},
+                   .beside = {"element.offset"}},
+              },
+          .bogie =
+              {
+                  {.free = {{"level_N", 0}}},
+              },
+      }};
   return info;
 }
 

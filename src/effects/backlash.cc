@@ -11,6 +11,8 @@ namespace {
 using hydraulics::EffectInfo;
 using hydraulics::EffectParams;
 using hydraulics::Extension;
+using hydraulics::Places;
+using hydraulics::Walk;
 
 class Backlash final : public hydraulics::MountLaw {
  public:
@@ -48,7 +50,28 @@ const EffectInfo& BacklashInfo() {
           {"tension_share", "-", 0.5, 0, 1, 0.01, 0.99, "of the play, crossed before tension"},
           {"hardening_1_per_m2", "1/m2", 0, 0, 1e15, 0, 1e13, "b: contact k e (1 + b e²)"},
       },
-      Install};
+      Install,
+      {
+          .rig =
+              {
+                  {.free = {{"gap_m", 4e-6, 4e-4, 4}, {"contact_N_per_m", 5e8, 1.5e10, 2}},
+                   .places = Places::kEach},
+              },
+          .bench =
+              {
+                  {.free = {{"gap_m", 1e-3, 0.02, 2, Walk::kEach, 1e-4, 1}},
+                   .held = {{"contact_N_per_m", 1e5}}},
+              },
+          .bogie =
+              {
+                  {.free = {{"gap_m", 1e-4, 5e-4, 2}}},
+              },
+          .options =
+              {
+                  {.free = {{"tension_share", 0.3, 0.7, 2}}},
+                  {.free = {{"hardening_1_per_m2", 1e8, 1e10, 2}}},
+              },
+      }};
   return info;
 }
 

@@ -11,6 +11,7 @@ namespace {
 using hydraulics::EffectInfo;
 using hydraulics::EffectParams;
 using hydraulics::Extension;
+using hydraulics::Walk;
 
 class Bush final : public hydraulics::MountLaw {
  public:
@@ -55,7 +56,20 @@ const EffectInfo& BushViscoelasticInfo() {
           {"second_relaxation_s", "s", 3, 1e-5, 1e6, 1e-2, 60, "tau3"},
           {"hardening_1_per_m2", "1/m2", 0, 0, 1e14, 0, 1e12, "b"},
       },
-      Install};
+      Install,
+      {
+          .rig =
+              {
+                  {.free = {{"stiffness_N_per_m", 3e7, 8e9, 4},
+                            {"relaxing_N_per_m", 2e7, 8e9, 4, Walk::kInStep},
+                            {"relaxation_s", 0.1, 1, 2}}},
+              },
+          .options =
+              {
+                  {.free = {{"second_N_per_m", 3e7, 1e9, 2}, {"second_relaxation_s", 0.03, 5, 2}}},
+                  {.free = {{"hardening_1_per_m2", 1e5, 1e8, 3}}},
+              },
+      }};
   return info;
 }
 

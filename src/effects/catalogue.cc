@@ -17,6 +17,7 @@
 #include "effects/load_flexibility.h"
 #include "effects/mount_compliance.h"
 #include "effects/moving_mass.h"
+#include "effects/own_law.h"
 #include "effects/piston_leakage.h"
 #include "effects/position_friction.h"
 #include "effects/presliding.h"
@@ -29,6 +30,7 @@
 #include "effects/stribeck.h"
 #include "effects/temperature_drift.h"
 #include "effects/temperature_friction.h"
+#include "effects/throttle.h"
 #include "effects/unlisted.h"
 #include "effects/viscous_friction.h"
 
@@ -42,7 +44,7 @@ class Table final : public hydraulics::EffectTable {
   Table()
       : effects_{// hydraulic
                  PistonLeakageInfo(), ExternalLeakageInfo(), LineResistanceInfo(),
-                 LineInertanceInfo(), CheckRestrictionInfo(), EntrainedAirInfo(),
+                 LineInertanceInfo(), CheckRestrictionInfo(), ThrottleInfo(), EntrainedAirInfo(),
                  HoseExpansionInfo(), GasThermalInfo(), AccumulatorPrechargeInfo(),
                  DiaphragmStopInfo(), CavitationInfo(),
                  // friction
@@ -60,6 +62,7 @@ class Table final : public hydraulics::EffectTable {
                  // found in data
                  UnlistedInfo()} {}
   const std::vector<EffectInfo>& effects() const override { return effects_; }
+  const EffectInfo* own() const override { return &OwnLawInfo(); }
 
  private:
   std::vector<EffectInfo> effects_;

@@ -12,7 +12,8 @@
 
 namespace phs::effects {
 
-/// The table itself: hydraulics knows it only as hydraulics::EffectTable.
+/// The table itself, and the row of laws that models bring with them (own_law.h): hydraulics knows
+/// it only as hydraulics::EffectTable.
 const hydraulics::EffectTable& Catalogue();
 
 }  // namespace phs::effects

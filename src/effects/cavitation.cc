@@ -14,6 +14,7 @@ namespace {
 using hydraulics::EffectInfo;
 using hydraulics::EffectParams;
 using hydraulics::Extension;
+using hydraulics::Places;
 
 class ReleasedAir final : public hydraulics::VolumeLaw {
  public:
@@ -70,7 +71,25 @@ const EffectInfo& CavitationInfo() {
           {"dissolving_time_s", "s", 0, 0, 1e6, 0, 60, "and goes back with this; 0 = at once"},
           {"rod_ratio", "-", 1, 1e-3, 1e3, 0.2, 5, "air of rod lines over that of bore lines"},
       },
-      Install};
+      Install,
+      {
+          .rig =
+              {
+                  {.free = {{"release_Pa", 8e4, 8e5, 3}, {"solubility", 0.05}},
+                   .places = Places::kEach},
+                  {.free = {{"release_Pa", 2.5e5, 6e5, 2},
+                            {"solubility", 0.05},
+                            {"dissolving_time_s", 1, 3, 2}},
+                   .held = {{"release_time_s", 0.3}},
+                   .places = Places::kEach},
+              },
+          .options =
+              {
+                  {.free = {{"release_time_s", 0.3}, {"dissolving_time_s", 0.3, 3, 2}}},
+                  {.free = {{"release_time_s", 0.3}}},
+                  {.free = {{"rod_ratio", 1}}, .of_sides = true},
+              },
+      }};
   return info;
 }
 

@@ -13,6 +13,7 @@ using hydraulics::EffectParams;
 using hydraulics::Extension;
 using hydraulics::PipeFlow;
 using hydraulics::Port;
+using hydraulics::Walk;
 
 Status Install(const EffectParams& effect, Extension* extension) {
   for (int i : TargetCylinders(effect, extension->params())) {
@@ -48,9 +49,48 @@ const EffectInfo& CheckRestrictionInfo() {
           {"turbulent_in_Pas2_per_m6", "Pa s2/m6", 0, 0, 1e20, 0, 1e17, "K into the chamber"},
           {"rod_ratio", "-", 1, 1e-3, 1e3, 0.02, 50,
            "resistance of the rod side over that of the bore side"},
-          {"oil_share", "-", 0.2, 0.02, 0.45, 0.1, 0.4, "share of the line's oil at the chamber"},
+          {"oil_share", "-", 0.2, 0.02, 0.45, 0.1, 0.4, "share of the line's oil at the chamber",
+           true},
       },
-      Install};
+      Install,
+      {
+          .rig =
+              {
+                  {.free = {{"out_Pas_per_m3", 1e9, 1e11, 4},
+                            {"in_Pas_per_m3", 1e11, 1e9, 4, Walk::kInStep}},
+                   .amounts = 2},
+                  {.free = {{"turbulent_out_Pas2_per_m6", 1e13, 1e14, 2}},
+                   .held = {{"out_Pas_per_m3", 3e7}, {"in_Pas_per_m3", 3e7}}},
+                  {.free = {{"turbulent_in_Pas2_per_m6", 1e13, 1e14, 2}},
+                   .held = {{"out_Pas_per_m3", 3e7}, {"in_Pas_per_m3", 3e7}}},
+                  // In the chamber of one side alone, as good as none in the other.
+                  {.free = {{"out_Pas_per_m3", 2e7, 2e8, 2},
+                            {"in_Pas_per_m3", 2e8, 2e7, 2, Walk::kInStep}},
+                   .held = {{"rod_ratio", 50}},
+                   .amounts = 2},
+                  {.free = {{"out_Pas_per_m3", 1e9, 1e10, 2},
+                            {"in_Pas_per_m3", 1e10, 1e9, 2, Walk::kInStep}},
+                   .held = {{"rod_ratio", 0.02}},
+                   .amounts = 2},
+                  {.free = {{"turbulent_out_Pas2_per_m6", 2e11, 2e12, 2}},
+                   .held = {{"out_Pas_per_m3", 1e6}, {"in_Pas_per_m3", 1e6}, {"rod_ratio", 50}}},
+                  {.free = {{"turbulent_out_Pas2_per_m6", 1e13, 1e14, 2}},
+                   .held = {{"out_Pas_per_m3", 3e7}, {"in_Pas_per_m3", 3e7}, {"rod_ratio", 0.02}}},
+                  {.free = {{"turbulent_in_Pas2_per_m6", 2e11, 2e12, 2}},
+                   .held = {{"out_Pas_per_m3", 1e6}, {"in_Pas_per_m3", 1e6}, {"rod_ratio", 50}}},
+                  {.free = {{"turbulent_in_Pas2_per_m6", 1e13, 1e14, 2}},
+                   .held = {{"out_Pas_per_m3", 3e7}, {"in_Pas_per_m3", 3e7}, {"rod_ratio", 0.02}}},
+              },
+          .options =
+              {
+                  {.free = {{"out_Pas_per_m3", 2e7, 1e9, 2}}},
+                  {.free = {{"in_Pas_per_m3", 2e7, 1e9, 2}}},
+                  {.free = {{"turbulent_out_Pas2_per_m6", 2e11, 1e13, 2}}},
+                  {.free = {{"turbulent_in_Pas2_per_m6", 2e11, 1e13, 2}}},
+                  {.free = {{"oil_share", 0.2}}},
+                  {.free = {{"rod_ratio", 1}}, .of_sides = true},
+              },
+      }};
   return info;
 }
 

@@ -10,6 +10,7 @@ namespace {
 using hydraulics::EffectInfo;
 using hydraulics::EffectParams;
 using hydraulics::Extension;
+using hydraulics::Places;
 
 Status Install(const EffectParams& effect, Extension* extension) {
   for (int line : TargetLines(effect, extension->params())) {
@@ -33,7 +34,18 @@ const EffectInfo& DiaphragmStopInfo() {
           {"min_gas_volume_m3", "m3", 4e-6, 0, 1e-2, 1e-7, 1e-4, "V_min"},
           {"spread", "-", 0, 0, 0.8, 0.02, 0.8, "relative standard deviation of its parts' stops"},
       },
-      Install};
+      Install,
+      {
+          .rig =
+              {
+                  {.free = {{"min_gas_volume_m3", 1e-6, 1e-5, 5}}, .places = Places::kEach},
+              },
+          .options =
+              {
+                  {.free = {{"spread", 0.1, 0.4, 2}}},
+              },
+          .steps = {{"reservoir.min_gas_volume_m3", false, 0.03}},
+      }};
   return info;
 }
 

@@ -14,6 +14,7 @@ using hydraulics::EffectParams;
 using hydraulics::Extension;
 using hydraulics::LevelParts;
 using hydraulics::LevelPlace;
+using hydraulics::Walk;
 
 /// Memory: 1 - phi.
 class Dwell final : public hydraulics::LevelLaw {
@@ -51,16 +52,33 @@ Status Install(const EffectParams& effect, Extension* extension) {
 }  // namespace
 
 const EffectInfo& DwellFrictionInfo() {
-  static const EffectInfo info = {"dwell_friction",
-                                  "friction",
-                                  "cylinders",
-                                  "level + F_d phi, phi grows at rest and is wiped out by sliding",
-                                  {
-                                      {"extra_N", "N", 300, 0, 1e6, 0, 10000, "F_d"},
-                                      {"time_s", "s", 5, 1e-3, 1e9, 0.1, 1000, "tau"},
-                                      {"length_m", "m", 1e-4, 1e-9, 1, 1e-5, 1e-3, "d"},
-                                  },
-                                  Install};
+  static const EffectInfo info = {
+      "dwell_friction",
+      "friction",
+      "cylinders",
+      "level + F_d phi, phi grows at rest and is wiped out by sliding",
+      {
+          {"extra_N", "N", 300, 0, 1e6, 0, 10000, "F_d"},
+          {"time_s", "s", 5, 1e-3, 1e9, 0.1, 1000, "tau"},
+          {"length_m", "m", 1e-4, 1e-9, 1, 1e-5, 1e-3, "d"},
+      },
+      Install,
+      {
+          .rig =
+              {
+                  {.free = {{"extra_N", 300}, {"time_s", 1, 10, 2}, {"length_m", 2e-5, 5e-4, 2}}},
+              },
+          .bench =
+              {
+                  {.free = {{"extra_N", 0.2, 0, 1, Walk::kEach, 0, 5},
+                            {"time_s", 0.02, 0.1, 2, Walk::kEach, 1e-3, 1},
+                            {"length_m", 0.01, 0.1, 2, Walk::kInStep, 1e-4, 1}}},
+              },
+          .bogie =
+              {
+                  {.free = {{"extra_N", 300}, {"time_s", 3}, {"length_m", 1e-4}}},
+              },
+      }};
   return info;
 }
 

@@ -14,6 +14,8 @@ namespace {
 using hydraulics::EffectInfo;
 using hydraulics::EffectParams;
 using hydraulics::Extension;
+using hydraulics::Places;
+using hydraulics::Walk;
 
 /// Dissolving at once: V = bubble(p) free(p).
 class AirVolume final : public hydraulics::VolumeLaw {
@@ -88,7 +90,32 @@ const EffectInfo& EntrainedAirInfo() {
           {"dissolving_time_s", "s", 0, 0, 1e6, 0, 60, "lag of dissolving; 0 = at once"},
           {"rod_ratio", "-", 1, 1e-3, 1e3, 0.2, 5, "air of rod lines over that of bore lines"},
       },
-      Install};
+      Install,
+      {
+          .rig =
+              {
+                  {.free = {{"air_fraction", 1e-3, 0.02, 3}}, .places = Places::kEach},
+                  {.free = {{"air_fraction", 5e-3, 0.01, 2},
+                            {"saturation_Pa", 4e6, 1e7, 2, Walk::kInStep}},
+                   .places = Places::kEach},
+                  {.free = {{"air_fraction", 0.01}, {"dissolving_time_s", 0.4, 2, 2}},
+                   .held = {{"saturation_Pa", 8e6}}},
+                  {.free = {{"air_fraction", 0.01}, {"dissolving_time_s", 1}},
+                   .held = {{"saturation_Pa", 8e6}},
+                   .places = Places::kAlone},
+              },
+          .bogie =
+              {
+                  {.free = {{"air_fraction", 3e-3, 0.02, 2}}},
+              },
+          .options =
+              {
+                  {.free = {{"rod_ratio", 1}}, .of_sides = true},
+                  {.free = {{"saturation_Pa", 4e6, 1e7, 2}}},
+                  {.free = {{"polytropic_exponent", 1.1}}},
+                  {.free = {{"dissolving_time_s", 0.3, 2, 2}}, .with = "saturation_Pa"},
+              },
+      }};
   return info;
 }
 

@@ -12,6 +12,7 @@ using hydraulics::EffectInfo;
 using hydraulics::EffectParams;
 using hydraulics::Extension;
 using hydraulics::GapFlow;
+using hydraulics::Places;
 using hydraulics::Port;
 
 Status Install(const EffectParams& effect, Extension* extension) {
@@ -41,7 +42,26 @@ const EffectInfo& ExternalLeakageInfo() {
           {"rod_ratio", "-", 1, 1e-3, 1e3, 0.2, 5, "leak of rod lines over that of bore lines"},
           {"start_s", "s", 0, -1e12, 1e12, 0, 1e6, "the leak opens at this time"},
       },
-      Install};
+      Install,
+      {
+          .rig =
+              {
+                  {.free = {{"conductance_m3_per_Pas", 1e-17, 1e-14, 4}}, .places = Places::kEach},
+                  {.free = {{"conductance_m3_per_Pas", 3e-17, 1e-15, 2}},
+                   .held = {{"exponent", 0.5}},
+                   .places = Places::kEach},
+              },
+          .bogie =
+              {
+                  {.free = {{"conductance_m3_per_Pas", 1e-13, 1e-12, 2}}, .places = Places::kAlone},
+              },
+          .options =
+              {
+                  {.free = {{"exponent", 0.6, 1.6, 2}}},
+                  {.free = {{"rod_ratio", 1}}, .of_sides = true},
+                  {.free = {{"start_s", 15, 60, 3}}},
+              },
+      }};
   return info;
 }
 

@@ -14,9 +14,7 @@ namespace {
 using Step = Formula::Step;
 using Code = Formula::Code;
 
-/// Exponents of m, kg, s, K.
-using Dimension = std::array<double, 4>;
-constexpr Dimension kPlain = {0, 0, 0, 0};
+constexpr Dimension kPlain = {0, 0, 0, 0, 0};
 constexpr Dimension kNewton = {1, 1, -2, 0};
 
 /// What a formula may give: its dimension, its suffix, and in words.
@@ -35,13 +33,16 @@ struct Symbol {
   const char* name;
   Dimension dimension;
 };
-constexpr Symbol kUnits[] = {{"m", {1, 0, 0, 0}},   {"s", {0, 0, 1, 0}}, {"K", {0, 0, 0, 1}},
-                             {"kg", {0, 1, 0, 0}},  {"N", kNewton},      {"Pa", {-1, 1, -2, 0}},
-                             {"Hz", {0, 0, -1, 0}}, {"rad", kPlain}};
+constexpr Symbol kUnits[] = {{"m", {1, 0, 0, 0}},      {"s", {0, 0, 1, 0}},  {"K", {0, 0, 0, 1}},
+                             {"kg", {0, 1, 0, 0}},     {"N", kNewton},       {"Pa", {-1, 1, -2, 0}},
+                             {"Hz", {0, 0, -1, 0}},    {"rad", kPlain},      {"A", {0, 0, 0, 0, 1}},
+                             {"V", {2, 1, -3, 0, -1}}, {"W", {2, 1, -3, 0}}, {"J", {2, 1, -2, 0}}};
 // In the order of ForcePlace as Force() takes them.
 constexpr Symbol kVariables[] = {{"x", {1, 0, 0, 0}},   {"v", {1, 0, -1, 0}},  {"s", kPlain},
                                  {"p", {-1, 1, -2, 0}}, {"q", {-1, 1, -2, 0}}, {"t", {0, 0, 1, 0}},
                                  {"dT", {0, 0, 0, 1}}};
+// Variables of a step: those above, states, further channels.
+constexpr int kFirstState = 100, kFirstExtra = 200;
 struct Function {
   const char* name;
   Code code;
@@ -99,29 +100,37 @@ double Apply(Code code, double a) {
 
 class Parser {
  public:
-  Parser(const std::string& text, const std::map<std::string, double>& coefficients,
-         const Kind& kind)
-      : text_(text), coefficients_(coefficients), kind_(kind) {}
+  Parser(const std::string& text, const FormulaNames& names, const Dimension& whole,
+         const std::string& words)
+      : text_(text), names_(names), whole_(whole), words_(words) {}
 
   Result<std::vector<Step>> Parse() {
     const Dimension whole = Sum();
     Skip();
     if (at_ < text_.size()) Fail("unexpected \"" + text_.substr(at_, 8) + "\"");
-    if (error_.empty() && whole != kind_.dimension) {
-      Fail(std::string("the whole is no ") + kind_.words);
-    }
+    if (error_.empty() && whole != whole_) Fail("the whole is no " + words_);
     if (!error_.empty()) {
       return Error{
           "formula \"" + text_ + "\"", error_,
-          std::string("x, v, s, p, q, t, dT, c1 … c6, numbers with [unit], + - * / ^, sin, "
-                      "cos, exp, tanh, abs, sqrt, max, pi; a ") +
-              kind_.words,
+          "x, v, s, p, q, t, dT, " + Known() +
+              ", numbers with [unit], + - * / ^, sin, cos, exp, tanh, abs, sqrt, max, pi; a " +
+              words_,
           ""};
     }
     return std::move(steps_);
   }
 
  private:
+  /// The further names: a series of coefficients by its ends.
+  std::string Known() const {
+    if (names_.numbers.contains("c1") && names_.numbers.contains("c6")) return "c1 … c6";
+    std::vector<std::string> all;
+    for (const auto& [name, number] : names_.numbers) all.push_back(name);
+    for (const auto* list : {&names_.states, &names_.extra}) {
+      for (const auto& [name, dimension] : *list) all.push_back(name);
+    }
+    return JoinWords(all);
+  }
   void Fail(const std::string& what) {
     if (error_.empty()) error_ = what + " at character " + std::to_string(at_ + 1);
   }
@@ -277,13 +286,21 @@ class Parser {
       if (d != kPlain) Fail("the argument of " + name + " has a dimension");
       return kPlain;
     }
-    const auto found = coefficients_.find(name);
-    if (found == coefficients_.end()) {
+    for (const auto& [list, first] :
+         {std::pair{&names_.states, kFirstState}, {&names_.extra, kFirstExtra}}) {
+      for (size_t i = 0; i < list->size(); ++i) {
+        if (name != (*list)[i].first) continue;
+        Push({Code::kVariable, 0, first + static_cast<int>(i)});
+        return (*list)[i].second;
+      }
+    }
+    const auto found = names_.numbers.find(name);
+    if (found == names_.numbers.end()) {
       Fail(name.empty() ? "a value is missing" : "unknown name " + name);
       return kPlain;
     }
-    Push({.code = Code::kNumber, .number = found->second, .free = true});
-    return kind_.dimension;
+    Push({.code = Code::kNumber, .number = found->second.value, .free = true});
+    return found->second.dimension;
   }
   Dimension Larger() {
     if (!Take('(')) Fail("a bracket is missing");
@@ -296,8 +313,9 @@ class Parser {
   }
 
   const std::string& text_;
-  const std::map<std::string, double>& coefficients_;
-  const Kind& kind_;
+  const FormulaNames& names_;
+  const Dimension& whole_;
+  const std::string& words_;
   std::vector<Step> steps_;
   std::vector<std::optional<double>> fixed_;  ///< the stack, where it depends on nothing
   std::string error_;
@@ -312,15 +330,56 @@ const char* UnitSuffix(FormulaUnit unit) { return kKinds[static_cast<int>(unit)]
 Result<Formula> Formula::Parse(const std::string& text,
                                const std::map<std::string, double>& coefficients,
                                FormulaUnit unit) {
-  Result<std::vector<Step>> steps =
-      Parser(text, coefficients, kKinds[static_cast<int>(unit)]).Parse();
+  const Kind& kind = kKinds[static_cast<int>(unit)];
+  FormulaNames names;
+  for (const auto& [name, value] : coefficients) names.numbers[name] = {value, kind.dimension};
+  return Parse(text, names, kind.dimension, kind.words);
+}
+
+Result<Formula> Formula::Parse(const std::string& text, const FormulaNames& names,
+                               const Dimension& whole, const std::string& words) {
+  Result<std::vector<Step>> steps = Parser(text, names, whole, words).Parse();
   if (!steps.ok()) return steps.error();
   return Formula(std::move(steps.value()));
 }
 
+Result<Dimension> DimensionOf(const std::string& ending) {
+  Dimension out = kPlain;
+  double sign = 1;
+  for (size_t at = 0; at < ending.size();) {
+    if (ending.compare(at, 5, "_per_") == 0) {
+      sign = -1, at += 5;
+    } else if (ending.compare(at, 4, "per_") == 0 && at == 0) {
+      sign = -1, at += 4;
+    } else if (ending[at] == '_') {
+      sign = -1, ++at;  // m_s: metres per second
+    } else if (ending[at] == '1') {
+      ++at;
+    } else {
+      const Symbol* longest = nullptr;
+      for (const Symbol& unit : kUnits) {
+        const size_t length = std::string(unit.name).size();
+        const bool fits = ending.compare(at, length, unit.name) == 0;
+        if (fits && (longest == nullptr || length > std::string(longest->name).size())) {
+          longest = &unit;
+        }
+      }
+      if (longest == nullptr) {
+        return Error{ending, "is no unit",
+                     "units in a row, over others: N, N_per_m, Ns_per_m, m3_per_s, m_s, V", ""};
+      }
+      at += std::string(longest->name).size();
+      double power = 1;
+      if (at < ending.size() && ending[at] >= '2' && ending[at] <= '9') power = ending[at++] - '0';
+      out = Joined(out, longest->dimension, sign * power);
+    }
+  }
+  return out;
+}
+
 std::string Formula::VariableOtherThan(const std::string& allowed) const {
   for (const Step& step : steps_) {
-    if (step.code != Code::kVariable) continue;
+    if (step.code != Code::kVariable || step.variable >= kFirstState) continue;
     const std::string name = kVariables[step.variable].name;
     if (allowed.find(name) == std::string::npos) return name;
   }
@@ -336,7 +395,10 @@ double Formula::Value(const hydraulics::ForcePlace& place) const noexcept {
     if (step.code == Code::kNumber) {
       stack[++top] = step.number;
     } else if (step.code == Code::kVariable) {
-      stack[++top] = variables[step.variable];
+      stack[++top] = step.variable < kFirstState ? variables[step.variable]
+                     : step.variable < kFirstExtra
+                         ? (place.state != nullptr ? place.state[step.variable - kFirstState] : 0)
+                         : (place.extra != nullptr ? place.extra[step.variable - kFirstExtra] : 0);
     } else if (step.code <= Code::kPower) {
       --top;
       stack[top] = Apply(step.code, stack[top], stack[top + 1]);

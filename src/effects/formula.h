@@ -17,12 +17,31 @@
 #include <array>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/result.h"
 #include "hydraulics/extension.h"
 
 namespace phs::effects {
+
+/// Exponents of m, kg, s, K, A.
+using Dimension = std::array<double, 5>;
+
+/// Dimension of a name's ending: "N_per_m", "m3_per_s", "m_s" (m/s), "Ns_per_m", "V"; "" is a plain
+/// number. Error: an unknown unit.
+Result<Dimension> DimensionOf(const std::string& ending);
+
+/// What the words of a law mean beyond the variables of every formula.
+struct FormulaNames {
+  struct Number {
+    double value = 0;
+    Dimension dimension = {};
+  };
+  std::map<std::string, Number> numbers;
+  /// States of the law and further channels, in the order of ForcePlace::state and ::extra.
+  std::vector<std::pair<std::string, Dimension>> states, extra;
+};
 
 /// What a formula gives.
 enum class FormulaUnit { kForce, kVolume, kFlow, kLength, kPressure };
@@ -36,6 +55,9 @@ class Formula {
   static Result<Formula> Parse(const std::string& text,
                                const std::map<std::string, double>& coefficients,
                                FormulaUnit unit = FormulaUnit::kForce);
+  /// A formula of this dimension (`words`: for people, "force [N]") with further names.
+  static Result<Formula> Parse(const std::string& text, const FormulaNames& names,
+                               const Dimension& whole, const std::string& words);
   double Value(const hydraulics::ForcePlace& place) const noexcept;
   /// Symbol of the first variable that is not among `allowed`; empty if there is none.
   std::string VariableOtherThan(const std::string& allowed) const;

@@ -10,6 +10,7 @@ namespace {
 using hydraulics::EffectInfo;
 using hydraulics::EffectParams;
 using hydraulics::Extension;
+using hydraulics::Places;
 
 Status Install(const EffectParams& effect, Extension* extension) {
   const hydraulics::GasLaw* law =
@@ -54,7 +55,29 @@ const EffectInfo& GasThermalInfo() {
            "time constant of blow-off accumulators over that of reservoirs"},
           {"real_gas", "-", 0, 0, 1, 0, 1, "1: Benedict-Webb-Rubin, 0: ideal gas"},
       },
-      Install};
+      Install,
+      {
+          .rig =
+              {
+                  {.free = {{"thermal_time_s", 0.1, 15, 4}}},
+                  // Accumulators that keep the temperature of the oil.
+                  {.free = {{"thermal_time_s", 0.5, 15, 3}}, .held = {{"accumulator_ratio", 1e-4}}},
+                  {.free = {{"thermal_time_s", 1, 4, 2}, {"heat_capacity_ratio", 10, 50, 2}}},
+                  {.free = {{"thermal_time_s", 3}}, .places = Places::kAlone},
+              },
+          .bogie =
+              {
+                  {.free = {{"thermal_time_s", 3}}},
+              },
+          .options =
+              {
+                  {.free = {{"heat_capacity_ratio", 0.7, 30, 4}}},
+                  {.free = {{"wall_heat_ratio", 0.3}, {"wall_time_s", 20, 100, 2}}},
+                  {.free = {{"density_exponent", 0.3}}},
+                  {.free = {{"rod_ratio", 1}}, .of_sides = true},
+                  {.free = {{"accumulator_ratio", 0.02, 3, 2}}},
+              },
+      }};
   return info;
 }
 

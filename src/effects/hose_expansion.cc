@@ -12,6 +12,7 @@ namespace {
 using hydraulics::EffectInfo;
 using hydraulics::EffectParams;
 using hydraulics::Extension;
+using hydraulics::Places;
 
 /// Integral of a^(e-1) da from a0 to a.
 double PowerIntegral(double a0, double a, double e) {
@@ -110,7 +111,32 @@ const EffectInfo& HoseExpansionInfo() {
           {"rod_ratio", "-", 1, 1e-3, 1e3, 0.2, 5,
            "compliance of rod lines over that of bore lines"},
       },
-      Install};
+      Install,
+      {
+          .rig =
+              {
+                  // One that never stiffens is oil volume, which is free already.
+                  {.free = {{"compliance_m3_per_Pa", 2e-13, 1e-12, 2},
+                            {"stiffening_Pa", 8e6, 5e7, 2}},
+                   .places = Places::kEach,
+                   .amounts = 2},
+                  {.free = {{"creep_m3_per_Pa", 1e-13}, {"creep_time_s", 0.3, 4, 3}},
+                   .held = {{"compliance_m3_per_Pa", 0}}},
+                  {.free = {{"creep_m3_per_Pa", 1e-13}, {"creep_time_s", 1}},
+                   .held = {{"compliance_m3_per_Pa", 0}},
+                   .places = Places::kAlone},
+              },
+          .bogie =
+              {
+                  {.free = {{"compliance_m3_per_Pa", 1e-12}}},
+              },
+          .options =
+              {
+                  {.free = {{"stiffening_order", 4}}},
+                  {.free = {{"creep_m3_per_Pa", 1e-13}, {"creep_time_s", 0.5, 4, 2}}},
+                  {.free = {{"rod_ratio", 1}}, .of_sides = true},
+              },
+      }};
   return info;
 }
 

@@ -13,6 +13,7 @@ using hydraulics::EffectParams;
 using hydraulics::Extension;
 using hydraulics::PipeFlow;
 using hydraulics::Port;
+using hydraulics::Walk;
 
 /// A side with less than this share of the other's has as good as none.
 constexpr double kNone = 0.05;
@@ -48,9 +49,29 @@ const EffectInfo& LineInertanceInfo() {
           {"rod_ratio", "-", 1, 1e-3, 1e3, 0.2, 5,
            "resistance and inertance of the rod side over those of the bore side; below 1/20 and "
            "above 20 one side has none"},
-          {"oil_share", "-", 0.2, 0.02, 0.45, 0.1, 0.4, "share of the line's oil at the chamber"},
+          {"oil_share", "-", 0.2, 0.02, 0.45, 0.1, 0.4, "share of the line's oil at the chamber",
+           true},
       },
-      Install};
+      Install,
+      {
+          .rig =
+              {
+                  // A column that hardly rings down shows close to its own frequency only.
+                  {.free = {{"inertance_kg_per_m4", 1e7, 6e8, 11},
+                            {"laminar_Pas_per_m3", 2e8, 1e10, 11, Walk::kInStep}}},
+                  {.free = {{"inertance_kg_per_m4", 1e7, 5e7, 2},
+                            {"laminar_Pas_per_m3", 2e8, 8e8, 2, Walk::kInStep}},
+                   .held = {{"rod_ratio", 0.02}}},
+                  {.free = {{"inertance_kg_per_m4", 2e5, 1e6, 2},
+                            {"laminar_Pas_per_m3", 4e6, 1.6e7, 2, Walk::kInStep}},
+                   .held = {{"rod_ratio", 50}}},
+              },
+          .options =
+              {
+                  {.free = {{"oil_share", 0.2}}},
+                  {.free = {{"rod_ratio", 0.7, 1.45, 5}}, .of_sides = true},
+              },
+      }};
   return info;
 }
 

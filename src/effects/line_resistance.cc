@@ -41,9 +41,36 @@ const EffectInfo& LineResistanceInfo() {
           {"turbulent_Pas2_per_m6", "Pa s2/m6", 0, 0, 1e20, 0, 1e16, "K"},
           {"rod_ratio", "-", 1, 1e-3, 1e3, 0.02, 50,
            "resistance of the rod side over that of the bore side"},
-          {"oil_share", "-", 0.2, 0.02, 0.45, 0.1, 0.4, "share of the line's oil at the chamber"},
+          {"oil_share", "-", 0.2, 0.02, 0.45, 0.1, 0.4, "share of the line's oil at the chamber",
+           true},
       },
-      Install};
+      Install,
+      {
+          .rig =
+              {
+                  {.free = {{"laminar_Pas_per_m3", 2e8, 2e10, 3}}},
+                  {.free = {{"turbulent_Pas2_per_m6", 1e12, 1e14, 3}},
+                   .held = {{"laminar_Pas_per_m3", 3e7}}},
+                  // In the chamber of one side alone, as good as none in the other.
+                  {.free = {{"laminar_Pas_per_m3", 3e7, 3e8, 2}}, .held = {{"rod_ratio", 50}}},
+                  {.free = {{"laminar_Pas_per_m3", 1e9, 1e10, 2}}, .held = {{"rod_ratio", 0.02}}},
+                  {.free = {{"turbulent_Pas2_per_m6", 4e10, 4e11, 2}},
+                   .held = {{"laminar_Pas_per_m3", 1e6}, {"rod_ratio", 50}}},
+                  {.free = {{"turbulent_Pas2_per_m6", 2e12, 2e13, 2}},
+                   .held = {{"laminar_Pas_per_m3", 3e7}, {"rod_ratio", 0.02}}},
+              },
+          .bogie =
+              {
+                  {.free = {{"laminar_Pas_per_m3", 2e9, 2e10, 2}}},
+              },
+          .options =
+              {
+                  {.free = {{"laminar_Pas_per_m3", 6e7, 3e9, 3}}},
+                  {.free = {{"turbulent_Pas2_per_m6", 1e12, 1e14, 3}}},
+                  {.free = {{"oil_share", 0.2}}},
+                  {.free = {{"rod_ratio", 1}}, .of_sides = true},
+              },
+      }};
   return info;
 }
 

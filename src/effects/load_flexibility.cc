@@ -11,6 +11,7 @@ namespace {
 using hydraulics::EffectInfo;
 using hydraulics::EffectParams;
 using hydraulics::Extension;
+using hydraulics::Walk;
 
 /// d = y - x of the flexible part: d" + 2 zeta w d' + w² d = -x", over samples of constant x".
 class Oscillator {
@@ -80,14 +81,24 @@ Status Install(const EffectParams& effect, Extension* extension) {
 }  // namespace
 
 const EffectInfo& LoadFlexibilityInfo() {
-  static const EffectInfo info = {"load_flexibility",
-                                  "element",
-                                  "",
-                                  "part of the mass behind a spring",
-                                  {{"mass_kg", "kg", 1, 1e-9, 1e6, 1e-3, 1e4, "m_f"},
-                                   {"frequency_Hz", "Hz", 20, 1e-3, 1e6, 0.5, 1e3, "f"},
-                                   {"damping_ratio", "-", 0.05, 0, 10, 2e-3, 1, "zeta"}},
-                                  Install};
+  static const EffectInfo info = {
+      "load_flexibility",
+      "element",
+      "",
+      "part of the mass behind a spring",
+      {{"mass_kg", "kg", 1, 1e-9, 1e6, 1e-3, 1e4, "m_f"},
+       {"frequency_Hz", "Hz", 20, 1e-3, 1e6, 0.5, 1e3, "f"},
+       {"damping_ratio", "-", 0.05, 0, 10, 2e-3, 1, "zeta"}},
+      Install,
+      {
+          .bench =
+              {
+                  {.free = {{"mass_kg", 0.1, 0, 1, Walk::kEach, 1e-4, 2},
+                            {"frequency_Hz", 8, 60, 3, Walk::kEach, 1, 400, true},
+                            {"damping_ratio", 0.05, 0.3, 2, Walk::kEach, 2e-3, 2, true}},
+                   .needs = {"element.mass"}},
+              },
+      }};
   return info;
 }
 

@@ -11,6 +11,7 @@ namespace {
 using hydraulics::EffectInfo;
 using hydraulics::EffectParams;
 using hydraulics::Extension;
+using hydraulics::Walk;
 
 class Spring final : public hydraulics::MountLaw {
  public:
@@ -49,7 +50,26 @@ const EffectInfo& MountComplianceInfo() {
           {"hardening_1_per_m2", "1/m2", 0, 0, 1e14, 0, 1e12, "b"},
           {"tension_ratio", "-", 1, 1e-2, 1e2, 0.3, 3, "r"},
       },
-      Install};
+      Install,
+      {
+          .rig =
+              {
+                  {.free = {{"stiffness_N_per_m", 2e7, 5e9, 5}}},
+              },
+          .bench =
+              {
+                  {.free = {{"stiffness_N_per_m", 20, 500, 2, Walk::kEach, 2, 1e5}}},
+              },
+          .bogie =
+              {
+                  {.free = {{"stiffness_N_per_m", 3e7, 2e8, 2}}},
+              },
+          .options =
+              {
+                  {.free = {{"hardening_1_per_m2", 1e5, 3e9, 4}}},
+                  {.free = {{"tension_ratio", 1}}},
+              },
+      }};
   return info;
 }
 

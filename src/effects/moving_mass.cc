@@ -8,6 +8,7 @@ namespace {
 using hydraulics::EffectInfo;
 using hydraulics::EffectParams;
 using hydraulics::Extension;
+using hydraulics::Walk;
 
 class MovingMass final : public hydraulics::LoadLaw {
  public:
@@ -33,12 +34,24 @@ Status Install(const EffectParams& effect, Extension* extension) {
 }  // namespace
 
 const EffectInfo& MovingMassInfo() {
-  static const EffectInfo info = {"moving_mass",
-                                  "element",
-                                  "",
-                                  "force m a beyond the declared mass, at the load cell",
-                                  {{"mass_kg", "kg", 1, 0, 1e6, 0, 4e3, "m"}},
-                                  Install};
+  static const EffectInfo info = {
+      "moving_mass",
+      "element",
+      "",
+      "force m a beyond the declared mass, at the load cell",
+      {{"mass_kg", "kg", 1, 0, 1e6, 0, 4e3, "m"}},
+      Install,
+      {
+          .rig =
+              {
+                  {.free = {{"mass_kg", 30, 300, 2}}},
+              },
+          .bench =
+              {
+                  {.free = {{"mass_kg", 0.05, 0, 1, Walk::kEach, 0, 20}},
+                   .beside = {"element.mass"}},
+              },
+      }};
   return info;
 }
 

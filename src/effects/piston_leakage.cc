@@ -12,6 +12,7 @@ using hydraulics::EffectInfo;
 using hydraulics::EffectParams;
 using hydraulics::Extension;
 using hydraulics::GapFlow;
+using hydraulics::Places;
 using hydraulics::Port;
 
 Status Install(const EffectParams& effect, Extension* extension) {
@@ -42,7 +43,32 @@ const EffectInfo& PistonLeakageInfo() {
            "conductance from rod to bore over that from bore to rod: a lip lifts one way"},
           {"start_s", "s", -1e12, -1e12, 1e12, 0, 1e6, "the seal fails at this time"},
       },
-      Install};
+      Install,
+      {
+          .rig =
+              {
+                  {.free = {{"conductance_m3_per_Pas", 1e-16, 1e-13, 4}}, .places = Places::kEach},
+                  {.free = {{"conductance_m3_per_Pas", 3e-16, 1e-14, 2}},
+                   .held = {{"exponent", 0.5}},
+                   .places = Places::kEach},
+                  {.free = {{"conductance_m3_per_Pas", 1e-15, 1e-14, 2}},
+                   .held = {{"return_ratio", 0.02}},
+                   .places = Places::kEach},
+                  {.free = {{"conductance_m3_per_Pas", 2e-17, 2e-16, 2}},
+                   .held = {{"return_ratio", 50}},
+                   .places = Places::kEach},
+              },
+          .bogie =
+              {
+                  {.free = {{"conductance_m3_per_Pas", 1e-13, 3e-12, 2}}},
+              },
+          .options =
+              {
+                  {.free = {{"exponent", 0.6, 1.6, 2}}},
+                  {.free = {{"return_ratio", 0.3, 3, 2}}},
+                  {.free = {{"start_s", 15, 60, 3}}},
+              },
+      }};
   return info;
 }
 

@@ -14,6 +14,7 @@ using hydraulics::EffectParams;
 using hydraulics::Extension;
 using hydraulics::LevelParts;
 using hydraulics::LevelPlace;
+using hydraulics::Walk;
 
 class PositionLevel final : public hydraulics::LevelLaw {
  public:
@@ -71,7 +72,39 @@ const EffectInfo& PositionFrictionInfo() {
           {"wave_cosine", "-", 0, -1, 1, -0.9, 0.9, "of the wave"},
           {"wave_length_m", "m", 1e-3, 1e-6, 1, 2e-4, 0.02, "period"},
       },
-      Install};
+      Install,
+      {
+          .rig =
+              {
+                  {.free = {{"slope_1_per_m", 0}}},
+                  {.free = {{"spot_share", 0.1},
+                            {"spot_centre_m", -1.5e-3, 1.5e-3, 4},
+                            {"spot_width_m", 1e-3}},
+                   .held = {{"slope_1_per_m", 0}}},
+                  {.free = {{"spot_share", 0.1},
+                            {"spot_centre_m", -6e-3, 6e-3, 3},
+                            {"spot_width_m", 3e-3}},
+                   .held = {{"slope_1_per_m", 0}}},
+                  {.free = {{"wave_sine", 0}, {"wave_cosine", 0}, {"wave_length_m", 8e-4, 6e-3, 7}},
+                   .held = {{"slope_1_per_m", 0}},
+                   .amounts = 2},
+                  {.free = {{"slope_1_per_m", 0}, {"curvature_1_per_m2", 0}}},
+              },
+          .bench =
+              {
+                  {.free = {{"slope_1_per_m", 0, 0, 1, Walk::kEach, -1, 1}}},
+                  {.free = {{"slope_1_per_m", 0, 0, 1, Walk::kEach, -1, 1},
+                            {"curvature_1_per_m2", 0, 0, 1, Walk::kEach, -1, 5}}},
+              },
+          .bogie =
+              {
+                  {.free = {{"slope_1_per_m", 0}}},
+              },
+          .options =
+              {
+                  {.free = {{"slope_1_per_m", 0}}},
+              },
+      }};
   return info;
 }
 

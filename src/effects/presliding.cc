@@ -12,6 +12,7 @@ namespace {
 using hydraulics::EffectInfo;
 using hydraulics::EffectParams;
 using hydraulics::Extension;
+using hydraulics::Walk;
 
 class Bristle : public hydraulics::BristleLaw {
  public:
@@ -88,7 +89,27 @@ const EffectInfo& PreslidingInfo() {
           {"exponent", "-", 1, 0.05, 10, 0.3, 4, "i of the creeping bristle (Dahl)"},
           {"share", "-", 1, 0.01, 1, 0.02, 1, "of the level that sticks; the rest slides at once"},
       },
-      Install};
+      Install,
+      {
+          .rig =
+              {
+                  {.free = {{"stiffness_N_per_m", 6e6, 1e8, 3}, {"breakaway_ratio", 0.5}}},
+                  {.free = {{"stiffness_N_per_m", 1e7, 1.5e8, 3}, {"exponent", 1, 2, 2}},
+                   .held = {{"creeping", 1}, {"breakaway_ratio", 0}}},
+                  {.free = {{"stiffness_N_per_m", 6e6, 1e8, 3}, {"share", 0.2}},
+                   .held = {{"breakaway_ratio", 0.5}}},
+              },
+          .bench =
+              {
+                  {.free = {{"stiffness_N_per_m", 10, 1e4, 4, Walk::kEach, 2, 1e6}},
+                   .held = {{"breakaway_ratio", 0.5}},
+                   .of_static_friction = true},
+              },
+          .options =
+              {
+                  {.free = {{"share", 0.7}}},
+              },
+      }};
   return info;
 }
 

@@ -10,6 +10,7 @@ namespace {
 using hydraulics::EffectInfo;
 using hydraulics::EffectParams;
 using hydraulics::Extension;
+using hydraulics::Walk;
 
 class PressedArea final : public hydraulics::LoadLaw {
  public:
@@ -37,7 +38,15 @@ const EffectInfo& PressureAreaInfo() {
                                   "",
                                   "force A p of the pressure channel",
                                   {{"area_m2", "m2", 1e-4, -10, 10, -0.1, 0.1, "A"}},
-                                  Install};
+                                  Install,
+                                  {
+                                      .bench =
+                                          {
+                                              {.free = {{"area_m2", 0, 0, 1, Walk::kEach, -50, 50}},
+                                               .needs = {"p_Pa"},
+                                               .beside = {"element.pressure_area"}},
+                                          },
+                                  }};
   return info;
 }
 

@@ -13,6 +13,7 @@ using hydraulics::EffectParams;
 using hydraulics::Extension;
 using hydraulics::LevelParts;
 using hydraulics::LevelPlace;
+using hydraulics::Walk;
 
 class PressedSeal final : public hydraulics::LevelLaw {
  public:
@@ -61,7 +62,32 @@ const EffectInfo& PressureFrictionInfo() {
           {"difference_N_per_Pa", "N/Pa", 0, -1, 1, 0, 1e-2, "k_d"},
           {"retraction_ratio", "-", 1, 0, 1e3, 0.05, 20, "of these terms, in retraction"},
       },
-      Install};
+      Install,
+      {
+          .rig =
+              {
+                  {.free = {{"bore_N_per_Pa", 2e-5}}, .held = {{"rod_N_per_Pa", 0}}},
+                  {.free = {{"rod_N_per_Pa", 2e-5}}, .held = {{"bore_N_per_Pa", 0}}},
+                  {.free = {{"bore_N_per_Pa", 2e-5}, {"rod_N_per_Pa", 2e-5}}, .amounts = 2},
+                  {.free = {{"difference_N_per_Pa", 2e-5}},
+                   .held = {{"bore_N_per_Pa", 0}, {"rod_N_per_Pa", 0}}},
+              },
+          .bench =
+              {
+                  {.free = {{"bore_N_per_Pa", 0.1, 0, 1, Walk::kEach, -1, 20}},
+                   .held = {{"rod_N_per_Pa", 0}},
+                   .needs = {"p_Pa"}},
+              },
+          .bogie =
+              {
+                  {.free = {{"bore_N_per_Pa", 2e-5}, {"rod_N_per_Pa", 2e-5}}, .amounts = 2},
+              },
+          .options =
+              {
+                  {.free = {{"difference_N_per_Pa", 0}}},
+                  {.free = {{"retraction_ratio", 1}}},
+              },
+      }};
   return info;
 }
 

@@ -9,6 +9,7 @@ using hydraulics::EffectInfo;
 using hydraulics::EffectParams;
 using hydraulics::Extension;
 using hydraulics::Sensor;
+using hydraulics::Walk;
 
 class Delay final : public hydraulics::ReadingLaw {
  public:
@@ -46,17 +47,33 @@ Status Install(const EffectParams& effect, Extension* extension) {
 }  // namespace
 
 const EffectInfo& SensorDelayInfo() {
-  static const EffectInfo info = {"sensor_delay",
-                                  "instrument",
-                                  "cylinders",
-                                  "shown(t) = true(t - delay)",
-                                  {
-                                      {"load_s", "s", 0, 0, 100, 0, 0.2, "load cell"},
-                                      {"p_bore_s", "s", 0, 0, 100, 0, 0.2, "bore pressure"},
-                                      {"p_rod_s", "s", 0, 0, 100, 0, 0.2, "rod pressure"},
-                                      {"piston_s", "s", 0, 0, 100, 0, 0.2, "piston"},
-                                  },
-                                  Install};
+  static const EffectInfo info = {
+      "sensor_delay",
+      "instrument",
+      "cylinders",
+      "shown(t) = true(t - delay)",
+      {
+          {"load_s", "s", 0, 0, 100, 0, 0.2, "load cell"},
+          {"p_bore_s", "s", 0, 0, 100, 0, 0.2, "bore pressure"},
+          {"p_rod_s", "s", 0, 0, 100, 0, 0.2, "rod pressure"},
+          {"piston_s", "s", 0, 0, 100, 0, 0.2, "piston"},
+      },
+      Install,
+      {
+          .rig =
+              {
+                  {.free = {{"load_s", 2e-3, 0.02, 2}}},
+                  {.free = {{"p_bore_s", 2e-3, 0.02, 2}}},
+                  {.free = {{"p_rod_s", 2e-3, 0.02, 2}}},
+                  {.free = {{"p_bore_s", 2e-3, 0.02, 2},
+                            {"p_rod_s", 2e-3, 0.02, 2, Walk::kInStep}}},
+                  {.free = {{"piston_s", 2e-3, 0.02, 2}}},
+              },
+          .bench =
+              {
+                  {.free = {{"load_s", 1e-3, 0.01, 2, Walk::kEach, 0, 0.2, true}}},
+              },
+      }};
   return info;
 }
 

@@ -15,6 +15,7 @@ using hydraulics::EffectParams;
 using hydraulics::Extension;
 using hydraulics::ForcePlace;
 using hydraulics::Sensor;
+using hydraulics::Walk;
 
 class Drift final : public hydraulics::ReadingLaw {
  public:
@@ -94,7 +95,35 @@ const EffectInfo& SensorDriftInfo() {
           {"settling_s", "s", 0, 0, 1e9, 0.3, 1e4, "T; 0 = never settles"},
           {"start_s", "s", 0, -1e12, 1e12, 0, 1e6, "the drift begins at this time"},
       },
-      Install};
+      Install,
+      {
+          .rig =
+              {
+                  {.free = {{"load_N_per_s", 0}}},
+                  {.free = {{"p_bore_Pa_per_s", 0}}},
+                  {.free = {{"p_rod_Pa_per_s", 0}}},
+                  {.free = {{"piston_m_per_s", 0}}},
+                  {.free = {{"load_N_per_s", 0.1}, {"settling_s", 30}}},
+                  {.free = {{"p_bore_Pa_per_s", 100}, {"settling_s", 30}}},
+                  {.free = {{"p_rod_Pa_per_s", 100}, {"settling_s", 30}}},
+                  {.free = {{"piston_m_per_s", 1e-8}, {"settling_s", 30}}},
+                  {.free = {{"load_N_per_s", 0.1}, {"settling_s", 5}, {"start_s", 12, 60, 4}}},
+                  {.free = {{"p_bore_Pa_per_s", 100}, {"settling_s", 5}, {"start_s", 12, 60, 4}}},
+                  {.free = {{"p_rod_Pa_per_s", 100}, {"settling_s", 5}, {"start_s", 12, 60, 4}}},
+                  {.free = {{"load_sine_N", 0}, {"load_cosine_N", 0}, {"period_s", 40, 160, 3}},
+                   .amounts = 2},
+                  {.free = {{"p_bore_sine_Pa", 0},
+                            {"p_bore_cosine_Pa", 0},
+                            {"period_s", 40, 160, 3}},
+                   .amounts = 2},
+                  {.free = {{"p_rod_sine_Pa", 0}, {"p_rod_cosine_Pa", 0}, {"period_s", 40, 160, 3}},
+                   .amounts = 2},
+              },
+          .bench =
+              {
+                  {.free = {{"load_N_per_s", 0, 0, 1, Walk::kEach, -1000, 1000}}},
+              },
+      }};
   return info;
 }
 

@@ -42,7 +42,22 @@ const EffectInfo& SensorGainInfo() {
                                       {"p_rod", "-", 1, -100, 100, 0.8, 1.2, "rod pressure"},
                                       {"piston", "-", 1, -100, 100, 0.8, 1.2, "piston"},
                                   },
-                                  Install};
+                                  Install,
+                                  {
+                                      .rig =
+                                          {
+                                              {.free = {{"load", 1}}},
+                                              {.free = {{"p_bore", 1}}},
+                                              {.free = {{"p_rod", 1}}},
+                                              {.free = {{"piston", 1}}},
+                                              {.free = {{"p_bore", 1}, {"p_rod", 1}}},
+                                          },
+                                      .options =
+                                          {
+                                              {.free = {{"p_bore", 1}}},
+                                              {.free = {{"p_rod", 1}}},
+                                          },
+                                  }};
   return info;
 }
 

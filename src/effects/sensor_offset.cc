@@ -42,7 +42,23 @@ const EffectInfo& SensorOffsetInfo() {
                                       {"p_rod_Pa", "Pa", 0, -1e8, 1e8, -5e5, 5e5, "rod pressure"},
                                       {"piston_m", "m", 0, -1, 1, -1e-3, 1e-3, "piston"},
                                   },
-                                  Install};
+                                  Install,
+                                  {
+                                      .rig =
+                                          {
+                                              {.free = {{"load_N", 0}}},
+                                              {.free = {{"p_bore_Pa", 0}}},
+                                              {.free = {{"p_rod_Pa", 0}}},
+                                              {.free = {{"piston_m", 0}}},
+                                              {.free = {{"p_bore_Pa", 0}, {"p_rod_Pa", 0}}},
+                                          },
+                                      .options =
+                                          {
+                                              {.free = {{"p_bore_Pa", 0}}},
+                                              {.free = {{"p_rod_Pa", 0}}},
+                                              {.free = {{"load_N", 0}}},
+                                          },
+                                  }};
   return info;
 }
 

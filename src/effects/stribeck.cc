@@ -13,6 +13,7 @@ using hydraulics::EffectParams;
 using hydraulics::Extension;
 using hydraulics::LevelParts;
 using hydraulics::LevelPlace;
+using hydraulics::Walk;
 
 class Stribeck final : public hydraulics::LevelLaw {
  public:
@@ -39,16 +40,39 @@ Status Install(const EffectParams& effect, Extension* extension) {
 }  // namespace
 
 const EffectInfo& StribeckInfo() {
-  static const EffectInfo info = {"stribeck",
-                                  "friction",
-                                  "cylinders",
-                                  "level + F_s exp(-(|v|/v_s)^n)",
-                                  {
-                                      {"extra_N", "N", 400, -1e5, 1e6, 0, 3000, "F_s"},
-                                      {"speed_m_s", "m/s", 2e-3, 1e-7, 10, 1e-4, 0.05, "v_s"},
-                                      {"exponent", "-", 1, 0.1, 10, 0.5, 3, "n"},
-                                  },
-                                  Install};
+  static const EffectInfo info = {
+      "stribeck",
+      "friction",
+      "cylinders",
+      "level + F_s exp(-(|v|/v_s)^n)",
+      {
+          {"extra_N", "N", 400, -1e5, 1e6, 0, 3000, "F_s"},
+          {"speed_m_s", "m/s", 2e-3, 1e-7, 10, 1e-4, 0.05, "v_s"},
+          {"exponent", "-", 1, 0.1, 10, 0.5, 3, "n"},
+      },
+      Install,
+      {
+          .rig =
+              {
+                  {.free = {{"extra_N", 200}, {"speed_m_s", 5e-4, 0.01, 3}}},
+                  {.free = {{"extra_N", 200}, {"speed_m_s", 1e-3, 4e-3, 2}},
+                   .held = {{"exponent", 2}}},
+              },
+          .bench =
+              {
+                  {.free = {{"extra_N", 0.2, 0, 1, Walk::kEach, 0, 5},
+                            {"speed_m_s", 0.01, 0.3, 3, Walk::kEach, 1e-3, 1}},
+                   .beside = {"friction.breakaway"}},
+              },
+          .bogie =
+              {
+                  {.free = {{"extra_N", 200}, {"speed_m_s", 3e-3}}},
+              },
+          .options =
+              {
+                  {.free = {{"exponent", 1.5}}},
+              },
+      }};
   return info;
 }
 

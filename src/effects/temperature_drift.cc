@@ -13,6 +13,7 @@ namespace {
 using hydraulics::EffectInfo;
 using hydraulics::EffectParams;
 using hydraulics::Extension;
+using hydraulics::Walk;
 
 class Ramp final : public hydraulics::AmbientLaw {
  public:
@@ -75,7 +76,23 @@ const EffectInfo& TemperatureDriftInfo() {
           {"rod_ratio", "-", 1, 1e-3, 1e3, 0.2, 5,
            "expansion of the oil of rod lines over that of bore lines"},
       },
-      Install};
+      Install,
+      {
+          .rig =
+              {
+                  {.free = {{"rate_K_per_s", 0.04, 2e-3, 2, Walk::kEitherWay},
+                            {"settling_s", 50, 1000, 2, Walk::kInStep}}},
+                  {.free = {{"amplitude_K", 1}, {"period_s", 70, 300, 4}},
+                   .held = {{"rate_K_per_s", 0}}},
+              },
+          .options =
+              {
+                  {.free = {{"expansion_1_per_K", 4e-4}}},
+                  {.free = {{"softening_1_per_K", 4e-3}}},
+                  {.free = {{"rod_ratio", 1}}, .of_sides = true},
+                  {.free = {{"start_s", 15, 60, 3}}, .without = "period_s"},
+              },
+      }};
   return info;
 }
 

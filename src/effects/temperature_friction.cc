@@ -13,6 +13,7 @@ using hydraulics::EffectParams;
 using hydraulics::Extension;
 using hydraulics::LevelParts;
 using hydraulics::LevelPlace;
+using hydraulics::Walk;
 
 class WarmLevel final : public hydraulics::LevelLaw {
  public:
@@ -35,12 +36,20 @@ Status Install(const EffectParams& effect, Extension* extension) {
 }  // namespace
 
 const EffectInfo& TemperatureFrictionInfo() {
-  static const EffectInfo info = {"temperature_friction",
-                                  "friction",
-                                  "cylinders",
-                                  "level (1 - slope (T - T_static))",
-                                  {{"slope_1_per_K", "1/K", 0.01, -1, 1, -0.1, 0.1, "slope"}},
-                                  Install};
+  static const EffectInfo info = {
+      "temperature_friction",
+      "friction",
+      "cylinders",
+      "level (1 - slope (T - T_static))",
+      {{"slope_1_per_K", "1/K", 0.01, -1, 1, -0.1, 0.1, "slope"}},
+      Install,
+      {
+          .bench =
+              {
+                  {.free = {{"slope_1_per_K", 0, 0, 1, Walk::kEach, -2, 2}},
+                   .needs = {"temperature_K"}},
+              },
+      }};
   return info;
 }
 

@@ -11,6 +11,7 @@ namespace {
 using hydraulics::EffectInfo;
 using hydraulics::EffectParams;
 using hydraulics::Extension;
+using hydraulics::Walk;
 
 Status Install(const EffectParams& effect, Extension* extension) {
   for (int i : TargetCylinders(effect, extension->params())) {
@@ -45,7 +46,38 @@ const EffectInfo& ViscousFrictionInfo() {
           {"retraction_Ns_per_m", "N s/m", 5000, 0, 1e8, 0, 1e6, "c for v < 0"},
           {"exponent", "-", 1, 0.2, 4, 0.4, 2.5, "n"},
       },
-      Install};
+      Install,
+      {
+          .rig =
+              {
+                  {.free = {{"extension_Ns_per_m", 1000, 2e4, 2},
+                            {"retraction_Ns_per_m", 1000, 2e4, 2, Walk::kInStep}},
+                   .amounts = 2},
+                  {.free = {{"extension_Ns_per_m", 3000}, {"retraction_Ns_per_m", 3000}},
+                   .held = {{"exponent", 2}},
+                   .amounts = 2},
+                  {.free = {{"extension_Ns_per_m", 1e4}, {"retraction_Ns_per_m", 1e4}},
+                   .held = {{"exponent", 0.65}},
+                   .amounts = 2},
+              },
+          .bench =
+              {
+                  {.free = {{"extension_Ns_per_m", 0.1, 0, 1, Walk::kEach, 0, 50},
+                            {"retraction_Ns_per_m", 0.1, 0, 1, Walk::kEach, 0, 50}},
+                   .amounts = 2,
+                   .beside = {"friction.viscous"}},
+              },
+          .bogie =
+              {
+                  {.free = {{"extension_Ns_per_m", 5000, 5e4, 2},
+                            {"retraction_Ns_per_m", 5000, 5e4, 2, Walk::kInStep}},
+                   .amounts = 2},
+              },
+          .options =
+              {
+                  {.free = {{"exponent", 0.7, 1.6, 2}}},
+              },
+      }};
   return info;
 }
 

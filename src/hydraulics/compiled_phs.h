@@ -48,6 +48,7 @@ struct Path {
 struct Instant {
   double time = 0;               ///< [s]
   double ambient = 0;            ///< [K]
+  double extra[kMaxExtra];       ///< further channels, where there are some
   double piston[kMaxCylinders];  ///< y [m]
   double pushed[kMaxNodes];      ///< D [m3]
   NodeState node[kMaxNodes];
@@ -62,12 +63,15 @@ struct CompiledPhs {
   std::vector<std::unique_ptr<VolumeLaw>> volume_laws;
   std::vector<std::unique_ptr<const AmbientLaw>> ambient;
   LoadLaws loads;
+  std::shared_ptr<const ExtraSeries> extra;  ///< null: none
   int first_slow = 0;  ///< states below: friction and mounting; from here: hydraulic
   bool friction_needs_pressure = false;
   bool has_mounts = false;
 
   int num_states() const { return static_cast<int>(state_names.size()); }
   double Ambient(double time) const;
+  /// Time, warmth and further channels.
+  void SetTime(double time, Instant* at) const;
   double Pressure(const Instant& at, int node) const {
     return node == kOpen ? kAtmosphere : at.node[node].p;
   }

@@ -14,10 +14,33 @@ const EffectInfo* EffectTable::Find(const std::string& name) const {
   return nullptr;
 }
 
+const EffectInfo* EffectTable::FindFor(const EffectParams& effect) const {
+  const EffectInfo* listed = Find(effect.name);
+  return listed == nullptr && !effect.formula.empty() ? own() : listed;
+}
+
+namespace {
+
+Status CheckTargets(const PhsParams& params, const EffectParams& effect, const EffectInfo& info) {
+  for (const std::string& target : effect.targets) {
+    const bool known =
+        (info.targets.starts_with("cylinders") && params.FindCylinder(target) >= 0) ||
+        (info.targets.ends_with("lines") && params.FindLine(target) >= 0);
+    if (known) continue;
+    return Error{"effects." + effect.name + ".targets",
+                 "\"" + target + "\" is none of the model's " +
+                     (info.targets.empty() ? "targets: this effect has none" : info.targets),
+                 ""};
+  }
+  return {};
+}
+
+}  // namespace
+
 Result<EffectParams> CompleteEffect(const PhsParams& params, const EffectParams& effect,
                                     const EffectTable& table) {
   const std::string where = "effects." + effect.name;
-  const EffectInfo* info = table.Find(effect.name);
+  const EffectInfo* info = table.FindFor(effect);
   if (info == nullptr) {
     std::vector<std::string> names;
     for (const EffectInfo& known : table.effects()) names.push_back(known.name);
@@ -26,6 +49,10 @@ Result<EffectParams> CompleteEffect(const PhsParams& params, const EffectParams&
     for (const std::string& n : names) all += (all.empty() ? "" : ", ") + n;
     return Error{where, "no such effect", all,
                  nearest.empty() ? "" : "did you mean " + nearest + "?"};
+  }
+  if (info == table.own()) {  // its numbers are what its formula names: checked there
+    if (Status s = CheckTargets(params, effect, *info); !s.ok()) return s.error();
+    return effect;
   }
   EffectParams full = effect;
   full.values.clear();
@@ -53,17 +80,7 @@ Result<EffectParams> CompleteEffect(const PhsParams& params, const EffectParams&
     return Error{where + "." + p.name, std::to_string(value) + " is out of range",
                  Range{.min = p.min, .max = p.max}.Text()};
   }
-  for (const std::string& target : full.targets) {
-    const bool known =
-        (info->targets.starts_with("cylinders") && params.FindCylinder(target) >= 0) ||
-        (info->targets.ends_with("lines") && params.FindLine(target) >= 0);
-    if (!known) {
-      return Error{where + ".targets",
-                   "\"" + target + "\" is none of the model's " +
-                       (info->targets.empty() ? "targets: this effect has none" : info->targets),
-                   ""};
-    }
-  }
+  if (Status s = CheckTargets(params, full, *info); !s.ok()) return s.error();
   return full;
 }
 

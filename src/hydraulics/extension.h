@@ -17,6 +17,8 @@
 #include <vector>
 
 #include "base/result.h"
+#include "hydraulics/effect_forms.h"
+#include "hydraulics/extra_series.h"
 #include "hydraulics/friction_laws.h"
 #include "hydraulics/load_law.h"
 #include "hydraulics/mount_law.h"
@@ -34,6 +36,8 @@ class Extension {
  public:
   virtual ~Extension() = default;
   virtual const PhsParams& params() const = 0;
+  /// Further channels that the run brings, in their order.
+  virtual std::vector<std::string> extra_names() const { return {}; }
   virtual void AddVolume(int line, std::unique_ptr<VolumeLaw> law) = 0;
   /// Between two ports of a cylinder (kBore, kRod of `cylinder`), a line (`line`) or atmosphere.
   virtual void AddFlow(Port from, Port to, int cylinder, int line, const std::string& name,
@@ -64,6 +68,7 @@ struct EffectParameter {
   double min, max;   ///< allowed
   double low, high;  ///< plausible
   std::string text;
+  bool by_factors = false;  ///< fitted as its logarithm, however short its range
 };
 
 /// One row of the catalogue.
@@ -75,6 +80,7 @@ struct EffectInfo {
   std::vector<EffectParameter> parameters;
   /// Adds the law. `value(name)` of every parameter is in `values`, defaults filled in.
   Status (*install)(const EffectParams& effect, Extension* extension);
+  EffectSearch search = {};  ///< how it is looked for in data
   bool has_formula = false;  ///< needs EffectParams::formula
 };
 
@@ -83,7 +89,11 @@ class EffectTable {
  public:
   virtual ~EffectTable() = default;
   virtual const std::vector<EffectInfo>& effects() const = 0;
+  /// Row of laws that a model brings with it (effects/own_law.h), under a name of its own.
+  virtual const EffectInfo* own() const { return nullptr; }
   const EffectInfo* Find(const std::string& name) const;
+  /// The row of an effect of a model: by its name, or own() if it brings a formula; null: none.
+  const EffectInfo* FindFor(const EffectParams& effect) const;
 };
 
 }  // namespace phs::hydraulics

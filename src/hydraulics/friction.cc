@@ -48,11 +48,15 @@ Friction::Friction(const FrictionParams& params, FrictionLaws laws)
     depends_on_pressure_ |= law->DependsOnPressure();
     const bool remembers = !law->MemoryName().empty();
     memory_of_.push_back(remembers ? num_memories() : -1);
-    if (remembers) with_memory_.push_back(law.get());
+    if (!remembers) continue;
+    with_memory_.push_back(law.get());
+    memory_names_.push_back(law->MemoryName());
   }
   for (const auto& law : laws_.forces) {
     depends_on_pressure_ |= !law->OfSpeedAlone();
     needs_direction_ |= !law->OfSpeedAlone();
+    state_of_.push_back(num_memories());
+    for (std::string& name : law->StateNames()) memory_names_.push_back(std::move(name));
   }
 }
 
@@ -129,17 +133,51 @@ double Friction::Direction(double v, double z, const FrictionPlace& place) const
   return level > 0 ? std::clamp(sigma0_ * z / level, -1.0, 1.0) : 0;
 }
 
-double Friction::ForceBeside(double v, double z, const FrictionPlace& place) const {
+ForcePlace Friction::PlaceOfForces(double v, double z, const FrictionPlace& place) const {
   ForcePlace at{.time = place.time,
                 .piston = place.piston,
                 .speed = v,
                 .bore_rise = place.bore_rise,
                 .rod_rise = place.rod_rise,
-                .temperature = place.warmer};
+                .temperature = place.warmer,
+                .extra = place.extra};
   if (needs_direction_) at.direction = Direction(v, z, place);
+  return at;
+}
+
+double Friction::ForceBeside(double v, double z, const FrictionPlace& place) const {
+  ForcePlace at = PlaceOfForces(v, z, place);
   double sum = 0;
-  for (const auto& law : laws_.forces) sum += law->Force(at);
+  for (size_t i = 0; i < laws_.forces.size(); ++i) {
+    if (place.memory != nullptr) at.state = place.memory + state_of_[i];
+    sum += laws_.forces[i]->Force(at);
+  }
   return sum;
+}
+
+void Friction::CalcMemoryRates(double v, double z, const FrictionPlace& place, double* rate) const {
+  for (size_t k = 0; k < with_memory_.size(); ++k) {
+    rate[k] = with_memory_[k]->MemoryRate(v, place.memory[k]);
+  }
+  if (with_memory_.size() == memory_names_.size()) return;
+  ForcePlace at = PlaceOfForces(v, z, place);
+  for (size_t i = 0; i < laws_.forces.size(); ++i) {
+    at.state = place.memory + state_of_[i];
+    laws_.forces[i]->CalcRates(at, rate + state_of_[i]);
+  }
+}
+
+void Friction::AdvanceMemories(double h, double v, double z, const FrictionPlace& place,
+                               double* memory) const {
+  if (with_memory_.size() < memory_names_.size()) {
+    const ForcePlace at = PlaceOfForces(v, z, place);
+    for (size_t i = 0; i < laws_.forces.size(); ++i) {
+      laws_.forces[i]->Advance(h, at, memory + state_of_[i]);
+    }
+  }
+  for (size_t k = 0; k < with_memory_.size(); ++k) {
+    memory[k] = with_memory_[k]->AdvanceMemory(h, v, memory[k]);
+  }
 }
 
 double Friction::Advance(double h, double v, double z, const FrictionPlace& place) const {

@@ -50,27 +50,28 @@ class Friction {
   double Advance(double h, double v, double z, const FrictionPlace& place) const;
   double Energy(double z) const { return 0.5 * sigma0_ * z * z; }
 
-  /// Memories of the level laws, in their order.
-  int num_memories() const { return static_cast<int>(with_memory_.size()); }
-  std::string MemoryName(int k) const { return with_memory_[k]->MemoryName(); }
-  double MemoryRate(int k, double v, double memory) const {
-    return with_memory_[k]->MemoryRate(v, memory);
-  }
-  /// After h seconds at constant v.
-  double AdvanceMemory(int k, double h, double v, double memory) const {
-    return with_memory_[k]->AdvanceMemory(h, v, memory);
-  }
+  /// Memories of the level laws and states of the forces beside, in their order.
+  int num_memories() const { return static_cast<int>(memory_names_.size()); }
+  const std::string& MemoryName(int k) const { return memory_names_[static_cast<size_t>(k)]; }
+  /// Their rates; `place` holds them.
+  void CalcMemoryRates(double v, double z, const FrictionPlace& place, double* rate) const;
+  /// After h seconds at constant v; `memory` may be that of `place`.
+  void AdvanceMemories(double h, double v, double z, const FrictionPlace& place,
+                       double* memory) const;
 
  private:
   double Curve(int side, double speed) const;
   double Yield(double along, double z_s) const;
   double ForceBeside(double v, double z, const FrictionPlace& place) const;
+  ForcePlace PlaceOfForces(double v, double z, const FrictionPlace& place) const;
 
   FrictionModel model_ = FrictionModel::kNone;
   FrictionCurve curve_ = FrictionCurve::kTable;
   FrictionLaws laws_;
   std::vector<const LevelLaw*> with_memory_;
   std::vector<int> memory_of_;  ///< of each level law; -1 = none
+  std::vector<int> state_of_;   ///< first of each force
+  std::vector<std::string> memory_names_;
   bool depends_on_pressure_ = false, needs_direction_ = false;
   double scale_ = 1;
   // Branch 0: extension, 1: retraction; speeds rising from the first point beside zero.

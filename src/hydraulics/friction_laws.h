@@ -14,12 +14,14 @@ namespace phs::hydraulics {
 
 /// What a friction level may depend on beside speed.
 struct FrictionPlace {
-  double bore_rise = 0;            ///< p_bore above static [Pa]
-  double rod_rise = 0;             ///< p_rod above static [Pa]
-  double piston = 0;               ///< y [m]
-  double time = 0;                 ///< [s]
-  double warmer = 0;               ///< temperature above the model's [K]
-  const double* memory = nullptr;  ///< of the level laws that have one, in their order; null: 0
+  double bore_rise = 0;  ///< p_bore above static [Pa]
+  double rod_rise = 0;   ///< p_rod above static [Pa]
+  double piston = 0;     ///< y [m]
+  double time = 0;       ///< [s]
+  double warmer = 0;     ///< temperature above the model's [K]
+  /// Of the level laws that have one, in their order, then the states of the forces; null: 0.
+  const double* memory = nullptr;
+  const double* extra = nullptr;  ///< further measured channels (extra_series.h); null: 0
 };
 
 /// A friction level in the making.
@@ -53,11 +55,17 @@ class LevelLaw {
   }
 };
 
-/// A force beside friction, F > 0 tension.
+/// A force beside friction, F > 0 tension. It may have states: 0 in the static state.
 class ForceLaw {
  public:
   virtual ~ForceLaw() = default;
   virtual double Force(const ForcePlace& place) const noexcept = 0;
+  virtual std::vector<std::string> StateNames() const { return {}; }
+  /// d(state)/dt.
+  virtual void CalcRates(const ForcePlace& /*place*/, double* /*rate*/) const noexcept {}
+  /// `state` after h seconds at constant speed, stable for any h; `place` in the middle of the way.
+  virtual void Advance(double /*h*/, const ForcePlace& /*place*/,
+                       double* /*state*/) const noexcept {}
   /// True where it depends on the speed alone: pressures and direction then need not be known.
   virtual bool OfSpeedAlone() const { return false; }
   /// d(force)/d(speed) about rest [N s/m], >= 0, for motion of direction `sign`.

@@ -4,6 +4,8 @@
 #include <memory>
 #include <vector>
 
+#include "hydraulics/extra_series.h"
+
 namespace phs::hydraulics {
 
 /// How the driven end moves, sample by sample.
@@ -11,6 +13,10 @@ struct LoadMotion {
   double step_s;                            ///< between samples
   const std::vector<double>& acceleration;  ///< [m/s2]
   const std::vector<double>& pressure;      ///< of the bench's channel [Pa]; empty: none
+  const std::vector<double>& position;      ///< [m]
+  const std::vector<double>& speed;         ///< [m/s]
+  double t0_s;                              ///< of the first sample
+  const ExtraSeries* extra;                 ///< further measured channels; null: none
 };
 
 /// Adds its force, tension > 0, to that of every sample [N]; starts from rest.

@@ -180,8 +180,7 @@ void CalcMountRates(const CompiledPhs& sys, double time, double h, const double*
   const int count = static_cast<int>(sys.cylinders.size());
   const bool flowing = !sys.paths.empty();
   Instant at;
-  at.time = time + step;
-  at.ambient = sys.Ambient(time + step);
+  sys.SetTime(time + step, &at);
   double start[kMaxCylinders], move[kMaxCylinders], end[kMaxStates];
   for (int i = 0; i < count; ++i) {
     const CompiledCylinder& c = sys.cylinders[i];
@@ -192,6 +191,7 @@ void CalcMountRates(const CompiledPhs& sys, double time, double h, const double*
   if (flowing) {
     at = *near;
     at.time = time + step;
+    if (sys.extra) sys.extra->At(time + step, at.extra);
     std::copy(state, state + sys.num_states(), end);
   } else {
     sys.CalcPushed(state, &at);

@@ -64,4 +64,19 @@ void AddAccumulator(const LineParams& line, double T, Node* node) {
   }
 }
 
+Node MakeNode(const LineParams& line, double T) {
+  Node node;
+  node.p0 = line.static_pressure_Pa;
+  node.oil_volume = line.oil_volume_m3;
+  node.bulk_modulus = line.bulk_modulus_Pa;
+  node.bulk_slope = line.bulk_modulus_slope;
+  node.softening = line.softening_1_per_K;
+  node.expansion = line.expansion_1_per_K;
+  node.air = (line.free_air_m3 + kTraceAir * line.oil_volume_m3) * kAtmosphere;
+  node.temperature = T;
+  if (line.gas_volume_m3 > 0) AddReservoir(line, T, &node);
+  if (line.accumulator.volume_m3 > 0) AddAccumulator(line, T, &node);
+  return node;
+}
+
 }  // namespace phs::hydraulics

@@ -1,4 +1,4 @@
-// Gas volumes of a line as those of its node.
+// A line as the node of its volume balance, with its gas volumes.
 #pragma once
 
 #include "hydraulics/node.h"
@@ -6,6 +6,8 @@
 
 namespace phs::hydraulics {
 
+/// Oil, air and gas of `line` at static temperature T [K]; laws of effects are not in it.
+Node MakeNode(const LineParams& line, double T);
 /// The reservoir at static temperature T [K]: one gas, or parts of its diaphragm with stops of
 /// their own.
 void AddReservoir(const LineParams& line, double T, Node* node);

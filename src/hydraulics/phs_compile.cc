@@ -7,6 +7,7 @@
 #include "hydraulics/phs_system_impl.h"
 #include "hydraulics/phs_validate.h"
 #include "hydraulics/pipe.h"
+#include "hydraulics/warm_filling.h"
 
 namespace phs::hydraulics {
 namespace {
@@ -27,12 +28,16 @@ struct PendingSplit {
 
 class Builder final : public Extension {
  public:
-  explicit Builder(const PhsParams& params) : params_(params), lines_(params.lines) {
+  Builder(const PhsParams& params, std::shared_ptr<const ExtraSeries> extra)
+      : params_(params), lines_(params.lines), extra_(std::move(extra)) {
     friction_.resize(params.cylinders.size());
     mounts_.resize(params.cylinders.size());
     readings_.resize(params.cylinders.size());
   }
   const PhsParams& params() const override { return params_; }
+  std::vector<std::string> extra_names() const override {
+    return extra_ ? extra_->names : std::vector<std::string>();
+  }
   void AddVolume(int line, std::unique_ptr<VolumeLaw> law) override {
     volumes_.emplace_back(line, std::move(law));
   }
@@ -86,6 +91,7 @@ class Builder final : public Extension {
   std::vector<MountLaws> mounts_;
   std::vector<std::array<ReadingLaws, kSensors>> readings_;
   LoadLaws loads_;
+  std::shared_ptr<const ExtraSeries> extra_;
   std::vector<std::unique_ptr<const AmbientLaw>> ambient_;
   std::vector<std::string> path_names_;
   Status status_;
@@ -93,22 +99,12 @@ class Builder final : public Extension {
 
 void Builder::CompileNodes(CompiledPhs* sys) {
   for (const LineParams& line : lines_) {
-    Node node;
-    node.p0 = line.static_pressure_Pa;
-    node.oil_volume = line.oil_volume_m3;
-    node.bulk_modulus = line.bulk_modulus_Pa;
-    node.bulk_slope = line.bulk_modulus_slope;
-    node.softening = line.softening_1_per_K;
-    node.expansion = line.expansion_1_per_K;
-    node.air = (line.free_air_m3 + kTraceAir * line.oil_volume_m3) * kAtmosphere;
-    node.temperature = params_.temperature_K;
+    Node node = MakeNode(line, params_.temperature_K);
     node.sequential = params_.balance == BalanceMethod::kSequential;
     if (node.sequential && (line.reservoir.stop_spread > 0 || line.accumulator_spread_Pa > 0)) {
       status_ = Error{"balance", "sequential, with a stop or an opening that is spread",
                       "unified with these effects", "remove the spread or set balance: unified"};
     }
-    if (line.gas_volume_m3 > 0) AddReservoir(line, params_.temperature_K, &node);
-    if (line.accumulator.volume_m3 > 0) AddAccumulator(line, params_.temperature_K, &node);
     sys->nodes.push_back(std::move(node));
   }
   for (auto& [line, law] : volumes_) {
@@ -266,6 +262,7 @@ CompiledPhs Builder::Compile() {
   for (Node& node : sys->nodes) node.Prepare();
   sys->ambient = std::move(ambient_);
   sys->loads = std::move(loads_);
+  sys->extra = extra_;
   if (static_cast<int>(sys->paths.size()) > kMaxPaths || sys->num_states() > kMaxStates) {
     status_ = Error{params_.name, "too many flows or states for one system",
                     "at most " + std::to_string(kMaxPaths) + " flows", "switch effects off"};
@@ -281,7 +278,7 @@ Status InstallEffects(const PhsParams& params, const EffectTable* table, Builder
     }
     Result<EffectParams> full = CompleteEffect(params, effect, *table);
     if (!full.ok()) return full.error();
-    const EffectInfo* info = table->Find(effect.name);
+    const EffectInfo* info = table->FindFor(effect);
     if (Status s = info->install(full.value(), builder); !s.ok()) return s;
   }
   return {};
@@ -289,9 +286,13 @@ Status InstallEffects(const PhsParams& params, const EffectTable* table, Builder
 
 }  // namespace
 
-Result<PhsSystem> PhsSystem::Create(const PhsParams& params, const EffectTable* effects) {
-  if (Status s = Validate(params); !s.ok()) return s.error();
-  Builder builder(params);
+Result<PhsSystem> PhsSystem::Create(const PhsParams& stated, const EffectTable* effects,
+                                    std::shared_ptr<const ExtraSeries> extra) {
+  if (Status s = Validate(stated); !s.ok()) return s.error();
+  Result<PhsParams> warm = AtItsTemperature(stated);
+  if (!warm.ok()) return warm.error();
+  const PhsParams& params = warm.value();
+  Builder builder(params, std::move(extra));
   if (Status s = InstallEffects(params, effects, &builder); !s.ok()) return s.error();
   // Effects may have changed line numbers: the same limits hold.
   PhsParams changed = params;

@@ -70,6 +70,11 @@ std::vector<NumberRow<LineParams>> LineRows() {
       {{"gas_volume_m3", "m3", Within(0, 1), 1e-6, 3.2e-4,
         "gas of the reservoir at the static pressure; 0: no gas spring", "reservoir.gas_volume_m3"},
        [](LineParams& l) -> double& { return l.gas_volume_m3; }},
+      {{"temperature_K", "K", Within(0, 400), 253, 323,
+        "of this line's oil and gas at the start, 200 … 400; 0: the model's. Only with "
+        "`filled_at_K`"},
+       [](LineParams& l) -> double& { return l.temperature_K; },
+       [](const LineParams& l) { return l.temperature_K != 0; }},
       {{"accumulator_precharge_Pa", "Pa", Pressure(), 5e6, 2.5e7,
         "of the blow-off accumulator's gas, absolute: it opens there", "accumulator.precharge_Pa"},
        [](LineParams& l) -> double& { return l.accumulator_precharge_Pa; }},
@@ -89,8 +94,20 @@ std::vector<NumberRow<PhsParams>> WholeRows() {
   return {
       {{"temperature_K", "K", Within(200, 400), 253, 323,
         "static temperature of oil, gas and surroundings; gas volumes and pressures of the file "
-        "are stated at it"},
+        "are stated at `filled_at_K`, where it is not given at this one"},
        [](PhsParams& p) -> double& { return p.temperature_K; }},
+      {{"filled_at_K", "K", Within(0, 400), 253, 323,
+        "temperature at which the lines were filled and their reservoirs charged, 200 … 400; "
+        "pressures, gas and oil then follow to `temperature_K`. 0: filled at `temperature_K`"},
+       [](PhsParams& p) -> double& { return p.filled_at_K; },
+       [](const PhsParams& p) { return p.filled_at_K != 0; }},
+      {{"oil_expansion_1_per_K", "1/K", Within(0, 0.01), 0, 1e-3,
+        "of the oil against its housing, from filling to `temperature_K`: mineral oil 7e-4 less "
+        "steel 3.5e-5"},
+       [](PhsParams& p) -> double& { return p.oil_expansion_1_per_K; },
+       [](const PhsParams& p) {
+         return p.oil_expansion_1_per_K != PhsParams().oil_expansion_1_per_K;
+       }},
       {{"friction.scale", "-", Within(0, 100), 0.2, 3, "multiplies every level"},
        [](PhsParams& p) -> double& { return p.friction.scale; }},
       {{"friction.coulomb_extension_N", "N", Within(0, 1e6), 0, 6000, level},

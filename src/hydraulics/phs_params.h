@@ -77,6 +77,7 @@ struct LineParams {
   /// the other; set by accumulator_precharge.
   double accumulator_spread_Pa = 0;
   double expansion_1_per_K = 0;  ///< of its oil against the housing; set by temperature_drift
+  double temperature_K = 0;      ///< of its oil and gas at the start; 0: the model's
   double softening_1_per_K = 0;  ///< relative fall of its bulk modulus; set by temperature_drift
   bool operator==(const LineParams&) const = default;
 };
@@ -139,6 +140,8 @@ struct PhsParams {
   std::string description;
   std::string source;
   double temperature_K = 293.15;  ///< static temperature of oil, gas and surroundings
+  double filled_at_K = 0;         ///< temperature at which the lines were filled; 0: temperature_K
+  double oil_expansion_1_per_K = 6.65e-4;  ///< of the oil against its housing, after filling
   BalanceMethod balance = BalanceMethod::kUnified;
   std::vector<CylinderParams> cylinders;
   std::vector<LineParams> lines;
@@ -146,6 +149,7 @@ struct PhsParams {
   ElementParams element;
   std::vector<EffectParams> effects;
 
+  double FilledAt() const { return filled_at_K > 0 ? filled_at_K : temperature_K; }
   int FindLine(const std::string& line) const;          ///< -1 if absent
   int FindCylinder(const std::string& cylinder) const;  ///< -1 if absent
   bool operator==(const PhsParams&) const = default;

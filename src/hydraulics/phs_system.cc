@@ -36,6 +36,14 @@ const Mount& PhsSystem::mount(int cylinder) const { return impl_->cylinders[cyli
 double PhsSystem::Ambient(double time) const { return impl_->Ambient(time); }
 const LoadLaws& PhsSystem::loads() const { return impl_->loads; }
 
+const ExtraSeries* PhsSystem::extra() const { return impl_->extra.get(); }
+
+void CompiledPhs::SetTime(double time, Instant* at) const {
+  at->time = time;
+  at->ambient = Ambient(time);
+  if (extra) extra->At(time, at->extra);
+}
+
 double CompiledPhs::Ambient(double time) const {
   double T = params.temperature_K;
   for (const auto& law : ambient) T += law->Rise(time);
@@ -75,6 +83,7 @@ FrictionPlace CompiledPhs::Place(const Instant& at, int cylinder, const double* 
   place.time = at.time;
   place.warmer = at.ambient - params.temperature_K;
   if (c.memory >= 0) place.memory = state + c.memory;
+  if (extra) place.extra = at.extra;
   return place;
 }
 
@@ -126,8 +135,7 @@ void CalcCylinder(const CompiledPhs& sys, const Instant& at, int i, double pisto
 
 void PlacePistons(const CompiledPhs& sys, double time, const double* x, const double* state,
                   Instant* at) {
-  at->time = time;
-  at->ambient = sys.Ambient(time);
+  sys.SetTime(time, at);
   for (size_t i = 0; i < sys.cylinders.size(); ++i) {
     const int mount = sys.cylinders[i].mount_state;
     at->piston[i] = mount >= 0 ? x[i] - state[mount] : x[i];
@@ -164,11 +172,14 @@ void CalcCylinderFrictionRate(const CompiledPhs& sys, const Instant& at, int cyl
     rate[c.bristle] = h > 0 ? (c.friction.Advance(h, speed, z, place) - z) / h
                             : c.friction.Calc(speed, z, place).bristle_speed;
   }
-  for (int k = 0; k < c.friction.num_memories(); ++k) {
-    const double now = state[c.memory + k];
-    rate[c.memory + k] = h > 0 ? (c.friction.AdvanceMemory(k, h, speed, now) - now) / h
-                               : c.friction.MemoryRate(k, speed, now);
-  }
+  if (c.memory < 0) return;
+  const double z = c.bristle >= 0 ? state[c.bristle] : 0;
+  if (h <= 0) return c.friction.CalcMemoryRates(speed, z, place, rate + c.memory);
+  const double* now = state + c.memory;
+  double next[kMaxStates];
+  std::copy(now, now + c.friction.num_memories(), next);
+  c.friction.AdvanceMemories(h, speed, z, place, next);
+  for (int k = 0; k < c.friction.num_memories(); ++k) rate[c.memory + k] = (next[k] - now[k]) / h;
 }
 
 // Speed at the end of a step whose mean is `now`, after one of the same length with mean `before`;

@@ -23,7 +23,9 @@ class PhsSystem {
   /// catalogue: use phs_model::LoadPhsSystem.
   static Result<PhsSystem> Load(const std::string& path, const EffectTable* effects = nullptr);
   /// Validates and compiles parameters. Cheap: a few microseconds.
-  static Result<PhsSystem> Create(const PhsParams& params, const EffectTable* effects = nullptr);
+  /// `extra`: further channels of the record that it is run on, for laws that ask for them.
+  static Result<PhsSystem> Create(const PhsParams& params, const EffectTable* effects = nullptr,
+                                  std::shared_ptr<const ExtraSeries> extra = nullptr);
   PhsSystem(PhsSystem&&) noexcept;
   PhsSystem& operator=(PhsSystem&&) noexcept;
   ~PhsSystem();
@@ -91,6 +93,8 @@ class PhsSystem {
   double Ambient(double time) const;
   /// What hangs on the driven end of a bench or rig.
   const LoadLaws& loads() const;
+  /// Further measured channels that laws may ask for; null: none.
+  const ExtraSeries* extra() const;
 
  private:
   struct Impl;

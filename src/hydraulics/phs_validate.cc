@@ -50,7 +50,12 @@ void CheckCylinder(const CylinderParams& c, const PhsParams& params, Checker* ch
   }
 }
 
+void CheckTemperature(const std::string& where, double T, Checker* check) {
+  check->Require(T == 0 || T >= 200, where, Number(T) + " is out of range", "0 or 200 … 400");
+}
+
 void CheckLine(const LineParams& l, Checker* check) {
+  CheckTemperature(l.name + ".temperature_K", l.temperature_K, check);
   check->Require(l.bulk_modulus_slope * l.static_pressure_Pa < 0.9 * l.bulk_modulus_Pa,
                  l.name + ".bulk_modulus_slope", "the oil would have no stiffness at zero pressure",
                  "slope * static_pressure < 0.9 bulk_modulus");
@@ -93,6 +98,12 @@ Status Validate(const PhsParams& params) {
   ForEachNumber(&numbers, [&](const std::string& name, const NumberInfo& info, double value) {
     check.In(name, value, info.allowed);
   });
+  CheckTemperature("filled_at_K", params.filled_at_K, &check);
+  for (const LineParams& l : params.lines) {
+    check.Require(l.temperature_K == 0 || params.filled_at_K > 0, l.name + ".temperature_K",
+                  "given without filled_at_K", "with filled_at_K",
+                  "say at which temperature the lines were filled");
+  }
   std::set<std::string> names;
   for (const CylinderParams& c : params.cylinders) {
     check.Require(!c.name.empty() && names.insert(c.name).second, "cylinders",

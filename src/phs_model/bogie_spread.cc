@@ -4,6 +4,7 @@
 
 #include "base/check.h"
 #include "effects/catalogue.h"
+#include "effects/own_law.h"
 
 namespace phs::phs_model {
 
@@ -43,7 +44,8 @@ PhsParams SpreadOverBogie(const PhsParams& quarter) {
     bogie.lines.back().name = name;
   }
   for (EffectParams effect : quarter.effects) {
-    const auto* info = effects::Catalogue().Find(effect.name);
+    const auto* info = effects::Catalogue().FindFor(effect);
+    if (effects::StaysOnRig(effect)) continue;
     if (info != nullptr && (info->family == "instrument" || info->family == "element")) continue;
     std::vector<std::string> targets;
     for (const std::string& target : effect.targets) {

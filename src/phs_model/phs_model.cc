@@ -25,8 +25,9 @@ Result<PhsSystem> LoadPhsSystem(const std::string& path) {
   return CreatePhsSystem(params.value());
 }
 
-Result<PhsSystem> CreatePhsSystem(const PhsParams& params) {
-  return PhsSystem::Create(params, &effects::Catalogue());
+Result<PhsSystem> CreatePhsSystem(const PhsParams& params,
+                                  std::shared_ptr<const hydraulics::ExtraSeries> extra) {
+  return PhsSystem::Create(params, &effects::Catalogue(), std::move(extra));
 }
 
 Status AddEffect(PhsParams* params, const std::string& effect) {

@@ -26,7 +26,9 @@ std::string ToYaml(const hydraulics::PhsParams& params);
 /// Reads, checks and compiles a model file with its effects.
 Result<hydraulics::PhsSystem> LoadPhsSystem(const std::string& path);
 /// Compiles parameters with the catalogue.
-Result<hydraulics::PhsSystem> CreatePhsSystem(const hydraulics::PhsParams& params);
+Result<hydraulics::PhsSystem> CreatePhsSystem(
+    const hydraulics::PhsParams& params,
+    std::shared_ptr<const hydraulics::ExtraSeries> extra = nullptr);
 
 /// Switches an effect on with its default parameters (all targets). Error: unknown name (nearest).
 Status AddEffect(hydraulics::PhsParams* params, const std::string& effect);

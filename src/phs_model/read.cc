@@ -171,7 +171,7 @@ Result<PhsParams> ReadPhsParams(YamlMap& map) {
     l.name = entry.Text("name");
     ReadLine(entry, &l, &charge);
     if (charge > 0 && l.static_pressure_Pa > 0) {
-      l.gas_volume_m3 = GasAfterCharging(l, charge, params.temperature_K);
+      l.gas_volume_m3 = GasAfterCharging(l, charge, params.FilledAt());
     }
     params.lines.push_back(l);
   }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/numbers.h"
+#include "base/origin.h"
 #include "base/result_dir.h"
 #include "rail/wheelset_cases.h"
 
@@ -120,6 +121,7 @@ Status ReadControl(const InputLine& line, State* s) {
 Result<WheelsetCases> ReadContactInput(const std::string& path) {
   auto text = ReadFile(path);
   if (!text.ok()) return text.error();
+  NoteInput(path, text.value());
   State s;
   Table& table = s.cases.table;
   table.source = path;

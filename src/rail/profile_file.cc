@@ -4,6 +4,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "base/origin.h"
 #include "base/result_dir.h"
 #include "rail/profile.h"
 #include "rail/profile_smoothing.h"
@@ -205,6 +206,7 @@ Result<Profile> LoadProfile(const std::string& path, ProfileKind kind) {
   if (path.rfind("cone:", 0) == 0 || path.rfind("arc:", 0) == 0) return Generate(path, kind);
   auto text = ReadFile(path);
   if (!text.ok()) return text.error();
+  NoteInput(path, text.value());
   return ParseProfile(text.value(), path, kind);
 }
 

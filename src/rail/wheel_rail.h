@@ -14,6 +14,7 @@
 #include "base/result.h"
 #include "rail/creep_law.h"
 #include "rail/frames.h"
+#include "rail/profile.h"
 #include "rail/track.h"
 #include "rail/tread_wear.h"
 #include "rail/wheel_contact.h"
@@ -50,6 +51,13 @@ class WheelRail {
   double touching_height() const;
   /// Largest flange angle of the wheel profile [rad] (Nadal, derailment).
   double flange_angle() const;
+  /// The profiles as they are used (worn, inclined); null where numbers stand for them.
+  const Profile* wheel_profile() const;
+  const Profile* rail_profile() const;
+  /// Origin of the rail profile from the track centre [m].
+  double rail_position() const;
+  /// Origin of the wheel profile from the wheelset's centre [m].
+  double wheel_position() const;
 
  private:
   struct Impl;

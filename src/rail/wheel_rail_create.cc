@@ -48,6 +48,16 @@ const WheelRailParams& WheelRail::params() const { return impl_->params; }
 const CreepLaw& WheelRail::creep_law() const { return *impl_->creep; }
 double WheelRail::touching_height() const { return impl_->touching; }
 double WheelRail::flange_angle() const { return impl_->flange; }
+const Profile* WheelRail::wheel_profile() const {
+  return impl_->search == nullptr ? nullptr : &impl_->search->wheel();
+}
+const Profile* WheelRail::rail_profile() const {
+  return impl_->search == nullptr ? nullptr : &impl_->search->rail();
+}
+double WheelRail::rail_position() const { return impl_->rail_y; }
+double WheelRail::wheel_position() const {
+  return impl_->search == nullptr ? 0 : impl_->search->half_tape();
+}
 
 Result<WheelRail> WheelRail::Create(const WheelRailParams& params) {
   if (Status s = Validate(params); !s.ok()) return s.error();

@@ -18,6 +18,7 @@ const std::vector<std::string>& Directions() {
 std::vector<SpringDirection> ReadSuspension(YamlMap* parent) {
   std::vector<SpringDirection> springs;
   YamlMap map = parent->Map("suspension");
+  for (const std::string& known : Directions()) map.Has(known);  // another key is an error
   for (const std::string& direction : map.Keys()) {
     const auto& known = Directions();
     if (std::find(known.begin(), known.end(), direction) == known.end()) {

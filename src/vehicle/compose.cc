@@ -224,7 +224,7 @@ Result<bool> AddStateCarriers(const Scenario& scenario, const std::string& bogie
 
 }  // namespace
 
-Result<ModelPtr> ComposeVehicle(const Scenario& scenario) {
+Result<VehicleDocument> ComposeDocument(const Scenario& scenario) {
   auto path = FindData("bogie", "bogie_xml", scenario.bogie, {".xml"});
   if (!path.ok()) return path.error();
   auto document = ReadMjcf(path.value());
@@ -242,9 +242,19 @@ Result<ModelPtr> ComposeVehicle(const Scenario& scenario) {
   changed = EnlargeUserData(values, root) || changed || added.value();
   changed = AddStartKey(root) || changed;
   if (changed) KeepAssetFolders(path.value(), root);
+  return VehicleDocument{path.value(), std::move(document).value(), changed};
+}
+
+Result<ModelPtr> ComposeVehicle(const Scenario& scenario) {
+  auto composed = ComposeDocument(scenario);
+  if (!composed.ok()) return composed.error();
+  const VehicleDocument& vehicle = composed.value();
   // Nothing to add: the file as it stands, as any MuJoCo program loads it.
-  auto model = changed ? CompileMjcf(*document.value(), path.value()) : LoadMjcf(path.value());
-  if (model.ok() && !SaysStep(root)) model.value()->opt.timestep = kDefaultStep_s;
+  auto model =
+      vehicle.changed ? CompileMjcf(*vehicle.document, vehicle.path) : LoadMjcf(vehicle.path);
+  if (model.ok() && !SaysStep(vehicle.document->RootElement())) {
+    model.value()->opt.timestep = kDefaultStep_s;
+  }
   return model;
 }
 

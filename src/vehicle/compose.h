@@ -17,11 +17,20 @@
 
 #include "base/result.h"
 #include "vehicle/engine.h"
+#include "vehicle/mjcf_document.h"
 #include "vehicle/scenario.h"
 
 namespace phs::vehicle {
 
+/// A vehicle as MJCF in memory.
+struct VehicleDocument {
+  std::string path;      ///< of the bogie's file
+  XmlPtr document;       ///< includes expanded
+  bool changed = false;  ///< more than the file as it stands
+};
 /// Errors name the MJCF file, line and element.
+Result<VehicleDocument> ComposeDocument(const Scenario& scenario);
+/// The same compiled.
 Result<ModelPtr> ComposeVehicle(const Scenario& scenario);
 
 /// A bogie of bogie_xml that says what it is measured with: <text name="phs_yardstick" data="…"/>,

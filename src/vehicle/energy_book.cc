@@ -25,11 +25,12 @@ void EnergyKeeper::Step(const mjModel* m, const mjData* d) {
       user[UserData::kDrivePower],  user[UserData::kTrainPower],
       user[UserData::kCreepPower],  user[UserData::kContactPower],
       user[UserData::kDamperPower], user[UserData::kPhsPower],
-      user[UserData::kBrakePower],  std::abs(user[UserData::kTrainPower])};
+      user[UserData::kBrakePower],  std::abs(user[UserData::kTrainPower]),
+      user[UserData::kAppliedPower]};
   if (has_power_) {
     const double half = 0.5 * m->opt.timestep;
     const auto work = [&](size_t i) { return half * (power_[i] + power[i]); };
-    book_.work_in += work(0) + work(1);
+    book_.work_in += work(0) + work(1) + work(8);
     book_.lost_creep += work(2);
     book_.lost_contact += work(3);
     book_.lost_dampers += work(4);

@@ -20,7 +20,7 @@ namespace phs::vehicle {
 struct EnergyBook {
   double kinetic = 0;
   double stored = 0;   ///< gravity, springs, contacts, PHS; relative to the start
-  double work_in = 0;  ///< drives and train
+  double work_in = 0;  ///< drives, train and applied forces
   double lost_creep = 0;
   double lost_contact = 0;
   double lost_dampers = 0;  ///< elements between bodies (plugin/elements.h)
@@ -45,7 +45,7 @@ class EnergyKeeper {
   const EnergyBook& book() const { return book_; }
 
  private:
-  static constexpr int kPowers = 8;
+  static constexpr int kPowers = 9;
 
   const plugin::Binding& binding_;
   EnergyBook book_;

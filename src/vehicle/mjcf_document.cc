@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <set>
 
+#include "base/origin.h"
+
 namespace phs::vehicle {
 namespace {
 
@@ -31,6 +33,7 @@ Status ExpandIncludes(const std::filesystem::path& folder, int depth, XMLElement
     if (included.LoadFile(path.c_str()) != tinyxml2::XML_SUCCESS) {
       return Error{path, included.ErrorStr(), "a readable MJCF file", ""};
     }
+    NoteInput(path);
     if (Status s = ExpandIncludes(folder, depth + 1, included.RootElement()); !s.ok()) return s;
     XMLNode* after = child;
     for (const XMLNode* node = included.RootElement()->FirstChild(); node != nullptr;
@@ -77,6 +80,7 @@ Result<XmlPtr> ReadMjcf(const std::string& path) {
   if (document->LoadFile(path.c_str()) != tinyxml2::XML_SUCCESS) {
     return Error{path, document->ErrorStr(), "a readable MJCF file", ""};
   }
+  NoteInput(path);
   XMLElement* root = document->RootElement();
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();
   if (Status s = ExpandIncludes(folder, 0, root); !s.ok()) {

@@ -13,6 +13,7 @@ namespace {
 using hydraulics::EffectInfo;
 using hydraulics::EffectParameter;
 using hydraulics::EffectParams;
+using hydraulics::Walk;
 using Values = std::map<std::string, double>;
 
 std::vector<RunningEffect> MakeTable() {
@@ -24,7 +25,8 @@ std::vector<RunningEffect> MakeTable() {
                              {{"depth_m", "m", 0, -0.005, 0.005, -1e-3, 3e-3, "d"},
                               {"half_width_m", "m", 0.03, 0.01, 0.06, 0.02, 0.05, "w"},
                               {"centre_m", "m", 0, -0.03, 0.03, -0.02, 0.02, "y0"}},
-                             nullptr},
+                             nullptr,
+                             {.bogie = {{.free = {{"depth_m", 2e-4, 1e-3, 2}}}}}},
                   [](const Values& v, Scenario* s) {
                     s->wear = {v.at("depth_m"), v.at("half_width_m"), v.at("centre_m")};
                   }});
@@ -34,15 +36,18 @@ std::vector<RunningEffect> MakeTable() {
                   "",
                   "friction coefficient of wheel on rail other than declared",
                   {{"coefficient", "1", 0.3, 0.01, 1, 0.03, 0.65, "of the tread at rest"}},
-                  nullptr},
-       [](const Values& v, Scenario* s) { s->friction.tread = v.at("coefficient"); }});
+                  nullptr,
+                  {.bogie = {{.free = {{"coefficient", 0.3, 0.3, 1, Walk::kEitherWay}}}}}},
+       [](const Values& v, Scenario* s) { s->friction.tread = v.at("coefficient"); },
+       [](const DeclaredRunning& declared) { return declared.friction; }});
   rows.push_back(
       {EffectInfo{"cant_error",
                   "track",
                   "",
                   "superelevation of curves other than declared, transitions in proportion",
                   {{"cant_m", "m", 0, -0.1, 0.1, -0.06, 0.06, "> 0 raises the outer rail"}},
-                  nullptr},
+                  nullptr,
+                  {.bogie = {{.free = {{"cant_m", 0}}}}}},
        [](const Values& v, Scenario* s) { s->track_errors.cant_m = v.at("cant_m"); }});
   rows.push_back(
       {EffectInfo{"gauge_error",
@@ -50,7 +55,8 @@ std::vector<RunningEffect> MakeTable() {
                   "",
                   "gauge other than declared, everywhere",
                   {{"widening_m", "m", 0, -0.02, 0.05, -0.01, 0.02, "> 0 wider"}},
-                  nullptr},
+                  nullptr,
+                  {.bogie = {{.free = {{"widening_m", 0}}}}}},
        [](const Values& v, Scenario* s) { s->track_errors.widening_m = v.at("widening_m"); }});
   return rows;
 }
@@ -109,7 +115,7 @@ Status AddEffect(const EffectParams& effect, Scenario* scenario) {
     Values values;
     if (Status s = CheckValues(row->info, effect, &values); !s.ok()) return s;
     row->apply(values, scenario);
-  } else if (effects::Catalogue().Find(effect.name) != nullptr) {
+  } else if (effects::Catalogue().FindFor(effect) != nullptr) {
     scenario->phs_changes.effects.push_back(effect);  // its keys are checked with the PHS model
   } else {
     const std::vector<std::string> names = KnownNames();

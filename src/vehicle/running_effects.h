@@ -18,10 +18,17 @@
 
 namespace phs::vehicle {
 
+/// What a scenario declares of the numbers that effects of wheel and track are about.
+struct DeclaredRunning {
+  double friction = 0;  ///< of wheel on rail
+};
+
 struct RunningEffect {
   hydraulics::EffectInfo info;  ///< `install` is null: nothing of it enters a PHS
   /// Changes the scenario; every value is there and inside its range.
   void (*apply)(const std::map<std::string, double>& values, Scenario* scenario);
+  /// As EffectSearch::declared, of what a scenario says.
+  double (*declared)(const DeclaredRunning& declared) = nullptr;
 };
 
 /// The table.

@@ -1,5 +1,7 @@
 #include "vehicle/scenario_file.h"
 
+#include <yaml-cpp/yaml.h>
+
 #include <filesystem>
 
 #include "base/data_path.h"
@@ -60,21 +62,17 @@ void ReadJoints(YamlMap map, Scenario* s) {
   }
 }
 
-}  // namespace
-
-Result<Scenario> LoadScenario(const std::string& name_or_path) {
-  auto path = FindData("scenario", "models/scenarios", name_or_path, {".yaml"});
-  if (!path.ok()) return path.error();
-  auto doc = YamlMap::Load(path.value());
-  if (!doc.ok()) return doc.error();
-  YamlMap& map = doc.value();
-
+/// `naming`: the file whose folder paths begin in; empty: the current folder.
+Result<Scenario> ReadScenario(YamlMap map, const std::string& naming) {
   Scenario s;
-  s.name = std::filesystem::path(path.value()).stem().string();
-  const auto file = [&](const char* key, const std::string& otherwise) {
-    return BesideFile(path.value(), map.Text(key, otherwise));
+  s.name = std::filesystem::path(naming).stem().string();
+  const auto beside = [&](const std::string& name) {
+    return naming.empty() ? name : BesideFile(naming, name);
   };
-  s.track = BesideFile(path.value(), map.Text("track"));
+  const auto file = [&](const char* key, const std::string& otherwise) {
+    return beside(map.Text(key, otherwise));
+  };
+  s.track = beside(map.Text("track"));
   s.bogie = file("bogie", s.bogie);
   s.vehicle = map.Word("vehicle", {"bogie", "locomotive"}, s.vehicle);
   s.wheel = file("wheel", s.wheel);
@@ -116,6 +114,59 @@ Result<Scenario> LoadScenario(const std::string& name_or_path) {
   if (map.Has("joints")) ReadJoints(map.Map("joints"), &s);
   if (Status status = map.Finish(); !status.ok()) return status.error();
   return s;
+}
+
+/// The keys of `changes` over those of `base`; a speed in one unit replaces that in the other.
+YAML::Node Merged(YAML::Node base, const YAML::Node& changes) {
+  for (const auto& entry : changes) {
+    const auto key = entry.first.as<std::string>();
+    if (key == "speed_m_s") base.remove("speed_km_h");
+    if (key == "speed_km_h") base.remove("speed_m_s");
+    const bool name = entry.second.IsScalar();
+    base[key] = name ? YAML::Node(Anywhere(entry.second.Scalar())) : entry.second;
+  }
+  return base;
+}
+
+/// What is wrong is told by its key alone.
+Result<Scenario> ReadMerged(const YAML::Node& node, const std::string& naming) {
+  YAML::Emitter out;
+  out << YAML::Flow << node;
+  auto doc = YamlMap::Parse(out.c_str(), "scenario");
+  if (!doc.ok()) return doc.error();
+  auto read = ReadScenario(doc.value(), naming);
+  if (read.ok()) return read;
+  Error error = read.error();
+  const std::string name = "scenario";
+  if (error.where.starts_with(name + ":")) {
+    error.where.replace(0, error.where.find(": "), name);  // no line of any file of the user
+  }
+  return error;
+}
+
+}  // namespace
+
+Result<Scenario> LoadScenario(const std::string& name_or_path) {
+  auto path = FindData("scenario", "models/scenarios", name_or_path, {".yaml"});
+  if (!path.ok()) return path.error();
+  auto doc = YamlMap::Load(path.value());
+  if (!doc.ok()) return doc.error();
+  return ReadScenario(doc.value(), path.value());
+}
+
+Result<Scenario> ScenarioWith(const std::string& name_or_path, const std::string& changes) {
+  std::string naming;
+  YAML::Node base(YAML::NodeType::Map);
+  if (!name_or_path.empty()) {
+    if (auto whole = LoadScenario(name_or_path); !whole.ok()) return whole;
+    naming = FindData("scenario", "models/scenarios", name_or_path, {".yaml"}).value();
+    base = YAML::LoadFile(naming);
+  }
+  auto doc = YamlMap::Parse(changes, "scenario");
+  if (!doc.ok()) return doc.error();
+  auto scenario = ReadMerged(Merged(base, YAML::Load(changes)), naming);
+  if (scenario.ok() && naming.empty()) scenario.value().name = "scenario";
+  return scenario;
 }
 
 }  // namespace phs::vehicle

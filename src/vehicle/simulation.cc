@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
+#include <optional>
 
 #include "base/data_path.h"
 #include "base/numbers.h"
@@ -14,6 +15,7 @@
 #include "vehicle/compose.h"
 #include "vehicle/energy_channels.h"
 #include "vehicle/stable_step.h"
+#include "vehicle/tangent_state.h"
 
 namespace phs::vehicle {
 namespace {
@@ -24,7 +26,7 @@ constexpr double kDerailedLateral =
     0.06;  ///< wheelset this far off the centre has left the rails [m]
 constexpr double kDerailedTime =
     0.02;  ///< contact at a profile's end or no wheel load for so long [s]
-constexpr int kProgressSteps = 2000;
+constexpr int kProgressSteps = 500;  ///< between looks at the progress
 
 /// Watches the flags that the plugin leaves in userdata.
 class DerailmentWatch {
@@ -137,7 +139,8 @@ Result<Simulation> Simulation::Create(const Scenario& scenario) {
     if (Status s = CheckPlaces(scenario, sim.binding().track()); !s.ok()) return s.error();
     sim.data_.reset(mj_makeData(sim.model_.get()));
     plugin::ResetToStart(sim.model_.get(), sim.data_.get());
-    if (Status s = CheckStep(sim.model_.get(), sim.data_.get(), &sim.largest_stable_step_);
+    const Eigen::VectorXd scale = ActivationScale(sim.model_.get(), sim.binding());
+    if (Status s = CheckStep(sim.model_.get(), sim.data_.get(), scale, &sim.largest_stable_step_);
         !s.ok()) {
       return s.error();
     }
@@ -147,7 +150,7 @@ Result<Simulation> Simulation::Create(const Scenario& scenario) {
   return sim;
 }
 
-Result<RunOutcome> Simulation::Run(const Progress& progress) {
+Result<RunOutcome> Simulation::Run(const Progress& progress, const OwnInputs& own) {
   mjModel* m = model_.get();
   mjData* d = data_.get();
   plugin::ResetToStart(m, d);
@@ -173,6 +176,8 @@ Result<RunOutcome> Simulation::Run(const Progress& progress) {
   DerailmentWatch watch;
   PhsWatch phs_watch(bound);
   std::vector<double> row(run.channels.size());
+  std::optional<OwnInputsInRun> inputs;
+  if (own) inputs.emplace(m, d, &observer, own);
   const double begin = ThreadSeconds();
   double front_s = scenario_.start_s_m;
   for (long step = 0; step <= last_step; ++step) {
@@ -190,6 +195,11 @@ Result<RunOutcome> Simulation::Run(const Progress& progress) {
       run.reason = e.what();
       break;
     }
+    if (inputs && !inputs->going_on()) {
+      run.status = "stopped";
+      run.reason = "ended by the caller's own inputs";
+      break;
+    }
     if (const std::string warning = EngineWarning(d); !warning.empty()) {
       run.status = "diverged";
       run.reason = warning + " at t = " + std::to_string(time) + " s";
@@ -197,6 +207,7 @@ Result<RunOutcome> Simulation::Run(const Progress& progress) {
     }
     run.steps = step + 1;
     run.end_time_s = time;
+    if (inputs) inputs->AfterStep(m, d);
     keeper.Step(m, d);
     phs_watch.Check(d, time, h);
     if (record) {

@@ -12,13 +12,14 @@
 #include "plugin/observer.h"
 #include "vehicle/energy_book.h"
 #include "vehicle/engine.h"
+#include "vehicle/own_inputs.h"
 #include "vehicle/phs_watch.h"
 #include "vehicle/scenario.h"
 
 namespace phs::vehicle {
 
 struct RunOutcome {
-  std::string status = "ok";  ///< ok | derailed | diverged
+  std::string status = "ok";  ///< ok | derailed | diverged | stopped
   std::string reason;
   double end_time_s = 0;
   double real_time_factor = 0;  ///< simulated time / processor time of one core, recording included
@@ -41,8 +42,9 @@ class Simulation {
   Simulation& operator=(Simulation&&) noexcept = default;
   ~Simulation();
 
-  /// Runs to the end of the track (or the duration).
-  Result<RunOutcome> Run(const Progress& progress = {});
+  /// Runs to the end of the track (or the duration), with controls and forces of the caller's own
+  /// where he gives some.
+  Result<RunOutcome> Run(const Progress& progress = {}, const OwnInputs& own = {});
 
   const mjModel* model() const { return model_.get(); }
   mjModel* mutable_model() { return model_.get(); }

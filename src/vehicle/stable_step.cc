@@ -54,14 +54,16 @@ class Probe {
 
 }  // namespace
 
-double StepSpectralRadius(mjModel* m, const mjData* d, double h) {
+double StepSpectralRadius(mjModel* m, const mjData* d, double h,
+                          const Eigen::VectorXd& activations) {
   const double old_step = m->opt.timestep;
   m->opt.timestep = h;
   Probe probe(m, d);
   const int n = probe.size();
   Eigen::MatrixXd transition(n, n);
   for (int k = 0; k < n; ++k) {
-    const double eps = k >= m->nv && k < 2 * m->nv ? kSpeedProbe : kProbe;
+    double eps = k >= m->nv && k < 2 * m->nv ? kSpeedProbe : kProbe;
+    if (k >= 2 * m->nv && activations.size() > 0) eps *= activations[k - 2 * m->nv];
     Eigen::VectorXd delta = Eigen::VectorXd::Zero(n);
     delta[k] = eps;
     const Eigen::VectorXd plus = probe.Step(delta);
@@ -75,31 +77,31 @@ double StepSpectralRadius(mjModel* m, const mjData* d, double h) {
 
 namespace {
 
-bool Stable(mjModel* m, const mjData* d, double h) {
-  return StepSpectralRadius(m, d, h) <= std::exp(kGrowthRate * h);
+bool Stable(mjModel* m, const mjData* d, const Eigen::VectorXd& activations, double h) {
+  return StepSpectralRadius(m, d, h, activations) <= std::exp(kGrowthRate * h);
 }
 
 }  // namespace
 
-Status CheckStep(mjModel* m, const mjData* d, double* largest) {
+Status CheckStep(mjModel* m, const mjData* d, const Eigen::VectorXd& activations, double* largest) {
   const double h = m->opt.timestep;
   if (!(h > 0 && h <= kLongest)) {
     return Error{"timestep_s", "is " + std::to_string(h) + " s", "1e-6 … 0.05 s", ""};
   }
   double low = kSmallest;
   double high = std::max(kLargest, h);
-  if (Stable(m, d, high)) {
+  if (Stable(m, d, activations, high)) {
     low = high;
-  } else if (!Stable(m, d, low)) {
+  } else if (!Stable(m, d, activations, low)) {
     low = 0;
   } else {
     for (int i = 0; i < 10; ++i) {
       const double middle = std::sqrt(low * high);
-      (Stable(m, d, middle) ? low : high) = middle;
+      (Stable(m, d, activations, middle) ? low : high) = middle;
     }
   }
   *largest = low;
-  if (h <= low || Stable(m, d, h)) return {};
+  if (h <= low || Stable(m, d, activations, h)) return {};
   if (low == 0) {
     return Error{"vehicle", "does not stand on straight track at any step", "",
                  "check profiles, gauge, masses and springs"};

@@ -1,5 +1,8 @@
 #include "vehicle/tangent_state.h"
 
+#include <string>
+#include <vector>
+
 namespace phs::vehicle {
 
 void AddToState(const mjModel* m, const Eigen::VectorXd& delta, mjData* d) {
@@ -15,6 +18,19 @@ void SetState(const mjModel* m, const mjData* base, const Eigen::VectorXd& delta
   mju_zero(d->qacc_warmstart, m->nv);
   d->time = base->time;
   AddToState(m, delta, d);
+}
+
+Eigen::VectorXd ActivationScale(const mjModel* m, const plugin::Binding& binding) {
+  constexpr double kVolume = 1e-3;
+  Eigen::VectorXd scale = Eigen::VectorXd::Ones(m->na);
+  for (const plugin::PhsBinding& phs : binding.phs()) {
+    const std::vector<std::string>& names = phs.system->state_names();
+    for (size_t k = 0; k < names.size(); ++k) {
+      // Actuators with a state are the last ones.
+      if (names[k].ends_with("_volume")) scale[phs.state_actuator[k] - (m->nu - m->na)] = kVolume;
+    }
+  }
+  return scale;
 }
 
 }  // namespace phs::vehicle

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <utility>
 
+#include "base/origin.h"
 #include "base/result_dir.h"
 
 namespace phs::vehicle {
@@ -127,6 +128,7 @@ const UrdfLink* UrdfModel::Find(const std::string& link) const {
 Result<UrdfModel> ReadUrdf(const std::string& path) {
   auto text = ReadFile(path);
   if (!text.ok()) return text.error();
+  NoteInput(path, text.value());
   if (Status s = CheckSize(text.value(), path); !s.ok()) return s.error();
   // The handler is global to the process.
   static std::mutex mutex;

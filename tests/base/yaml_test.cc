@@ -89,6 +89,8 @@ TEST(Yaml, AMistypedKeyIsNotToldAsAMissingOne) {
   EXPECT_EQ(ErrorOf("bogie: phs\n", read), "x.yaml:1: track: is missing; allowed: a word; add it");
   EXPECT_EQ(ErrorOf("bogie: phs\nweather: dry\n", read),
             "x.yaml:1: track: is missing; allowed: a word; add it");
+  EXPECT_EQ(ErrorOf("bogy: phs\n", read),
+            "x.yaml:1: bogy: unknown key; allowed: bogie, track; did you mean 'bogie'?");
 }
 
 TEST(Yaml, TopmostUnknownKeyOfNestedMapsIsNamed) {

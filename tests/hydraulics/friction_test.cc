@@ -188,7 +188,10 @@ TEST(LevelLaws, ComposeWhateverTheirOrder) {
     place.piston = -1;  // a factor below zero would push
     EXPECT_NEAR(f.Level(1, 0.01, place), 400 * 0.75 * 0.75, 1e-9);
     EXPECT_EQ(f.num_memories(), 2);
-    EXPECT_EQ(f.AdvanceMemory(1, 0.5, -4, 1), 3);
+    double after[] = {1, 1};
+    f.AdvanceMemories(0.5, -4, 0, place, after);
+    EXPECT_EQ(after[0], 3);
+    EXPECT_EQ(after[1], 3);
   }
 }
 
