@@ -1,17 +1,19 @@
 // The effects that a bogie on its track is searched for: those of the PHS that show in a curve, and
-// those of wheel and track. A run costs a tenth of a second, so there are fewer variants and starts
-// than on a rig. Instruments are not among them: a bogie's prediction has none.
+// those of wheel and track, as their rows say. A run costs a tenth of a second, so there are fewer
+// variants and starts than on a rig. Instruments are not among them: a bogie's prediction has none.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "identify/effect_variants.h"
+#include "vehicle/running_effects.h"
 
 namespace phs::identify::search {
 
-/// All candidates that are not in `params` yet. `friction`: declared coefficient of wheel on rail.
-std::vector<Candidate> ListBogieCandidates(const hydraulics::PhsParams& params, double friction);
+/// All candidates that are not in `params` yet.
+std::vector<Candidate> ListBogieCandidates(const hydraulics::PhsParams& params,
+                                           const vehicle::DeclaredRunning& declared);
 /// Their effects, each once.
 std::vector<std::string> BogieCandidateNames();
 

@@ -9,6 +9,7 @@
 #include "base/data_path.h"
 #include "base/words.h"
 #include "identify/bogie_candidates.h"
+#include "identify/own_candidates.h"
 #include "phs_model/phs_model.h"
 #include "vehicle/compose.h"
 #include "vehicle/running_effects.h"
@@ -59,11 +60,8 @@ Result<BogieModel> LoadBogieModel(const std::string& scenario, const std::vector
   model.free = free;
   if (free.empty()) model.free = {"friction.scale", "lines.gas_volume_m3", "lines.oil_volume_m3"};
   if (Status st = CheckFree(model.phs, model.free); !st.ok()) return st.error();
-  for (const std::string& name : candidates) {
-    const std::vector<std::string> known = BogieCandidateNames();
-    if (std::find(known.begin(), known.end(), name) != known.end()) continue;
-    return Error{"candidates: " + name, "is no effect that a bogie is searched for",
-                 JoinWords(known), DidYouMean(name, known)};
+  if (Status st = CheckAsked(candidates, BogieCandidateNames(), "a bogie"); !st.ok()) {
+    return st.error();
   }
   model.candidates = candidates;
   Scenario instant = s;
@@ -118,7 +116,7 @@ std::string RunChannelOf(const BogieModel& model, const std::string& column) {
 }
 
 BogieForward::BogieForward(const FitData& data, BogieModel model, int stride)
-    : data_(data), model_(std::move(model)), stride_(stride) {}
+    : RecordForward(data, stride), data_(data), model_(std::move(model)), stride_(stride) {}
 
 size_t BogieForward::Rows(Span span) const {
   if (span == Span::kWhole) return data_.time_s.size();
@@ -160,13 +158,14 @@ Status BogieForward::RunScenario(Scenario scenario, Span span, Channels* out) co
   return {};
 }
 
-Status BogieForward::Run(const PhsParams& params, Span span, Channels* out) const {
+Status BogieForward::RunSpan(const PhsParams& params, Span span, Channels* out) const {
   auto scenario = ScenarioWith(model_, params);
   if (!scenario.ok()) return scenario.status();
   return RunScenario(std::move(scenario).value(), span, out);
 }
 
-Status BogieForward::Uncertainty(const PhsParams& params, Span span, Channels* deviation) const {
+Status BogieForward::UncertaintySpan(const PhsParams& params, Span span,
+                                     Channels* deviation) const {
   auto scenario = ScenarioWith(model_, params);
   if (!scenario.ok()) return scenario.status();
   Channels own;
@@ -189,7 +188,7 @@ FreeModel BogieForward::Declared(const PhsParams& declared) const {
 
 std::vector<Candidate> BogieForward::Candidates(const PhsParams& params) const {
   std::vector<Candidate> out;
-  for (Candidate& c : ListBogieCandidates(params, model_.friction)) {
+  for (Candidate& c : ListBogieCandidates(params, {model_.friction})) {
     const auto& asked = model_.candidates;
     if (!asked.empty() && std::find(asked.begin(), asked.end(), c.effect) == asked.end()) continue;
     out.push_back(std::move(c));
@@ -197,8 +196,8 @@ std::vector<Candidate> BogieForward::Candidates(const PhsParams& params) const {
   return out;
 }
 
-std::shared_ptr<const ForwardModel> BogieForward::Thinned(int stride) const {
-  return std::make_shared<BogieForward>(data_, model_, stride);
+std::shared_ptr<const ForwardModel> BogieForward::Coarse(double step_s) const {
+  return std::make_shared<BogieForward>(data_, model_, StrideOf(step_s));
 }
 
 }  // namespace phs::identify::search

@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "identify/effect_variants.h"
-#include "identify/forward_model.h"
+#include "identify/record_forward.h"
 #include "measurement/fit_data.h"
 #include "vehicle/scenario.h"
 #include "vehicle/simulation.h"
@@ -49,21 +49,21 @@ Result<vehicle::Scenario> ScenarioWith(const BogieModel& model,
 /// "load1_N", "pL1_Pa". Empty: none.
 std::string RunChannelOf(const BogieModel& model, const std::string& column);
 
-class BogieForward final : public ForwardModel {
+class BogieForward final : public RecordForward {
  public:
   /// `data` must outlive it; its driving motion is the place of the leading wheelset.
   BogieForward(const measurement::FitData& data, BogieModel model, int stride = 1);
 
-  Status Run(const hydraulics::PhsParams& params, Span span, Channels* out) const override;
-  /// What the creep theory leaves open: rms difference over the span between two laws of creep that
-  /// agree where slip is small (Kalker's linear theory) and differ towards saturation.
-  Status Uncertainty(const hydraulics::PhsParams& params, Span span,
-                     Channels* deviation) const override;
   FreeModel Declared(const hydraulics::PhsParams& declared) const override;
   std::vector<Candidate> Candidates(const hydraulics::PhsParams& params) const override;
-  std::shared_ptr<const ForwardModel> Thinned(int stride) const override;
+  std::shared_ptr<const ForwardModel> Coarse(double step_s) const override;
 
  private:
+  Status RunSpan(const hydraulics::PhsParams& params, Span span, Channels* out) const override;
+  /// What the creep theory leaves open: rms difference over the span between two laws of creep that
+  /// agree where slip is small (Kalker's linear theory) and differ towards saturation.
+  Status UncertaintySpan(const hydraulics::PhsParams& params, Span span,
+                         Channels* deviation) const override;
   Status RunScenario(vehicle::Scenario scenario, Span span, Channels* out) const;
   size_t Rows(Span span) const;
 

@@ -34,17 +34,13 @@ Result<BogieCase> LoadBogieCase(const Manifest& manifest) {
   return c;
 }
 
-/// Slow model, and a measurement that has more in it than any model of the track's geometry: fewer
-/// runs, and an effect must show by more than on a rig.
+/// Slow model: fewer runs.
 SearchOptions ForBogie(const SearchOptions& asked, double step_s) {
   SearchOptions options = asked;
-  options.thorough = false;
-  options.coarse_step_s = 2 * step_s;
-  options.coarse_fits = std::min(asked.coarse_fits, 6);
-  options.full_fits = std::min(asked.full_fits, 4);
-  options.min_gain = std::max(asked.min_gain, 0.03);
-  options.min_channel_gain = std::max(asked.min_channel_gain, 0.08);
-  options.min_first_removed = std::max(asked.min_first_removed, 0.15);
+  options.formula = false;  // no single cylinder whose force could follow one
+  options.effort.elsewhere = false;
+  options.effort.coarse_step_s = 2 * step_s;
+  options.effort.coarse_fits = std::min(asked.effort.coarse_fits, 6);
   return options;
 }
 
@@ -75,11 +71,11 @@ Result<IdentifyOutcome> IdentifyBogie(const Manifest& manifest, const SearchOpti
   if (!loaded.ok()) return loaded.error();
   const BogieCase& c = loaded.value();
   const auto forward = std::make_shared<const BogieForward>(c.data, c.model);
-  auto problem = FitProblem::Create(c.data, forward, c.model.phs);
+  auto problem = FitProblem::Create(forward, c.model.phs);
   if (!problem.ok()) return problem.error();
   const auto write = [&](const PhsParams& corrected) { return WriteBogieModel(dir, c, corrected); };
-  return SearchAndWrite(manifest, c.model.phs, &problem.value(), ForBogie(options, c.data.step_s),
-                        progress, write, dir);
+  return SearchAndWrite(manifest, c.data, c.model.phs, &problem.value(),
+                        ForBogie(options, c.data.step_s), progress, write, dir);
 }
 
 Result<IdentifyOutcome> RunBogieRig(const Manifest& manifest, const ResultDir& dir) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 
+#include "effects/unlisted.h"
 #include "identify/fit_intervals.h"
 #include "identify/line_formula.h"
 #include "identify/near_fit.h"
@@ -14,35 +15,32 @@ namespace phs::identify::search {
 
 namespace {
 
+/// The channel that shows a force on the piston.
+std::string ForceChannel(const FitProblem& problem) {
+  return problem.FindOutput("force_N") >= 0 ? "force_N" : "load_cell_N";
+}
+
 /// A formula for what one channel shows beyond the model.
 FoundFormula SearchChannelFormula(const FitProblem& problem, const FreeModel& model,
                                   const FitResult& fit, const std::string& name,
                                   const FormulaLimits& limits) {
   const int channel = problem.FindOutput(name);
-  const rigs::RigKind kind = problem.data().kind;
-  if (channel < 0 || (kind != rigs::RigKind::kQuarter && kind != rigs::RigKind::kCylinder)) {
-    return {};
-  }
-  Result<std::vector<hydraulics::ForcePlace>> places =
-      problem.Places(problem.Params(model, fit.values));
-  if (!places.ok()) return {};
-  const int n = problem.samples(), channels = problem.num_channels();
+  if (channel < 0) return {};
+  Result<FormulaFrame> framed = problem.forward().Frame(problem.Params(model, fit.values), name);
+  if (!framed.ok()) return {};
+  const FormulaFrame& frame = framed.value();
   FormulaData data;
   // All channels: what the model's own numbers could do for the load cell shows in the pressures.
-  data.residual = fit.residual;
-  data.jacobian = fit.jacobian;
-  data.places = {std::move(places.value())};
-  data.column = [&](const std::vector<std::vector<double>>& force) {
-    Eigen::VectorXd out = Eigen::VectorXd::Zero(n * channels);
-    out.segment(channel * n, n) = problem.Weighted(channel, force.front());
-    return out;
+  if (!problem.Linearise(model, fit.values, 0, &data.residual, &data.jacobian)) return {};
+  data.places = frame.places;
+  data.column = [&](const Channels& values) { return problem.Weighted(name, frame.rows(values)); };
+  data.independent = [&](const Eigen::VectorXd& r) {
+    return IndependentSamples(r, problem.likelihood().blocks());
   };
-  data.independent = [=](const Eigen::VectorXd& r) { return IndependentSamples(r, channels); };
-  data.has_pressure = true;
-  data.has_rod_pressure = kind == rigs::RigKind::kQuarter;
-  data.has_friction = name == "load_cell_N";
-  data.has_time_waves = true;
-  data.first_row = static_cast<Eigen::Index>(channel) * n;
+  data.has_pressure = frame.has_pressure, data.has_rod_pressure = frame.has_rod_pressure;
+  data.has_temperature = frame.has_temperature;
+  data.has_friction = frame.has_friction, data.has_time_waves = frame.has_time_waves;
+  data.first_row = problem.block(static_cast<size_t>(channel)).begin;
   return SearchFormula(data, limits);
 }
 
@@ -50,11 +48,12 @@ FoundFormula SearchChannelFormula(const FitProblem& problem, const FreeModel& mo
 
 FoundFormula SearchForceFormula(const FitProblem& problem, const FreeModel& model,
                                 const FitResult& fit, const FormulaLimits& limits) {
-  return SearchChannelFormula(problem, model, fit, "load_cell_N", limits);
+  return SearchChannelFormula(problem, model, fit, ForceChannel(problem), limits);
 }
 
 FoundFormula SearchReadingFormula(const FitProblem& problem, const FreeModel& model,
                                   const FitResult& fit, double noise, const FormulaLimits& limits) {
+  if (model.params.cylinders.empty()) return {};
   const auto& cylinder = model.params.cylinders.front();
   struct Sensor {
     const char *channel, *unit;
@@ -89,17 +88,17 @@ FormulaTrial FitFormula(const FitProblem& problem, const FreeModel& model, const
   out.model = WithCandidate(model, out.candidate);
   std::vector<double> start = values;
   for (const double c : out.candidate.starts[0]) start.push_back(part * c);
-  out.fit = FitBalanced(
-      problem, out.model, start, fit.jacobian,
-      {.first_own = static_cast<int>(values.size()), .max_steps = 15, .final_jacobian = true});
-  if (out.fit.ok) out.evidence = Compare(problem, fit, out.fit);
+  out.fit = FitNear(
+      problem, out.model, start, fit.slopes,
+      {.first_own = static_cast<int>(values.size()), .max_steps = 15, .final_slopes = true});
+  if (out.fit.ok) out.evidence = Compare(problem, fit, out.fit, kTermsTried);
   return out;
 }
 
 bool Better(const FitProblem& problem, const FormulaTrial& a, const FormulaTrial& b) {
   if (!a.fit.ok || !b.fit.ok) return a.fit.ok;
-  const int channels = problem.num_channels();
-  return MeanLogSquare(a.fit.residual, channels) < MeanLogSquare(b.fit.residual, channels);
+  return Criterion(problem, a.fit.score, a.fit.values.size()) <
+         Criterion(problem, b.fit.score, b.fit.values.size());
 }
 
 /// A law of a line: sought at the fit and, as a strong law bends the columns themselves, again
@@ -138,8 +137,8 @@ FormulaTrial TryFormula(const FitProblem& problem, const FitProblem& coarse, con
                         const FitResult& fit, const FormulaLimits& limits) {
   constexpr double kNoise = 1.1, kMostForce_N = 1e5, kMostReading_m = 1e-2, kMostReading_Pa = 1e7;
   double pressures = 0, load = 0;
-  for (int c = 0; c < problem.num_channels(); ++c) {
-    const std::string& name = problem.data().outputs[static_cast<size_t>(c)].name;
+  for (int c = 0; c < problem.num_blocks(); ++c) {
+    const std::string& name = problem.block_name(static_cast<size_t>(c));
     double& worst = name.ends_with("_Pa") ? pressures : load;
     if (name != "piston_m") worst = std::max(worst, fit.channel_ms[static_cast<size_t>(c)]);
   }
@@ -149,11 +148,11 @@ FormulaTrial TryFormula(const FitProblem& problem, const FitProblem& coarse, con
     force = FitFormula(problem, model, fit, fit.values,
                        SearchForceFormula(problem, model, fit, limits), kMostForce_N);
     if (!force.fit.ok) return;
-    const auto c = static_cast<size_t>(problem.FindOutput("load_cell_N"));
+    const auto c = static_cast<size_t>(problem.FindOutput(ForceChannel(problem)));
     force.channel_gain = 1 - std::sqrt(force.fit.channel_ms[c] / fit.channel_ms[c]);
   };
   const auto try_line = [&] {
-    if (pressures <= kNoise || problem.data().kind == rigs::RigKind::kFull) return;
+    if (pressures <= kNoise || !problem.forward().TellsLines()) return;
     line = TryLineFormula(problem, coarse, model, fit, limits);
   };
   const auto try_reading = [&] {
@@ -170,20 +169,21 @@ FormulaTrial TryFormula(const FitProblem& problem, const FitProblem& coarse, con
 
 Candidate FormulaCandidate(const FoundFormula& found, double most) {
   Candidate c;
-  c.effect = c.params.name = "unlisted";
+  c.effect = c.params.name = effects::UnlistedInfo().name;
   c.params.formula = found.text;
   c.params.targets = found.targets;
   c.starts = {{}};
   for (size_t k = 0; k < found.coefficients.size(); ++k) {
     const std::string name = fmt::format("c{}_{}", k + 1, found.unit);
     FreeParameter p;
-    p.name = "effects.unlisted." + name;
+    p.name = "effects." + c.effect + "." + name;
     p.start = found.coefficients[k];
     p.low = -most, p.high = most;
     p.scale = p.start != 0 ? std::abs(p.start) : 1e-3 * most;
     c.free.push_back(p);
+    c.none.push_back(0);
     c.starts[0].push_back(p.start);
-    c.params.values[name] = p.start;
+    c.params.values[name] = 0;
   }
   return c;
 }

@@ -20,6 +20,9 @@ FoundFormula SearchForceFormula(const FitProblem& problem, const FreeModel& mode
 FoundFormula SearchReadingFormula(const FitProblem& problem, const FreeModel& model,
                                   const FitResult& fit, double noise, const FormulaLimits& limits);
 
+/// Structures that a search for a formula looks at: its library of terms is about as large.
+inline constexpr double kTermsTried = 300;
+
 /// A formula found and fitted together with all numbers of a model.
 struct FormulaTrial {
   FoundFormula found;

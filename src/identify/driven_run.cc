@@ -3,9 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/table.h"
+#include "effects/unlisted.h"
+#include "identify/own_candidates.h"
 #include "identify/result_json.h"
+#include "identify/rig_forward.h"
 #include "measurement/data_checks.h"
 #include "measurement/fit_run.h"
 #include "phs_model/phs_model.h"
@@ -32,9 +36,12 @@ struct Case {
 
 /// Outputs as the declared model predicts them.
 Result<Channels> Predict(const FitData& data, const PhsParams& params) {
-  Result<FitProblem> problem = FitProblem::Create(data, params);
-  if (!problem.ok()) return problem.error();
-  return problem.value().Predict(params);
+  auto rig = RigForward::Create(data, params);
+  if (!rig.ok()) return rig.error();
+  Channels out;
+  const Status done = rig.value()->Run(params, ForwardModel::Span::kWhole, &out);
+  if (!done.ok()) return done.error();
+  return out;
 }
 
 void TurnInput(FitData* data) {
@@ -49,24 +56,19 @@ void TurnInput(FitData* data) {
   }
 }
 
-Status CheckCandidates(const std::vector<std::string>& asked) {
-  const std::vector<std::string> known = CandidateNames();
-  for (const std::string& name : asked) {
-    if (std::find(known.begin(), known.end(), name) != known.end()) continue;
-    return Error{"candidates: " + name, "is no effect that a rig is searched for", JoinWords(known),
-                 DidYouMean(name, known)};
-  }
-  return {};
-}
-
 Result<Case> LoadCase(const Manifest& manifest) {
-  if (Status s = CheckCandidates(manifest.candidates); !s.ok()) return s.error();
+  if (Status s = CheckAsked(manifest.candidates, CandidateNames(), "a rig"); !s.ok()) {
+    return s.error();
+  }
   Result<PhsParams> declared = phs_model::FindPhsParams(manifest.model);
   if (!declared.ok()) return declared.error();
   if (Status s = CheckFree(declared.value(), manifest.free); !s.ok()) return s.error();
   Result<FitData> read = ReadFitData(manifest, declared.value());
   if (!read.ok()) return read.error();
   Case c{std::move(read.value()), std::move(declared.value())};
+  if (Status s = CheckOwnCandidates(c.data.own, c.declared, c.data.kind, c.data.options); !s.ok()) {
+    return s.error();
+  }
   Result<Channels> predicted = Predict(c.data, c.declared);
   if (!predicted.ok()) return predicted.error();
   if (InputIsSwapped(c.data, predicted.value())) {
@@ -94,6 +96,51 @@ std::vector<double> AtRows(const FitData& data, const std::vector<double>& y) {
 }
 
 }  // namespace
+
+namespace {
+
+/// The rows of a window of what drives the model and of what it answers.
+Channels Signals(const FitData& data, const Channels& predicted, size_t begin, size_t end) {
+  Channels out;
+  const auto add = [&](const std::vector<double>& row) {
+    if (row.size() < end) return;
+    out.emplace_back(row.begin() + static_cast<long>(begin), row.begin() + static_cast<long>(end));
+  };
+  for (const SmoothMotion& motion : data.motion) add(motion.position);
+  add(data.pressure_Pa);
+  for (const std::vector<double>& row : predicted) add(row);
+  return out;
+}
+
+}  // namespace
+
+Result<std::vector<LeftOver>> OverNoise(const FitData& data, const ForwardModel& forward,
+                                        const PhsParams& params, const Channels& predicted,
+                                        const std::array<double, 2>& window) {
+  Channels uncertain;
+  const Status s = forward.Uncertainty(params, ForwardModel::Span::kWhole, &uncertain);
+  if (!s.ok()) return s.error();
+  const auto row = [&](double t) {
+    return static_cast<size_t>(std::lower_bound(data.time_s.begin(), data.time_s.end(), t) -
+                               data.time_s.begin());
+  };
+  const size_t begin = row(window[0]), end = row(window[1]);
+  const Channels signals = Signals(data, predicted, begin, end);
+  std::vector<LeftOver> out;
+  for (size_t c = 0; c < data.outputs.size(); ++c) {
+    const MeasuredChannel& channel = data.outputs[c];
+    std::vector<double> residual;
+    double sum = 0, count = 0;
+    for (size_t i = begin; i < end; ++i) {
+      residual.push_back((channel.values[i] - predicted[c][i]) /
+                         std::hypot(channel.noise, uncertain[c][i]));
+      if (std::isfinite(residual.back())) sum += residual.back() * residual.back(), ++count;
+    }
+    out.push_back(
+        {std::sqrt(sum / std::max(count, 1.0)), MeanSquareThatFollows(residual, signals)});
+  }
+  return out;
+}
 
 Status WriteChannels(const ResultDir& dir, const std::string& file, const FitData& data,
                      const Channels& outputs) {
@@ -124,11 +171,10 @@ Json Head(const Manifest& manifest, const FitData& data) {
           {"data_findings", FindingList(data.findings)}};
 }
 
-Result<IdentifyOutcome> SearchAndWrite(const Manifest& manifest, const PhsParams& declared,
-                                       FitProblem* problem, const SearchOptions& options,
-                                       const Progress& progress, const WriteModel& write_model,
-                                       const ResultDir& dir) {
-  const FitData& data = problem->data();
+Result<IdentifyOutcome> SearchAndWrite(const Manifest& manifest, const FitData& data,
+                                       const PhsParams& declared, FitProblem* problem,
+                                       const SearchOptions& options, const Progress& progress,
+                                       const WriteModel& write_model, const ResultDir& dir) {
   Result<Identification> search = Identify(problem, declared, options, progress);
   if (!search.ok()) return search.error();
   const Identification& found = search.value();
@@ -136,27 +182,41 @@ Result<IdentifyOutcome> SearchAndWrite(const Manifest& manifest, const PhsParams
   outcome.cancelled = found.cancelled;
   if (found.cancelled) return outcome;
   const PhsParams corrected = problem->Params(found.corrected, found.after.values);
-  Result<Channels> before = problem->Predict(problem->Params(found.declared, found.before.values));
-  Result<Channels> after = problem->Predict(corrected);
-  if (!before.ok()) return before.error();
-  if (!after.ok()) return after.error();
-  const Result<std::vector<double>> over_noise =
-      problem->OverNoise(corrected, after.value(), data.validation);
+  const PhsParams refitted = problem->Params(found.declared, found.before.values);
+  Channels before, after;
+  for (const auto& [params, out] : {std::pair{&refitted, &before}, {&corrected, &after}}) {
+    const Status done = problem->forward().Run(*params, ForwardModel::Span::kWhole, out);
+    if (!done.ok()) return done.error();
+  }
+  const Result<std::vector<LeftOver>> over_noise =
+      OverNoise(data, problem->forward(), corrected, after, data.validation);
+  const Result<std::vector<LeftOver>> over_before =
+      OverNoise(data, problem->forward(), corrected, before, data.validation);
   if (!over_noise.ok()) return over_noise.error();
+  if (!over_before.ok()) return over_before.error();
   Json& result = outcome.result;
   result = Head(manifest, data);
-  result["channels"] = ScoreBoth(data, before.value(), after.value(), data.validation);
-  result["channels_estimation"] = ScoreBoth(data, before.value(), after.value(), data.estimation);
+  result["channels"] = ScoreBoth(data, before, after, data.validation);
+  result["channels_estimation"] = ScoreBoth(data, before, after, data.estimation);
   result["effects"] = EffectList(found);
   result["fitted"] = Parameters(found.corrected, found.after, 0, found.declared.free.size(), true);
-  result["localised"] = Localise(data, before.value(), found.before);
-  result["unexplained"] = Unexplained(data, after.value(), over_noise.value(), found);
+  result["localised"] = Localise(data, before, found.before);
+  result["unexplained"] = Unexplained(data, after, over_noise.value(), found);
+  VerdictFacts facts{{}, NamedEffects(found), FittedNumbers(found), {}};
+  for (size_t c = 0; c < data.outputs.size(); ++c) {
+    const std::string& name = data.outputs[c].name;
+    const LeftOver& left = over_noise.value()[c];
+    facts.channels.push_back({name, over_before.value()[c].over_noise, left.over_noise,
+                              result["channels"][name]["after"]["nrmse"].get<double>(),
+                              left.following});
+  }
+  PutVerdict(facts, &result);
   result["next_test"] = NextTests(found, result["unexplained"]);
   result["candidates"] = CandidateList(found);
   result["model"] = "model.yaml";
   for (const Status& s :
-       {WriteMeasured(dir, data), WriteChannels(dir, "predicted.csv", data, after.value()),
-        WriteChannels(dir, "baseline.csv", data, before.value()), write_model(corrected),
+       {WriteMeasured(dir, data), WriteChannels(dir, "predicted.csv", data, after),
+        WriteChannels(dir, "baseline.csv", data, before), write_model(corrected),
         WriteFileAtomically(dir.File("result.json"), result.dump(1) + "\n")}) {
     if (!s.ok()) return s.error();
   }
@@ -170,7 +230,9 @@ Result<IdentifyOutcome> IdentifyDriven(const Manifest& manifest, const SearchOpt
   if (!loaded.ok()) return loaded.error();
   const FitData& data = loaded.value().data;
   const PhsParams& declared = loaded.value().declared;
-  Result<FitProblem> problem = FitProblem::Create(data, declared);
+  auto rig = RigForward::Create(data, declared);
+  if (!rig.ok()) return rig.error();
+  Result<FitProblem> problem = FitProblem::Create(rig.value(), declared);
   if (!problem.ok()) return problem.error();
   const auto write_model = [&](PhsParams corrected) {
     corrected.name += "_identified";
@@ -179,11 +241,12 @@ Result<IdentifyOutcome> IdentifyDriven(const Manifest& manifest, const SearchOpt
   };
   SearchOptions asked = options;
   // Four cylinders and a beam: a run costs ten times as much, and there are more places to try.
-  asked.thorough = options.thorough && data.kind != rigs::RigKind::kFull;
-  asked.formula = data.candidates.empty() ||
-                  std::find(data.candidates.begin(), data.candidates.end(), "unlisted") !=
-                      data.candidates.end();
-  return SearchAndWrite(manifest, declared, &problem.value(), asked, progress, write_model, dir);
+  asked.effort.elsewhere = options.effort.elsewhere && data.kind != rigs::RigKind::kFull;
+  asked.formula =
+      data.candidates.empty() || std::find(data.candidates.begin(), data.candidates.end(),
+                                           effects::UnlistedInfo().name) != data.candidates.end();
+  return SearchAndWrite(manifest, data, declared, &problem.value(), asked, progress, write_model,
+                        dir);
 }
 
 }  // namespace phs::identify::search

@@ -7,8 +7,10 @@
 #include "base/result.h"
 #include "base/result_dir.h"
 #include "identify/effect_search.h"
+#include "identify/motion_share.h"
 #include "identify/outcome.h"
 #include "identify/result_json.h"
+#include "measurement/fit_data.h"
 #include "measurement/manifest.h"
 
 namespace phs::identify::search {
@@ -21,10 +23,18 @@ Status WriteMeasured(const ResultDir& dir, const measurement::FitData& data);
 /// First part of result.json: what was asked and what the data are like.
 Json Head(const measurement::Manifest& manifest, const measurement::FitData& data);
 
+/// Of the residual of whole-record predictions, per channel; window [s].
+Result<std::vector<LeftOver>> OverNoise(const measurement::FitData& data,
+                                        const ForwardModel& forward,
+                                        const hydraulics::PhsParams& params,
+                                        const Channels& predicted,
+                                        const std::array<double, 2>& window);
+
 /// Writes the corrected model in the form of the declared one.
 using WriteModel = std::function<Status(const hydraulics::PhsParams& corrected)>;
 /// The loop and its results, whatever the model is.
 Result<IdentifyOutcome> SearchAndWrite(const measurement::Manifest& manifest,
+                                       const measurement::FitData& data,
                                        const hydraulics::PhsParams& declared, FitProblem* problem,
                                        const SearchOptions& options, const Progress& progress,
                                        const WriteModel& write_model, const ResultDir& dir);

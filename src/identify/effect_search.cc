@@ -4,22 +4,16 @@
 #include <atomic>
 #include <cmath>
 #include <mutex>
-#include <span>
+#include <set>
 
-#include "identify/effect_choice.h"
-#include "identify/effect_options.h"
-#include "identify/effect_reshape.h"
-#include "identify/effect_trials.h"
-#include "identify/effect_verdict.h"
+#include "identify/accept.h"
 #include "identify/formula_rounds.h"
 #include "identify/near_fit.h"
-#include "identify/reweigh.h"
-#include "identify/seen_starts.h"
+#include "identify/points.h"
+#include "identify/trials.h"
 #include "identify/worst_place.h"
 
 namespace phs::identify::search {
-
-using measurement::FitData;
 namespace {
 
 class Search {
@@ -29,235 +23,210 @@ class Search {
       : problem_(*problem), coarse_(*coarse), options_(options), progress_(progress) {}
 
   Result<Identification> Run(const hydraulics::PhsParams& declared) {
-    ThreadBudget threads(options_.threads);
+    ThreadBudget threads(options_.effort.threads);
     for (FitProblem* p : {&problem_, &coarse_}) {
-      p->SetGoOn([this] { return GoOn(); });
+      p->SetGoOn([this] { return GoOn(part_); });
       p->SetThreads(&threads);
     }
-    Result<Identification> out = SearchAll(declared);
+    const Status done = SearchAll(declared);
     for (FitProblem* p : {&problem_, &coarse_}) p->SetGoOn({}), p->SetThreads(nullptr);
-    return out;
+    out_.cancelled = cancelled_;
+    if (!done.ok() && !cancelled_) return done.error();
+    return std::move(out_);
   }
 
  private:
-  Result<Identification> SearchAll(const hydraulics::PhsParams& declared) {
+  Status SearchAll(const hydraulics::PhsParams& declared) {
+    if (Status s = FitDeclared(declared); !s.ok()) return s;
+    for (int round = 0; round < options_.effort.max_effects && !cancelled_; ++round) {
+      if (!IsBeyondChance(problem_.likelihood().MostGain(out_.after.powers), 1)) break;
+      Stage(0.02 + 0.2 * round, 0.14);
+      if (!AddOne(round)) break;
+      Reweigh();
+      Stage(0.16 + 0.2 * round, 0.06);
+      SeekAnew();
+    }
+    DropSuperfluous();
+    Stage(0.85, 0.1);
+    if (!cancelled_ && options_.formula) {
+      ChallengeByFormula(problem_, coarse_, &out_);
+      if (AddFormula(problem_, coarse_, &out_)) DropSuperfluous();
+    }
+    UpdateRecords();
+    return {};
+  }
+
+  Status FitDeclared(const hydraulics::PhsParams& declared) {
     out_.declared = problem_.forward().Declared(declared);
     std::vector<double> start;
     for (const auto& p : out_.declared.free) start.push_back(p.start);
-    out_.before = problem_.Fit(out_.declared, start, 15);
+    const NearFitOptions plain{.max_steps = 15, .flat = true, .final_slopes = true};
+    out_.before = FitNear(problem_, out_.declared, start, {}, plain);
     if (out_.before.ok) {
-      const auto params = problem_.Params(out_.declared, out_.before.values);
-      for (FitProblem* p : {&problem_, &coarse_}) {
-        Result<SampleWeights> weights = p->CalcWeights(params);
-        if (!weights.ok()) return weights.error();
-        p->SetWeights(std::move(weights.value()));
-      }
-      out_.before = problem_.Fit(out_.declared, out_.before.values, 10);
+      if (Status s = SetWeights(out_.declared, out_.before.values); !s.ok()) return s;
+      out_.before = FitNear(problem_, out_.declared, out_.before.values, {}, plain);
     }
-    if (out_.before.ok) {
-      out_.before = FitNear(problem_, out_.declared, out_.before.values, out_.before.jacobian,
-                            {.first_own = static_cast<int>(out_.declared.free.size()),
-                             .max_steps = 8,
-                             .balanced = true,
-                             .final_jacobian = true});
-    }
-    out_.cancelled = cancelled_;
-    if (cancelled_) return std::move(out_);
     if (!out_.before.ok) {
       return Error{declared.name, "the declared model could not be fitted",
                    "a model that can follow the measured motion", "check model and data"};
     }
-    out_.corrected = out_.declared, out_.after = out_.before;
-    for (int round = 0; round < options_.max_effects; ++round) {
-      share_ = 0.02 + 0.6 * round / options_.max_effects;
-      if (!AddOne(round)) break;
-      if (!cancelled_) Reweigh(&problem_, &coarse_, &out_);
-      if (out_.effects.size() > 1 && options_.thorough) {
-        ReshapeEffects(
-            problem_, coarse_, options_, [this](double) { return GoOn(); }, &out_);
-      }
-      if (IsNoise(out_.after)) break;
-    }
-    if (out_.effects.size() > 1) {
-      Exchange();
-      if (!cancelled_) Reweigh(&problem_, &coarse_, &out_);
-      DropSuperfluous();
-    }
-    if (!cancelled_) ChallengeByFormula(problem_, coarse_, options_, &out_);
-    if (!cancelled_) Reweigh(&problem_, &coarse_, &out_);
-    if (!cancelled_ && AddFormula(problem_, coarse_, options_, &out_)) DropSuperfluous();
-    UpdateRecords();
-    RankEffects();
-    out_.cancelled = cancelled_;
-    return std::move(out_);
+    out_.base = FitNear(problem_, out_.declared, out_.before.values, {},
+                        {.max_steps = 8, .final_slopes = true});
+    if (!out_.base.ok) out_.base = out_.before;
+    out_.corrected = out_.declared, out_.after = out_.base;
+    return {};
   }
 
-  /// Every channel's residual is down at its noise: there is nothing left to find.
-  static bool IsNoise(const FitResult& fit) {
-    constexpr double kNoise = 1.04;  // mean square over that of noise and input
-    return std::all_of(fit.channel_ms.begin(), fit.channel_ms.end(),
-                       [](double ms) { return ms < kNoise; });
+  Status SetWeights(const FreeModel& model, const std::vector<double>& values) {
+    const auto params = problem_.Params(model, values);
+    for (FitProblem* p : {&problem_, &coarse_}) {
+      Result<SampleWeights> weights = p->CalcWeights(params);
+      if (!weights.ok()) return weights.status();
+      p->SetWeights(std::move(weights.value()));
+    }
+    return {};
   }
 
-  bool Tick(double part) {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    part_ = part;
-    if (!cancelled_ && progress_ && !progress_(std::min(0.99, share_ + part))) cancelled_ = true;
-    return !cancelled_;
+  /// The measured motion has noise; how much of it reaches an output depends on the model: a stiff
+  /// bristle on a piston at rest turns a micrometre into newtons, the declared model does not.
+  void Reweigh() {
+    if (cancelled_ || !SetWeights(out_.corrected, out_.after.values).ok()) return;
+    Refit(out_.declared, &out_.base), Refit(out_.corrected, &out_.after);
+    out_.before = FitNear(problem_, out_.declared, out_.before.values, {},
+                          {.max_steps = 4, .flat = true, .final_slopes = true});
+  }
+
+  void Refit(const FreeModel& model, FitResult* fit) const {
+    FitResult again =
+        FitNear(problem_, model, fit->values, {}, {.max_steps = 6, .final_slopes = true});
+    if (again.ok) *fit = std::move(again);
   }
 
   std::vector<FullTrial> Try(const FreeModel& model, const FitResult& fit,
-                             const std::vector<Candidate>& list, int full_fits, double* reference,
-                             double most_coarse = 1e300, double most_full = 1e300) {
-    const size_t own = out_.declared.params.effects.size();
-    const size_t present = model.params.effects.size() - own;
-    const TrialOptions trying{.coarse_fits = options_.coarse_fits / (present > 0 ? 2 : 1),
-                              .full_fits = std::max(2, full_fits - static_cast<int>(present)),
-                              .elsewhere = options_.thorough && present < 2,
-                              .thorough = options_.thorough && present == 0,
-                              .declared = out_.declared.free.size(),
-                              .most_coarse = most_coarse,
-                              .most_full = most_full};
-    return TryEffects(
-        problem_, coarse_, model, fit, list, trying, [this](double part) { return Tick(part); },
-        reference);
-  }
-
-  void Record(const std::vector<FullTrial>& trials, const FitResult& without, double reference,
-              int round) {
-    for (const FullTrial& trial : trials) {
-      CandidateRecord record;
-      record.effect = trial.candidate->effect;
-      record.variant = VariantName(*trial.candidate);
-      record.round = round + 1;
-      record.screening_gain = 1 - std::exp(0.5 * (trial.predicted - reference));
-      record.fitted = trial.fit.ok;
-      record.verdict = "screened out";
-      if (trial.coarse.ok) {
-        record.coarse_gain =
-            1 - std::exp(0.5 * (MeanLogSquare(trial.coarse.residual, problem_.num_channels()) -
-                                reference));
-      }
-      if (trial.fit.ok) record.evidence = Compare(problem_, without, trial.fit);
-      out_.candidates.push_back(std::move(record));
-    }
+                             const std::vector<Candidate>& list) {
+    const std::vector<Point> points =
+        PointsAbout(coarse_, model, fit, out_.declared.free.size(),
+                    options_.effort.elsewhere &&
+                        model.params.effects.size() == out_.declared.params.effects.size());
+    if (points.empty()) return {};
+    reference_ = Criterion(coarse_, points.front().score, points.front().values.size());
+    return TryEffects(problem_, coarse_, model, fit, points, list, options_.effort,
+                      [this](double part) { return GoOn(part); });
   }
 
   bool AddOne(int round) {
     std::vector<Candidate> list = problem_.forward().Candidates(out_.corrected.params);
     KeepWorstPlace(problem_, out_.after, out_.corrected.params, &list);
-    seen_.AddStarts(&list);
-    double reference = 0;
-    std::vector<FullTrial> trials =
-        Try(out_.corrected, out_.after, list, options_.full_fits, &reference);
+    std::vector<FullTrial> trials = Try(out_.corrected, out_.after, list);
     if (cancelled_) return false;
-    seen_.Note(trials, out_.after.values.size(), reference);
+    for (const FullTrial& trial : trials) {
+      if (trial.promise < reference_) promising_.insert(trial.candidate->effect);
+    }
     const size_t first = out_.candidates.size();
-    Record(trials, out_.after, reference, round);
     int best = -1;
-    for (size_t i = 0; i < trials.size(); ++i) {
-      if (!trials[i].fit.ok) continue;
-      CandidateRecord& record = out_.candidates[first + i];
-      const FreeModel model = WithCandidate(out_.corrected, trials[i].form);
-      record.evidence.settled = IsSettled(model, trials[i].fit, trials[i].form);
-      record.verdict = Verdict(record.evidence, OnBound(model, trials[i].fit, trials[i].form),
-                               out_.effects.empty(), options_);
-      if (!record.verdict.empty()) continue;
-      record.verdict = kBeaten;
-      if (best < 0 ||
-          record.evidence.delta_bic > out_.candidates[first + best].evidence.delta_bic) {
-        best = static_cast<int>(i);
+    for (const FullTrial& trial : trials) {
+      CandidateRecord record{trial.candidate->effect,
+                             VariantName(trial.form),
+                             round + 1,
+                             reference_ - trial.promise,
+                             false,
+                             {},
+                             {}};
+      record.fitted = trial.fit.ok, record.verdict = "screened out";
+      if (trial.fit.ok) {
+        record.evidence =
+            Compare(problem_, out_.after, trial.fit, static_cast<double>(list.size()));
+        record.verdict = Refusal(record.evidence, trial.form, trial.fit);
       }
+      if (record.verdict.empty()) {
+        record.verdict = kBeaten;
+        const int k = static_cast<int>(out_.candidates.size() - first);
+        if (best < 0 || record.evidence.delta_bic >
+                            out_.candidates[first + static_cast<size_t>(best)].evidence.delta_bic) {
+          best = k;
+        }
+      }
+      out_.candidates.push_back(std::move(record));
     }
-    const std::span<CandidateRecord> records(out_.candidates.data() + first, trials.size());
-    if (best < 0 || IsOverruled(problem_, trials, best, records)) return false;
-    ShapeContained(problem_, out_.corrected, out_.after, best, &trials, records);
-    best = FindSimplest(problem_, trials, records, best);
-    CandidateRecord& chosen = records[best];
-    chosen.verdict = "accepted";
-    AcceptedEffect accepted{trials[best].form, chosen.evidence, {}};
-    chosen.variant = VariantName(trials[best].form);
-    for (size_t i = 0; i < trials.size(); ++i) {
-      if (!trials[i].fit.ok || trials[i].candidate->effect == chosen.effect) continue;
-      NoteConfusable(problem_, trials[best].fit, trials[i].fit, trials[i].candidate->effect,
-                     options_, &accepted);
-    }
-    out_.corrected = WithCandidate(out_.corrected, trials[best].form);
-    out_.after = trials[best].fit;
-    out_.effects.push_back(std::move(accepted));
+    if (best < 0) return false;
+    out_.candidates[first + static_cast<size_t>(best)].verdict = kAccepted;
+    Take(out_.corrected, trials[static_cast<size_t>(best)],
+         out_.candidates[first + static_cast<size_t>(best)].evidence, trials);
     return true;
   }
 
-  /// Asked before every run of the model, so that a stop is heard at once.
-  bool GoOn() {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    if (!cancelled_ && progress_ && !progress_(std::min(0.99, share_ + part_))) cancelled_ = true;
-    return !cancelled_;
+  /// Adds a trial on top of `model`; what of the others chance may have put behind it is noted.
+  void Take(const FreeModel& model, const FullTrial& trial, const Evidence& evidence,
+            const std::vector<FullTrial>& others) {
+    AcceptedEffect accepted{trial.form, evidence, {}};
+    for (const FullTrial& other : others) {
+      if (!other.fit.ok || other.candidate->effect == trial.candidate->effect) continue;
+      const double behind = Criterion(problem_, other.fit.score, other.fit.values.size()) -
+                            Criterion(problem_, trial.fit.score, trial.fit.values.size());
+      if (!IsBeyondChance(behind, 1)) accepted.confusable_with.push_back(other.candidate->effect);
+    }
+    out_.corrected = WithCandidate(model, trial.form);
+    out_.after = trial.fit;
+    out_.effects.push_back(std::move(accepted));
   }
 
-  /// Tries to replace each accepted effect but the last by another.
-  void Exchange() {
-    constexpr double kHopeless = 0.15;  // ln of the mean square
-    const double most_full =
-        MeanLogSquare(out_.after.residual, problem_.num_channels()) + kHopeless;
-    const double most = MostOfRivals(coarse_, out_.corrected, out_.after.values);
-    for (size_t i = 0; i + 1 < out_.effects.size() && !cancelled_; ++i) {
-      share_ = 0.68 + 0.1 * static_cast<double>(i);
+  /// Each effect but the last is taken out and sought anew among all candidates.
+  void SeekAnew() {
+    const size_t count = out_.effects.size();
+    for (size_t i = 0; i + 1 < count && !cancelled_; ++i) {
       FreeModel model;
-      const FitResult rest = FitWithout(problem_, out_, i, &model);
-      if (!rest.ok) continue;
+      FitResult rest;
+      rest.values = ValuesWithout(out_, 0, &model);
+      rest = FitNear(problem_, model, rest.values, {}, {.max_steps = 4, .final_slopes = true});
+      if (!rest.ok) return;
+      const AcceptedEffect old = out_.effects.front();
       std::vector<Candidate> list = problem_.forward().Candidates(model.params);
       KeepWorstPlace(problem_, rest, model.params, &list);
-      const std::string old = out_.effects[i].candidate.effect;
-      std::erase_if(list, [&](const Candidate& c) { return c.effect == old; });
-      double reference = 0;
-      std::vector<FullTrial> trials = Try(model, rest, list, 2, &reference, most, most_full);
-      for (FullTrial& trial : trials) {
+      std::erase_if(list, [this](const Candidate& c) { return !promising_.contains(c.effect); });
+      std::vector<FullTrial> trials = Try(model, rest, list);
+      FullTrial now{&old.candidate, old.candidate, {}, Reordered(model, old), 0};
+      const FullTrial* best = now.fit.ok ? &now : nullptr;
+      for (const FullTrial& trial : trials) {
         if (!trial.fit.ok) continue;
-        Evidence e = Compare(problem_, out_.after, trial.fit);
-        const FreeModel whole = WithCandidate(model, trial.form);
-        e.settled = IsSettled(whole, trial.fit, trial.form);
-        if (e.delta_bic < options_.min_delta_bic || OnBound(whole, trial.fit, trial.form)) {
-          continue;
+        const Evidence e = Compare(problem_, rest, trial.fit, static_cast<double>(list.size()));
+        if (!Refusal(e, trial.form, trial.fit).empty()) continue;
+        if (best == nullptr || Criterion(problem_, trial.fit.score, trial.fit.values.size()) <
+                                   Criterion(problem_, best->fit.score, best->fit.values.size())) {
+          best = &trial;
         }
-        if (FitsAsWellWithFewer(problem_, out_.after, trial.fit,
-                                MarginOver(old, trial.candidate->effect))) {
-          continue;
-        }
-        // What contains it must show what it has beyond it, as an effect beside it would.
-        const bool more = IsNested(old, trial.candidate->effect);
-        if (more && !Verdict(e, false, false, options_).empty()) continue;
-        AcceptedEffect replaced{trial.form, Compare(problem_, rest, trial.fit), {old}};
-        Withdraw(old, "exchanged", &out_.candidates);
-        out_.candidates.push_back({trial.candidate->effect, VariantName(trial.form), 0, 0, 0, true,
-                                   replaced.evidence, "accepted"});
-        out_.effects.erase(out_.effects.begin() + static_cast<long>(i));
-        out_.effects.push_back(std::move(replaced));
-        out_.corrected = whole, out_.after = trial.fit;
-        break;
       }
+      if (best == nullptr || cancelled_) return;
+      out_.effects.erase(out_.effects.begin());
+      const Evidence e = Compare(problem_, rest, best->fit, static_cast<double>(list.size()));
+      if (best->candidate->effect != old.candidate.effect) {
+        Withdraw(old.candidate.effect, "another explains more beside the later ones",
+                 &out_.candidates);
+        out_.candidates.push_back(
+            {best->candidate->effect, VariantName(best->form), 0, 0, true, e, kAccepted});
+      }
+      Take(model, *best, e, trials);
     }
   }
 
-  /// Every effect must still earn its place beside the others, by the rules of its acceptance.
+  /// The fit as it is with the first effect's numbers moved to the end of `model`.
+  FitResult Reordered(const FreeModel& model, const AcceptedEffect& first) const {
+    const size_t begin = out_.declared.free.size(), n = first.candidate.free.size();
+    std::vector<double> values = out_.after.values;
+    const auto at = values.begin() + static_cast<long>(begin);
+    std::rotate(at, at + static_cast<long>(n), values.end());
+    return FitNear(problem_, WithCandidate(model, first.candidate), values, {},
+                   {.max_steps = 2, .final_slopes = true});
+  }
+
+  /// Every effect must still earn its place beside the others.
   void DropSuperfluous() {
     for (size_t i = 0; i < out_.effects.size() && !cancelled_;) {
       FreeModel model;
-      const FitResult rest =
-          out_.effects.size() > 1 ? FitWithout(problem_, out_, i, &model) : out_.before;
-      if (out_.effects.size() == 1) model = out_.declared;
+      std::vector<double> values = ValuesWithout(out_, i, &model);
+      FitResult rest = FitNear(problem_, model, values, {}, {.max_steps = 8, .final_slopes = true});
       if (!rest.ok) return;
-      const Evidence e = Compare(problem_, rest, out_.after);
-      const bool alone = out_.effects.size() == 1;
-      // Beside others its share of what exceeds the noise may be small.
-      SearchOptions rules = options_;
-      if (!alone) rules.min_excess_removed = 0;
-      const std::string no = Verdict(e, false, alone, rules);
-      // Nor does it go where the others would then have to take numbers that are not plausible.
-      std::vector<AcceptedEffect> others = out_.effects;
-      others.erase(others.begin() + static_cast<long>(i));
-      if (no.empty() || AnyOnBound(model, rest, out_.declared.free.size(), others)) {
-        out_.effects[i].evidence = e;
+      const Evidence e = Compare(problem_, rest, out_.after, 1);
+      if (IsBeyondChance(e.delta_bic, 1) && e.cross_validation_gain > 0) {
         ++i;
         continue;
       }
@@ -265,31 +234,38 @@ class Search {
       Withdraw(gone, "superfluous beside the later ones", &out_.candidates);
       if (gone == "unlisted") out_.formula = {};
       out_.effects.erase(out_.effects.begin() + static_cast<long>(i));
-      out_.corrected = model, out_.after = rest;
+      out_.corrected = model, out_.after = std::move(rest);
       i = 0;
     }
   }
 
-  /// What is said of the accepted among the candidates is what was accepted in the end; what stands
-  /// beside an effect is not confused with it.
+  /// What is said of the accepted among the candidates is what was accepted in the end; strongest
+  /// first; what stands beside an effect is not confused with it.
   void UpdateRecords() {
     for (AcceptedEffect& effect : out_.effects) {
       std::erase_if(effect.confusable_with, [&](const std::string& name) {
         return std::any_of(out_.effects.begin(), out_.effects.end(),
                            [&](const auto& other) { return other.candidate.effect == name; });
       });
-      if (effect.candidate.effect == "unlisted") continue;
       for (CandidateRecord& record : out_.candidates) {
-        if (record.effect != effect.candidate.effect || record.verdict != "accepted") continue;
-        record.variant = VariantName(effect.candidate), record.evidence = effect.evidence;
+        if (record.effect != effect.candidate.effect || record.verdict != kAccepted) continue;
+        record.evidence = effect.evidence;
       }
     }
+    std::stable_sort(out_.effects.begin(), out_.effects.end(), [](const auto& a, const auto& b) {
+      return a.evidence.delta_bic > b.evidence.delta_bic;
+    });
   }
 
-  void RankEffects() {
-    std::stable_sort(out_.effects.begin(), out_.effects.end(), [](const auto& a, const auto& b) {
-      return a.evidence.estimation_gain > b.evidence.estimation_gain;
-    });
+  void Stage(double begin, double length) { begin_ = begin, length_ = length; }
+
+  /// Asked before every run of the model, so that a stop is heard at once.
+  bool GoOn(double part) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    part_ = part;
+    const double share = std::min(0.99, begin_ + length_ * part);
+    if (!cancelled_ && progress_ && !progress_(share)) cancelled_ = true;
+    return !cancelled_;
   }
 
   FitProblem& problem_;
@@ -297,19 +273,19 @@ class Search {
   const SearchOptions options_;
   const Progress progress_;
   Identification out_;
-  SeenStarts seen_;
   std::mutex mutex_;
   std::atomic<bool> cancelled_{false};
-  double share_ = 0, part_ = 0;
+  std::atomic<double> part_{0};
+  double begin_ = 0, length_ = 0.02;
+  std::set<std::string> promising_;  ///< effects that have once explained something
+  double reference_ = 0;             ///< criterion of the model beneath, on the coarse record
 };
 
 }  // namespace
 
 Result<Identification> Identify(FitProblem* problem, const hydraulics::PhsParams& declared,
                                 const SearchOptions& options, const Progress& progress) {
-  const FitData& data = problem->data();
-  const int stride = std::max(1, static_cast<int>(options.coarse_step_s / data.step_s + 0.01));
-  Result<FitProblem> coarse = problem->Thinned(declared, stride);
+  Result<FitProblem> coarse = problem->Coarse(declared, options.effort.coarse_step_s);
   if (!coarse.ok()) return coarse.error();
   return Search(problem, &coarse.value(), options, progress).Run(declared);
 }

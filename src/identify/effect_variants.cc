@@ -4,97 +4,122 @@
 #include <cmath>
 
 #include "effects/catalogue.h"
-#include "identify/effect_options.h"
-#include "identify/effect_recipes.h"
+#include "effects/unlisted.h"
+#include "identify/form_starts.h"
 
 namespace phs::identify::search {
 namespace {
 
+using hydraulics::EffectForm;
 using hydraulics::EffectInfo;
+using hydraulics::EffectParameter;
+using hydraulics::FormNumber;
+using hydraulics::FormOption;
 using hydraulics::PhsParams;
+using hydraulics::Places;
 
-/// Bounds: the plausible range of the catalogue; logarithmic where it spans
-/// more than a factor 20. A range that begins at zero begins, for a number
-/// whose starts are positive, at 1/300 of `start`, its smallest start.
-FreeParameter FreeNumber(const EffectInfo& info, const std::string& name, double start) {
-  for (const auto& p : info.parameters) {
-    if (p.name != name) continue;
-    FreeParameter free;
-    free.name = "effects." + info.name + "." + name;
-    free.low = std::max(p.low, p.min), free.high = std::min(p.high, p.max);
-    if (free.low == 0 && start > 0) free.low = start / 300;
-    free.logarithmic = free.low > 0 && (free.high / free.low > 20 || name == "oil_share");
-    free.scale = (free.high - free.low) / (free.low > 0 ? 1 : 10);
-    return free;
+const EffectParameter& ParameterOf(const EffectInfo& info, const std::string& name) {
+  for (const EffectParameter& p : info.parameters) {
+    if (p.name == name) return p;
   }
   PHS_CHECK(false);
-  return {};
+  return info.parameters.front();
 }
 
-void AddOptions(const EffectInfo& info, const Recipe& recipe, Candidate* candidate) {
-  const auto is_free = [&](const char* name) {
-    return std::any_of(recipe.free.begin(), recipe.free.end(),
-                       [&](const char* free) { return std::string(free) == name; });
+/// Where a number does nothing: as declared, at zero, or (a gain, a ratio) at its default.
+double Nothing(const EffectParameter& p, const std::optional<double>& declared) {
+  if (declared) return *declared;
+  return p.low <= 0 && p.high >= 0 ? 0 : p.otherwise;
+}
+
+/// Bounds: of the form, or the plausible range; logarithmic where they span more than a factor 20.
+/// A plausible range that begins at zero begins, for a number whose starts are positive, at 1/300
+/// of the smallest.
+FreeParameter MakeFree(const EffectInfo& info, const FormNumber& number, double unit,
+                       double smallest) {
+  const EffectParameter& p = ParameterOf(info, number.name);
+  const bool bounded = std::isfinite(number.low);
+  FreeParameter free;
+  free.name = "effects." + info.name + "." + number.name;
+  free.low = std::max(bounded ? number.low * unit : p.low, p.min);
+  free.high = std::min(bounded ? number.high * unit : p.high, p.max);
+  if (!bounded && free.low == 0 && smallest > 0) free.low = smallest / 300;
+  free.logarithmic = free.low > 0 && (free.high / free.low > 20 || p.by_factors);
+  free.scale = !bounded       ? (free.high - free.low) / (free.low > 0 ? 1 : 10)
+               : number.in_si ? std::max(std::abs(number.from), std::abs(number.to))
+                              : unit;
+  return free;
+}
+
+/// Free numbers and their starts, inside the bounds.
+void Free(const EffectInfo& info, const std::vector<FormNumber>& numbers, const FormScale& scale,
+          std::vector<FreeParameter>* free, std::vector<std::vector<double>>* starts) {
+  std::vector<NumberScale> scales;
+  for (const FormNumber& number : numbers) {
+    const EffectParameter& p = ParameterOf(info, number.name);
+    const bool declared = scales.empty() && scale.declared.has_value();
+    scales.push_back({scale.size && !number.in_si ? scale.size(p.unit) : 1,
+                      Nothing(p, declared ? scale.declared : std::nullopt), declared});
+  }
+  *starts = GridOf(numbers, scales);
+  for (size_t i = 0; i < numbers.size(); ++i) {
+    double smallest = starts->front()[i];
+    for (const auto& start : *starts) smallest = std::min(smallest, start[i]);
+    free->push_back(MakeFree(info, numbers[i], scales[i].unit, smallest));
+    for (auto& start : *starts) {
+      start[i] = std::clamp(start[i], free->back().low, free->back().high);
+    }
+  }
+}
+
+void AddOptions(const EffectInfo& info, const EffectForm& form, Candidate* candidate) {
+  const auto is_free = [&](const std::string& name) {
+    return std::any_of(form.free.begin(), form.free.end(),
+                       [&](const FormNumber& free) { return free.name == name; });
   };
-  for (const OptionRow& row : Options()) {
-    if (info.name != row.effect) continue;
-    if (std::any_of(row.free.begin(), row.free.end(), is_free)) continue;
-    // Air that does not dissolve has no lag in it.
-    const std::string first = row.free[0];
-    if (first == "dissolving_time_s" && !is_free("saturation_Pa")) continue;
-    // A wave has no beginning.
-    if (first == "start_s" && is_free("period_s")) continue;
-    // What stands for one side alone stays there.
-    const bool one_side = std::any_of(recipe.fixed.begin(), recipe.fixed.end(), [](const auto& f) {
-      return std::string(f.first) == "rod_ratio";
-    });
-    if (one_side && first == "rod_ratio") continue;
-    EffectOption option{{}, row.starts};
-    for (size_t i = 0; i < row.free.size(); ++i) {
-      double smallest = row.starts[0][i];
-      for (const auto& start : row.starts) smallest = std::min(smallest, start[i]);
-      option.free.push_back(FreeNumber(info, row.free[i], smallest));
-    }
-    candidate->options.push_back(std::move(option));
+  const auto is_held = [&](const std::string& name) {
+    return std::any_of(form.held.begin(), form.held.end(),
+                       [&](const auto& held) { return held.first == name; });
+  };
+  for (const FormOption& option : info.search.options) {
+    const bool known = std::any_of(option.free.begin(), option.free.end(),
+                                   [&](const FormNumber& n) { return is_free(n.name); });
+    if (known || (option.of_sides && is_held(option.free.front().name))) continue;
+    if (!option.with.empty() && !is_free(option.with)) continue;
+    if (!option.without.empty() && is_free(option.without)) continue;
+    EffectOption& added = candidate->options.emplace_back();
+    added.of_sides = option.of_sides;
+    Free(info, option.free, {}, &added.free, &added.starts);
   }
 }
 
-/// The starts of a precharge stand for a declared one of 15 MPa.
-void ScalePrecharge(const PhsParams& params, Candidate* candidate) {
-  constexpr double kWritten_Pa = 15e6;
-  double declared = 0;
-  for (const auto& line : params.lines) {
-    if (line.accumulator.volume_m3 > 0) {
-      declared = std::max(declared, line.accumulator_precharge_Pa);
-    }
-  }
-  if (declared == 0) return;
-  const FreeParameter& p = candidate->free[0];
-  for (std::vector<double>& start : candidate->starts) {
-    start[0] = std::clamp(start[0] * declared / kWritten_Pa, p.low, p.high);
-  }
-}
-
-void AddVariants(const Recipe& recipe, const PhsParams& params, rigs::RigKind kind,
-                 std::vector<Candidate>* out) {
-  const EffectInfo* info = effects::Catalogue().Find(recipe.effect);
-  if (info == nullptr) return;
-  Candidate candidate = MakeCandidate(*info, recipe.free, recipe.starts, recipe.fixed);
-  AddOptions(*info, recipe, &candidate);
-  if (candidate.effect == "accumulator_precharge") ScalePrecharge(params, &candidate);
-  if (recipe.spread != Spread::kAlone) out->push_back(candidate);
+/// Cylinders or lines that an effect may stand at.
+std::vector<std::string> PlacesOf(const EffectInfo& info, const PhsParams& params) {
   std::vector<std::string> places;
-  if (info->targets == "lines") {
+  if (info.targets == "lines") {
     for (const auto& line : params.lines) places.push_back(line.name);
-  } else {
+  } else if (!info.targets.empty()) {
     for (const auto& cylinder : params.cylinders) places.push_back(cylinder.name);
   }
-  candidate.shows_at_place = recipe.spread == Spread::kAll;
-  const bool full = kind == rigs::RigKind::kFull && info->targets != "lines";
-  if ((candidate.shows_at_place && !full) || places.size() < 2) return;
-  std::erase_if(candidate.options, [](const EffectOption& option) {
-    return option.free[0].name.ends_with(".rod_ratio");
-  });
+  return places;
+}
+
+/// A form in all places and, as far as it may stand there and `full` has several, in each alone.
+void AddForm(const EffectInfo& info, const EffectForm& form, const PhsParams& params, bool full,
+             std::vector<Candidate>* out) {
+  FormScale scale;
+  if (info.search.declared != nullptr) {
+    scale.declared = info.search.declared(params);
+    if (*scale.declared == 0) return;  // there is nothing that could be otherwise
+  }
+  Candidate candidate = MakeCandidate(info, form, scale);
+  AddOptions(info, form, &candidate);
+  if (form.places != Places::kAlone) out->push_back(candidate);
+  const std::vector<std::string> places = PlacesOf(info, params);
+  candidate.shows_at_place = form.places == Places::kAll;
+  const bool shown = full && info.targets != "lines";
+  if ((candidate.shows_at_place && !shown) || places.size() < 2) return;
+  std::erase_if(candidate.options, [](const EffectOption& option) { return option.of_sides; });
   for (const std::string& place : places) {
     candidate.params.targets = {place};
     out->push_back(candidate);
@@ -103,44 +128,37 @@ void AddVariants(const Recipe& recipe, const PhsParams& params, rigs::RigKind ki
 
 }  // namespace
 
-Candidate MakeCandidate(const EffectInfo& info, const std::vector<const char*>& free,
-                        const std::vector<std::vector<double>>& starts,
-                        const std::vector<std::pair<const char*, double>>& fixed) {
+Candidate MakeCandidate(const EffectInfo& info, const EffectForm& form, const FormScale& scale) {
   Candidate candidate;
-  candidate.effect = info.name;
-  candidate.params.name = info.name;
-  for (const auto& p : info.parameters) candidate.params.values[p.name] = p.otherwise;
-  for (const auto& [name, value] : fixed) candidate.params.values[name] = value;
-  for (size_t i = 0; i < free.size(); ++i) {
-    double smallest = starts[0][i];
-    for (const auto& start : starts) smallest = std::min(smallest, start[i]);
-    candidate.free.push_back(FreeNumber(info, free[i], smallest));
+  candidate.effect = candidate.params.name = info.name;
+  for (const EffectParameter& p : info.parameters) candidate.params.values[p.name] = p.otherwise;
+  for (const auto& [name, value] : form.held) {
+    const EffectParameter& p = ParameterOf(info, name);
+    const double unit = scale.size ? scale.size(p.unit) : 1;
+    candidate.params.values[name] = std::clamp(value * unit, p.min, p.max);
   }
-  candidate.starts = starts;
-  // One of two directions (or sides, or parts of a wave) may have none of it.
-  const bool two = candidate.free.size() > 1 &&
-                   (info.name == "check_restriction" || info.name == "viscous_friction" ||
-                    info.name == "pressure_friction" ||
-                    candidate.free[1].name.find("_cosine") != std::string::npos);
-  // A hose that never stiffens is oil volume, which is free already.
-  const bool stiffens =
-      candidate.free.size() > 1 && candidate.free[1].name.ends_with("stiffening_Pa");
-  candidate.mains = two || stiffens ? 2 : 1;
-  candidate.hydraulic = info.family == "hydraulic";
-  candidate.has_onset = candidate.hydraulic || info.family == "mounting" ||
-                        info.name == "presliding" || info.name == "dwell_friction" ||
-                        candidate.free.back().name.ends_with(".start_s");
+  Free(info, form.free, scale, &candidate.free, &candidate.starts);
+  for (size_t i = 0; i < form.free.size(); ++i) {
+    const double nothing =
+        Nothing(ParameterOf(info, form.free[i].name), i == 0 ? scale.declared : std::nullopt);
+    const bool nowhere = candidate.free[i].logarithmic && !(i == 0 && scale.declared);
+    candidate.none.push_back(nowhere ? 0 : nothing);
+  }
+  candidate.mains = form.amounts;
   return candidate;
+}
+
+bool IsIn(const PhsParams& params, const std::string& effect) {
+  return std::any_of(params.effects.begin(), params.effects.end(),
+                     [&](const auto& present) { return present.name == effect; });
 }
 
 std::vector<Candidate> ListCandidates(const PhsParams& params, rigs::RigKind kind) {
   std::vector<Candidate> out;
-  for (const auto* rows : {&Hydraulic(), &FrictionAndMounting(), &InstrumentAndEnvironment()}) {
-    if (kind == rigs::RigKind::kElement && rows == &Hydraulic()) continue;
-    for (const Recipe& recipe : *rows) {
-      const bool present = std::any_of(params.effects.begin(), params.effects.end(),
-                                       [&](const auto& e) { return e.name == recipe.effect; });
-      if (!present) AddVariants(recipe, params, kind, &out);
+  for (const EffectInfo& info : effects::Catalogue().effects()) {
+    if (IsIn(params, info.name)) continue;
+    for (const EffectForm& form : info.search.rig) {
+      AddForm(info, form, params, kind == rigs::RigKind::kFull, &out);
     }
   }
   return out;
@@ -148,12 +166,10 @@ std::vector<Candidate> ListCandidates(const PhsParams& params, rigs::RigKind kin
 
 std::vector<std::string> CandidateNames() {
   std::vector<std::string> names;
-  for (const auto* rows : {&Hydraulic(), &FrictionAndMounting(), &InstrumentAndEnvironment()}) {
-    for (const Recipe& recipe : *rows) {
-      if (names.empty() || names.back() != recipe.effect) names.emplace_back(recipe.effect);
-    }
+  for (const EffectInfo& info : effects::Catalogue().effects()) {
+    if (!info.search.rig.empty()) names.push_back(info.name);
   }
-  names.emplace_back("unlisted");
+  names.push_back(effects::UnlistedInfo().name);
   return names;
 }
 

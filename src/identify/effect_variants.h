@@ -1,14 +1,17 @@
-// The effects of the catalogue as candidates: which of their numbers are free, from which values a
-// fit may start, on which lines they may act. Several variants of one effect may be tried; the best
-// stands for it.
+// Effects as candidates, made from what their rows say (hydraulics/effect_forms.h): which of their
+// numbers are free, from which values a fit may start, on which lines they may act. Several variants
+// of one effect may be tried; the best stands for it.
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "hydraulics/extension.h"
 #include "hydraulics/phs_params.h"
 #include "identify/search_fit.h"
+#include "rigs/rig_model.h"
 
 namespace phs::identify::search {
 
@@ -16,6 +19,7 @@ namespace phs::identify::search {
 struct EffectOption {
   std::vector<FreeParameter> free;
   std::vector<std::vector<double>> starts;
+  bool of_sides = false;  ///< not where one place alone is meant
 };
 
 struct Candidate {
@@ -25,22 +29,30 @@ struct Candidate {
   std::vector<std::vector<double>> starts;  ///< one value per free parameter
   std::vector<EffectOption> options;        ///< what its form may take on beyond that
   int mains = 1;                            ///< the first so many numbers are its amounts
-  bool hydraulic = false;                   ///< can have bent the baseline's volumes
-  bool has_onset = false;                   ///< far from linear in its own numbers
   bool shows_at_place = false;              ///< of one cylinder alone, told by its own load cell
+  /// Values of the first numbers at which it does nothing; 0 of a logarithmic one: nowhere.
+  std::vector<double> none;
 };
 
-/// One way of switching an effect on: its free numbers, values of these from which a fit starts,
-/// and numbers held at other than their default values.
-Candidate MakeCandidate(const hydraulics::EffectInfo& info, const std::vector<const char*>& free,
-                        const std::vector<std::vector<double>>& starts,
-                        const std::vector<std::pair<const char*, double>>& fixed = {});
+/// What the numbers of a form are measured in.
+struct FormScale {
+  /// Of a number of this unit; empty: SI.
+  std::function<double(const std::string& unit)> size;
+  std::optional<double> declared;  ///< what is declared of the first number
+};
+
+/// One form of an effect, its starts and options.
+Candidate MakeCandidate(const hydraulics::EffectInfo& info, const hydraulics::EffectForm& form,
+                        const FormScale& scale);
 
 /// All candidates for a model of these lines, leaving out effects already in it. On the full rig
 /// every effect of cylinders is among them for each cylinder alone too.
 std::vector<Candidate> ListCandidates(const hydraulics::PhsParams& params, rigs::RigKind kind);
 
-/// Names of the effects that ListCandidates can give, and `unlisted`.
+/// True if the model has the effect already.
+bool IsIn(const hydraulics::PhsParams& params, const std::string& effect);
+
+/// Names of the effects that ListCandidates can give, and that of a formula.
 std::vector<std::string> CandidateNames();
 
 /// The candidate with one of its options free as well; it and others with a number in common go off

@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "effects/catalogue.h"
+#include "effects/unlisted.h"
+#include "identify/own_candidates.h"
 #include "measurement/series.h"
 #include "phs_model/phs_model.h"
 
@@ -13,6 +15,7 @@ using measurement::Quantile;
 using measurement::StandardDeviation;
 namespace {
 
+using hydraulics::EffectForm;
 using hydraulics::EffectInfo;
 using hydraulics::PhsParams;
 using search::Candidate;
@@ -26,103 +29,54 @@ FreeParameter Logarithmic(const std::string& name, double start, double factor) 
   return {name, start, start / factor, start * factor, true, 1};
 }
 
-/// One free number of a candidate: its allowed range of the catalogue cut to what the data can
-/// tell.
-struct Number {
-  const char* name;
-  double low, high, scale;  ///< scale 0: logarithmic
-};
-
-class CandidateList {
- public:
-  explicit CandidateList(const FreeModel& model) : model_(model) {}
-
-  void Add(const std::string& effect, const std::vector<Number>& numbers,
-           std::vector<std::vector<double>> starts,
-           const std::vector<std::pair<const char*, double>>& fixed = {}) {
-    for (const auto& present : model_.params.effects) {
-      if (present.name == effect) return;
-    }
-    const EffectInfo* info = effects::Catalogue().Find(effect);
-    PHS_CHECK(info != nullptr);
-    Candidate c;
-    c.effect = c.params.name = effect;
-    for (const auto& p : info->parameters) c.params.values[p.name] = p.otherwise;
-    for (const auto& [name, value] : fixed) c.params.values[name] = value;
-    for (const Number& n : numbers) {
-      const auto* p = &*std::find_if(info->parameters.begin(), info->parameters.end(),
-                                     [&](const auto& q) { return q.name == n.name; });
-      FreeParameter free;
-      free.name = "effects." + effect + "." + n.name;
-      free.low = std::max(n.low, p->min), free.high = std::min(n.high, p->max);
-      free.logarithmic = n.scale == 0;
-      free.scale = n.scale == 0 ? 1 : n.scale;
-      c.free.push_back(free);
-    }
-    c.starts = std::move(starts);
-    out_.push_back(std::move(c));
-  }
-  std::vector<Candidate> Take() { return std::move(out_); }
-
- private:
-  const FreeModel& model_;
-  std::vector<Candidate> out_;
-};
-
 bool IsFree(const FreeModel& model, const std::string& name) {
   return std::any_of(model.free.begin(), model.free.end(),
                      [&](const FreeParameter& p) { return p.name.starts_with(name); });
 }
 
-void AddFriction(const FreeModel& model, const ElementData& data, const Sizes& s,
-                 CandidateList* list) {
-  const double F = s.friction_N, L = s.length_m, V = s.speed_m_s;
-  const double c = F / V;  // viscous force as large as the level at high speed
-  list->Add("asymmetric_friction", {{"viscous_Ns_per_m", -20 * c, 20 * c, c}},
-            {{0.1 * c}, {-0.1 * c}}, {{"level_N", 0}});
-  // A level that differs by direction and an offset of the load cell are one and the same force.
-  if (!IsFree(model, "element.offset")) {
-    list->Add("asymmetric_friction",
-              {{"viscous_Ns_per_m", -20 * c, 20 * c, c}, {"level_N", -F, F, F}},
-              {{0.1 * c, 0}, {-0.1 * c, 0}});
-    list->Add("asymmetric_friction", {{"level_N", -F, F, F}}, {{0}}, {{"viscous_Ns_per_m", 0}});
+/// Size of a number of this unit.
+double SizeOf(const std::string& unit, const Sizes& s) {
+  const double F = s.friction_N, L = s.length_m;
+  const std::pair<const char*, double> sizes[] = {{"N", F},
+                                                  {"m", L},
+                                                  {"m/s", s.speed_m_s},
+                                                  {"s", s.duration_s},
+                                                  {"kg", s.force_N / s.acceleration_m_s2},
+                                                  {"m2", s.force_N / s.pressure_Pa},
+                                                  {"N/m", F / L},
+                                                  {"N s/m", F / s.speed_m_s},
+                                                  {"N/s", F / s.duration_s},
+                                                  {"N/Pa", F / s.pressure_Pa},
+                                                  {"1/m", 1 / L},
+                                                  {"1/m2", 1 / (L * L)},
+                                                  {"1/K", 1 / s.temperature_K}};
+  for (const auto& [known, size] : sizes) {
+    if (unit == known) return size;
   }
-  if (data.has_pressure) {
-    const double k = F / s.pressure_Pa;
-    list->Add("pressure_friction", {{"bore_N_per_Pa", -k, 20 * k, k}}, {{0.1 * k}},
-              {{"rod_N_per_Pa", 0}});
+  return 1;
+}
+
+/// True if the part and its record have what the form needs, and nothing that says the same.
+bool IsFor(const EffectForm& form, const FreeModel& model, const ElementData& data) {
+  const auto has = [&](const std::string& name) {
+    return (name == "p_Pa" && data.has_pressure) ||
+           (name == "temperature_K" && data.has_temperature) || IsFree(model, name);
+  };
+  const bool stateless = model.params.friction.model == hydraulics::FrictionModel::kStatic;
+  return std::all_of(form.needs.begin(), form.needs.end(), has) &&
+         std::none_of(form.beside.begin(), form.beside.end(), has) &&
+         (stateless || !form.of_static_friction);
+}
+
+/// Below the ramp of a static law there is no level that could depend on the speed.
+void BoundSpeeds(const EffectForm& form, const EffectInfo& info, double slowest, Candidate* c) {
+  for (size_t i = 0; i < form.free.size(); ++i) {
+    for (const auto& p : info.parameters) {
+      if (p.name != form.free[i].name || p.unit != "m/s") continue;
+      c->free[i].low = std::max(c->free[i].low, std::min(slowest, 0.5 * c->free[i].high));
+      for (auto& start : c->starts) start[i] = std::max(start[i], c->free[i].low);
+    }
   }
-  if (data.has_temperature) {
-    const double a = 1 / s.temperature_K;
-    list->Add("temperature_friction", {{"slope_1_per_K", -2 * a, 2 * a, a}}, {{0}});
-  }
-  list->Add("position_friction", {{"slope_1_per_m", -1 / L, 1 / L, 1 / L}}, {{0}});
-  list->Add("position_friction",
-            {{"slope_1_per_m", -1 / L, 1 / L, 1 / L},
-             {"curvature_1_per_m2", -1 / (L * L), 5 / (L * L), 1 / (L * L)}},
-            {{0, 0}});
-  if (!IsFree(model, "friction.breakaway")) {
-    // Below the ramp of a static model there is no level to fall.
-    const bool ramped = model.params.friction.model == hydraulics::FrictionModel::kStatic;
-    const double slowest = std::max(1e-3 * V, ramped ? 3 * s.ramp_m_s : 0.0);
-    list->Add("stribeck", {{"extra_N", 0, 5 * F, F}, {"speed_m_s", slowest, V, 0}},
-              {{0.2 * F, 0.01 * V}, {0.2 * F, 0.05 * V}, {0.2 * F, 0.3 * V}});
-  }
-  if (!IsFree(model, "friction.viscous")) {
-    list->Add("viscous_friction",
-              {{"extension_Ns_per_m", 0, 50 * c, c}, {"retraction_Ns_per_m", 0, 50 * c, c}},
-              {{0.1 * c, 0.1 * c}});
-  }
-  if (model.params.friction.model == hydraulics::FrictionModel::kStatic) {
-    list->Add("presliding", {{"stiffness_N_per_m", 2 * F / L, 1e6 * F / L, 0}},
-              {{10 * F / L}, {100 * F / L}, {1000 * F / L}, {1e4 * F / L}},
-              {{"breakaway_ratio", 0.5}});
-  }
-  list->Add("dwell_friction",
-            {{"extra_N", 0, 5 * F, F},
-             {"time_s", 1e-3 * s.duration_s, s.duration_s, 0},
-             {"length_m", 1e-4 * L, L, 0}},
-            {{0.2 * F, 0.02 * s.duration_s, 0.01 * L}, {0.2 * F, 0.1 * s.duration_s, 0.1 * L}});
 }
 
 }  // namespace
@@ -131,7 +85,7 @@ Sizes MeasureSizes(const ElementData& data) {
   Sizes s;
   std::vector<double> force, x, v, a, p, T;
   for (const ElementRecord& r : data.records) {
-    const auto acceleration = rigs::DifferentiateMotion(r.motion.speed_m_s[0], r.motion.step_s);
+    const auto acceleration = rigs::AccelerationOf(r.motion, r.motion.speed_m_s[0]);
     for (size_t k = 0; k < r.row_sample.size(); ++k) {
       if (!r.fitted[k]) continue;
       const auto i = static_cast<size_t>(r.row_sample[k]);
@@ -209,7 +163,7 @@ Result<FreeModel> DeclaredElement(const PhsParams& declared, const std::vector<s
     }
     Result<double> value = phs_model::GetParameter(declared, name);
     if (!value.ok()) return Error{"free: " + name, value.error().what, "", value.error().mend};
-    const bool either_sign = name.starts_with("effects.unlisted.");
+    const bool either_sign = name.starts_with("effects." + effects::UnlistedInfo().name + ".");
     model.free.push_back(value.value() > 0 && !either_sign ? Logarithmic(name, value.value(), 30)
                                                            : Linear(name, value.value(), F));
   }
@@ -218,32 +172,42 @@ Result<FreeModel> DeclaredElement(const PhsParams& declared, const std::vector<s
 
 std::vector<Candidate> ListElementCandidates(const FreeModel& model, const ElementData& data,
                                              const Sizes& s) {
-  CandidateList list(model);
-  const double F = s.friction_N, L = s.length_m;
-  if (model.params.friction.model != hydraulics::FrictionModel::kNone) {
-    AddFriction(model, data, s, &list);
-    list.Add("mount_compliance", {{"stiffness_N_per_m", 2 * F / L, 1e5 * F / L, 0}},
-             {{20 * F / L}, {500 * F / L}});
-    list.Add("backlash", {{"gap_m", 1e-4 * L, L, 0}}, {{1e-3 * L}, {0.02 * L}},
-             {{"contact_N_per_m", std::max(1e5, 1e5 * F / L)}});
+  const auto& friction = model.params.friction;
+  const bool rubs = friction.model != hydraulics::FrictionModel::kNone;
+  const bool ramped = friction.model == hydraulics::FrictionModel::kStatic;
+  const search::FormScale scale{[&](const std::string& unit) { return SizeOf(unit, s); }, {}};
+  std::vector<Candidate> out;
+  for (const EffectInfo& info : effects::Catalogue().effects()) {
+    // A mounting has friction behind it, or nothing.
+    const bool of_friction = info.family == "friction" || info.family == "mounting";
+    if (search::IsIn(model.params, info.name) || (of_friction && !rubs)) continue;
+    for (const EffectForm& form : info.search.bench) {
+      if (!IsFor(form, model, data)) continue;
+      out.push_back(MakeCandidate(info, form, scale));
+      if (ramped) BoundSpeeds(form, info, 3 * s.ramp_m_s, &out.back());
+    }
   }
-  if (data.has_pressure && !IsFree(model, "element.pressure_area")) {
-    const double A = s.force_N / s.pressure_Pa;
-    list.Add("pressure_area", {{"area_m2", -50 * A, 50 * A, A}}, {{0}});
+  std::erase_if(out, [&](const Candidate& c) {
+    const auto& asked = data.candidates;
+    return !asked.empty() && std::find(asked.begin(), asked.end(), c.effect) == asked.end();
+  });
+  search::AddOwnCandidates(data.own, model.params, &out);
+  return out;
+}
+
+std::vector<std::string> ElementCandidateNames() {
+  std::vector<std::string> names;
+  for (const EffectInfo& info : effects::Catalogue().effects()) {
+    if (!info.search.bench.empty()) names.push_back(info.name);
   }
-  const double m = s.force_N / s.acceleration_m_s2;
-  if (!IsFree(model, "element.mass")) {
-    list.Add("moving_mass", {{"mass_kg", 0, 20 * m, m}}, {{0.05 * m}});
-  } else {
-    list.Add("load_flexibility",
-             {{"mass_kg", 1e-4 * m, 2 * m, 0},
-              {"frequency_Hz", 1, 400, 0},
-              {"damping_ratio", 2e-3, 2, 0}},
-             {{0.1 * m, 8, 0.05}, {0.1 * m, 25, 0.05}, {0.1 * m, 60, 0.05}, {0.3 * m, 25, 0.3}});
-  }
-  list.Add("sensor_drift", {{"load_N_per_s", -F, F, F / s.duration_s}}, {{0}});
-  list.Add("sensor_delay", {{"load_s", 0, 0.2, 0.01}}, {{1e-3}, {1e-2}});
-  return list.Take();
+  names.push_back(effects::UnlistedInfo().name);
+  return names;
+}
+
+Result<rigs::RigModel> BenchOf(const PhsParams& params, const ElementRecord& record) {
+  rigs::RigOptions options;
+  options.extra = record.extra;
+  return rigs::RigModel::Create(rigs::RigKind::kElement, params, options);
 }
 
 }  // namespace phs::identify::element

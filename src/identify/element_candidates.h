@@ -1,6 +1,6 @@
 // What may be free in the declared model of a bench part, and the effects of the catalogue that it
-// may lack. Ranges and starts follow the sizes seen in the data: a seal rubs with 5 N, a machine
-// axis with 500.
+// may lack. Ranges and starts stand in the rows of the effects (EffectSearch::bench), in sizes seen in
+// the data: a seal rubs with 5 N, a machine axis with 500.
 #pragma once
 
 #include <vector>
@@ -32,7 +32,13 @@ Result<search::FreeModel> DeclaredElement(const hydraulics::PhsParams& declared,
                                           const std::vector<std::string>& named,
                                           const Sizes& sizes);
 
-/// Effects that this data could show, with starts.
+/// The model on the clock of one record, with its further channels.
+Result<rigs::RigModel> BenchOf(const hydraulics::PhsParams& params, const ElementRecord& record);
+
+/// Names of the effects that a bench can be searched for.
+std::vector<std::string> ElementCandidateNames();
+
+/// Effects that this data could show, with starts, of those asked for; and the user's own.
 std::vector<search::Candidate> ListElementCandidates(const search::FreeModel& model,
                                                      const ElementData& data, const Sizes& sizes);
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "measurement/channel_noise.h"
+#include "measurement/data_checks.h"
 #include "measurement/motion_smoother.h"
 #include "measurement/rig_data.h"
 
@@ -106,12 +107,26 @@ Result<ElementRecord> MakeRecord(RigRun& run, double band_Hz) {
   record.motion.step_s = run.step_s;
   record.motion.position_m = {smooth.position};
   record.motion.speed_m_s = {run.speed.present() ? run.speed.y : smooth.speed};
+  if (!run.speed.present()) record.motion.acceleration_m_s2 = {smooth.acceleration};
   record.speed_deviation = smooth.speed_deviation;
   if (run.pressure.present()) record.motion.pressure_Pa = run.pressure.y;
   if (run.temperature.present()) record.motion.temperature_K = run.temperature.y;
   record.force_N = run.outputs[0].y;
+  record.extra = run.extra;
   TakeRows(run, band_Hz, &record);
   return record;
+}
+
+/// A motion in millimetres, spikes, and stretches in which the force stands still at an end of its
+/// range or elsewhere: mended or left out, with a word.
+void LeaveOutFaults(RigRun* run) {
+  Channel &x = run->inputs[0], &force = run->outputs[0];
+  measurement::MendInputScale({}, &x, &run->findings);
+  measurement::MarkMotionSpikes(&x, &run->findings);
+  measurement::MarkSpikes(&force, &run->findings);
+  force.noise.white = WhiteNoise(force.y, force.bad);
+  force.noise.quantum = Quantum(force.y);
+  measurement::MarkStuck(&force, *run, &run->findings);
 }
 
 }  // namespace
@@ -128,18 +143,20 @@ int ElementData::CountRows(bool fitted) const {
 Result<ElementData> ReadElementData(const Manifest& manifest) {
   ElementData data;
   data.compare_below_Hz = manifest.compare_below_Hz;
+  data.candidates = manifest.candidates, data.own = manifest.own;
   data.has_pressure = data.has_temperature = true;
   std::vector<RigRun> runs;
   for (const RunSpec& spec : manifest.runs) {
     Result<RigRun> read = ReadRigRun(spec, manifest, {"x_m"}, {"force_N"});
     if (!read.ok()) return read.error();
     runs.push_back(std::move(read.value()));
+    LeaveOutFaults(&runs.back());
     const RigRun& run = runs.back();
     data.has_pressure &= run.pressure.present();
     data.has_temperature &= run.temperature.present();
     for (const DataFinding& f : run.findings) {
-      data.remarks.push_back((manifest.runs.size() > 1 ? run.source + ": " : "") + f.channel +
-                             ": " + f.text);
+      data.findings.push_back(
+          {f.channel, (manifest.runs.size() > 1 ? run.source + ": " : "") + f.text});
     }
   }
   if (Status s = CheckExcitation(runs); !s.ok()) return s.error();

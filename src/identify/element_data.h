@@ -8,6 +8,7 @@
 #include "hydraulics/phs_params.h"
 #include "measurement/band_limit.h"
 #include "measurement/manifest.h"
+#include "measurement/rig_data.h"
 #include "rigs/rig_model.h"
 
 namespace phs::identify::element {
@@ -22,9 +23,12 @@ struct ElementRecord {
   std::vector<double> row_force_N;   ///< in the band
   std::vector<int> row_sample;       ///< full-rate sample of each row
   std::vector<char> fitted, scored;  ///< row in the estimation, in the validation window
+  std::shared_ptr<const hydraulics::ExtraSeries> extra;  ///< further channels; null: none
   measurement::Window estimation, validation;
 
   double Time(int sample) const { return motion.t0_s + sample * motion.step_s; }
+  /// True if row `k` lies in the estimation window, whether it takes part or not.
+  bool InEstimation(size_t k) const { return estimation.Contains(Time(row_sample[k])); }
 };
 
 struct ElementData {
@@ -33,7 +37,9 @@ struct ElementData {
   double position_noise_m = 0;
   bool has_pressure = false, has_temperature = false;
   double compare_below_Hz = 0;
-  std::vector<std::string> remarks;
+  std::vector<std::string> candidates;             ///< effects to look for; empty: all
+  std::vector<measurement::OwnCandidate> own;      ///< and the user's own
+  std::vector<measurement::DataFinding> findings;  ///< what was found wrong, and left out
 
   int CountRows(bool fitted) const;
 };

@@ -1,16 +1,17 @@
 #include "identify/element_places.h"
 
+#include "identify/element_candidates.h"
 #include "rigs/element_bench.h"
 #include "rigs/rig_model.h"
 
 namespace phs::identify::element {
 
 Result<FormulaPlaces> PlacesOf(const ElementData& data, const hydraulics::PhsParams& params) {
-  Result<rigs::RigModel> rig = rigs::RigModel::Create(rigs::RigKind::kElement, params);
-  if (!rig.ok()) return rig.error();
-  const hydraulics::PhsSystem& system = rig.value().system();
   FormulaPlaces out;
   for (const ElementRecord& r : data.records) {
+    Result<rigs::RigModel> rig = BenchOf(params, r);
+    if (!rig.ok()) return rig.error();
+    const hydraulics::PhsSystem& system = rig.value().system();
     const auto& m = r.motion;
     const size_t n = m.position_m[0].size();
     std::vector<double> force(n);

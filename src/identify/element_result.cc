@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/table.h"
+#include "effects/unlisted.h"
 #include "identify/fit_intervals.h"
+#include "identify/formula_search.h"
 #include "identify/residual_map.h"
 
 namespace phs::identify::element {
@@ -113,28 +116,43 @@ json MapRows(const ElementData& data, const Rows& predicted, bool fitted) {
           {"whiteness_p", search::WhitenessP(rows.residual)}};
 }
 
-json ParametersJson(const FreeModel& model, const ElementFit& fit, size_t begin, size_t end,
-                    bool whole_name) {
-  json out = json::object();
-  for (size_t i = begin; i < end; ++i) {
-    const FreeParameter& p = model.free[i];
-    const double x = p.ToCoordinate(fit.values[i]), half = std::min(fit.half_95[i], 1e4);
-    const std::string name = whole_name ? p.name : p.name.substr(p.name.rfind('.') + 1);
-    out[name] = {{"value", fit.values[i]},
-                 {"low", p.FromCoordinate(x - half)},
-                 {"high", p.FromCoordinate(x + half)}};
+LeftOver LeftOfRows(const ElementData& data, const Rows& predicted) {
+  double square = 0, following = 0, count = 0;
+  for (size_t r = 0; r < data.records.size(); ++r) {
+    const ElementRecord& record = data.records[r];
+    const rigs::RigMotion& motion = record.motion;
+    std::vector<double> residual;
+    Rows signals;
+    double present = 0;
+    std::vector<const std::vector<double>*> driven = {&motion.position_m[0]};
+    if (data.has_pressure) driven.push_back(&motion.pressure_Pa);
+    if (data.has_temperature) driven.push_back(&motion.temperature_K);
+    signals.resize(driven.size() + 1);
+    for (size_t k = 0; k < record.scored.size(); ++k) {
+      const auto i = static_cast<size_t>(record.row_sample[k]);
+      if (!record.validation.Contains(record.Time(record.row_sample[k]))) continue;
+      const double over = (record.row_force_N[k] - predicted[r][k]) / data.noise_N;
+      residual.push_back(record.scored[k] ? over : std::numeric_limits<double>::quiet_NaN());
+      if (record.scored[k]) square += over * over, ++present;
+      for (size_t s = 0; s < driven.size(); ++s) signals[s].push_back((*driven[s])[i]);
+      signals.back().push_back(predicted[r][k]);
+    }
+    following += present * MeanSquareThatFollows(residual, signals);
+    count += present;
   }
-  return out;
+  if (!(count > 0)) return {};
+  return {std::sqrt(square / count), following / count};
 }
 
-json FormulaJson(const ElementIdentification& found) {
-  for (const AcceptedElementEffect& effect : found.effects) {
-    if (effect.candidate.effect != "unlisted") continue;
+json FormulaJson(const search::Identification& found) {
+  for (const search::AcceptedEffect& effect : found.effects) {
+    if (effect.candidate.effect != effects::UnlistedInfo().name) continue;
+    const std::string prefix = "effects." + effect.candidate.effect + ".";
     std::string text = effect.candidate.params.formula;
     for (size_t i = 0; i < found.corrected.free.size(); ++i) {
       const std::string& name = found.corrected.free[i].name;
-      if (!name.starts_with("effects.unlisted.c")) continue;
-      const std::string symbol = name.substr(17, name.rfind("_N") - 17);
+      if (!name.starts_with(prefix + "c")) continue;
+      const std::string symbol = name.substr(prefix.size(), name.rfind("_N") - prefix.size());
       const size_t at = text.find(symbol + "*");
       if (at == std::string::npos) continue;
       text.replace(at, symbol.size(), fmt::format("{:.4g}[N]", found.after.values[i]));
@@ -142,40 +160,6 @@ json FormulaJson(const ElementIdentification& found) {
     return text;
   }
   return nullptr;
-}
-
-json EffectsJson(const ElementIdentification& found) {
-  json out = json::array();
-  for (const AcceptedElementEffect& effect : found.effects) {
-    const std::string prefix = "effects." + effect.candidate.effect + ".";
-    size_t begin = 0;
-    while (!found.corrected.free[begin].name.starts_with(prefix)) ++begin;
-    json entry = {{"name", effect.candidate.effect},
-                  {"parameters", ParametersJson(found.corrected, found.after, begin,
-                                                begin + effect.candidate.free.size(), false)},
-                  {"evidence",
-                   {{"delta_bic", effect.evidence.delta_bic},
-                    {"estimation_gain", effect.evidence.estimation_gain},
-                    {"cross_validation_gain", effect.evidence.cross_validation_gain}}},
-                  {"confusable_with", effect.confusable_with}};
-    if (effect.candidate.effect == "unlisted") entry["formula"] = FormulaJson(found);
-    out.push_back(std::move(entry));
-  }
-  return out;
-}
-
-json CandidatesJson(const ElementIdentification& found) {
-  json out = json::array();
-  for (const ElementRecordOfTrial& r : found.candidates) {
-    out.push_back({{"name", r.effect},
-                   {"variant", r.variant},
-                   {"round", r.round},
-                   {"delta_bic", r.evidence.delta_bic},
-                   {"estimation_gain", r.evidence.estimation_gain},
-                   {"cross_validation_gain", r.evidence.cross_validation_gain},
-                   {"verdict", r.verdict}});
-  }
-  return out;
 }
 
 Status WriteRows(const std::string& path, const ElementData& data, const Rows* force) {

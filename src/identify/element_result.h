@@ -6,25 +6,22 @@
 #include <vector>
 
 #include "base/result_dir.h"
-#include "identify/element_search.h"
+#include "identify/bench_forward.h"
+#include "identify/identification.h"
+#include "identify/motion_share.h"
 #include "measurement/channel_scores.h"
 
 namespace phs::identify::element {
-
-using Rows = std::vector<std::vector<double>>;  ///< [record][row]
 
 /// Scores of the predicted rows over the estimation or the validation windows, with
 /// `relative_percent` = 100 |y - ŷ| / |y| (norms over all rows).
 nlohmann::ordered_json ScoreRows(const ElementData& data, const Rows& predicted, bool fitted);
 /// On what the rows' residual depends: channel, depends_on, explained_share, p_values, whiteness_p.
 nlohmann::ordered_json MapRows(const ElementData& data, const Rows& predicted, bool fitted);
-/// Free parameters [begin, end) with 95 % intervals; names whole or only their last part.
-nlohmann::ordered_json ParametersJson(const FreeModel& model, const ElementFit& fit, size_t begin,
-                                      size_t end, bool whole_name);
-nlohmann::ordered_json EffectsJson(const ElementIdentification& found);
-nlohmann::ordered_json CandidatesJson(const ElementIdentification& found);
+/// What the scored rows leave, over the noise.
+LeftOver LeftOfRows(const ElementData& data, const Rows& predicted);
 /// The formula with its fitted coefficients, as text; null without.
-nlohmann::ordered_json FormulaJson(const ElementIdentification& found);
+nlohmann::ordered_json FormulaJson(const search::Identification& found);
 
 /// t_s, x_m, force_N (and p_Pa, temperature_K) on the compared rows; several runs one after the
 /// other with a column `run`. `force` null: as measured.

@@ -2,8 +2,16 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "base/words.h"
+#include "effects/unlisted.h"
+#include "identify/bench_checks.h"
+#include "identify/bench_forward.h"
 #include "identify/element_result.h"
+#include "identify/own_candidates.h"
+#include "identify/result_json.h"
 #include "phs_model/phs_model.h"
 
 namespace phs::identify::element {
@@ -12,6 +20,12 @@ using measurement::Manifest;
 namespace {
 
 using hydraulics::PhsParams;
+using search::FitProblem;
+using search::FitResult;
+using search::FreeModel;
+using search::FreeParameter;
+using search::Identification;
+using search::SearchOptions;
 using json = nlohmann::ordered_json;
 using search::IdentifyOutcome;
 
@@ -22,7 +36,7 @@ json Head(const Manifest& manifest, const ElementData& data) {
                {"declared", manifest.model},
                {"data", data.records.size() == 1 ? sources[0] : sources},
                {"noise", {{"x_m", data.position_noise_m}, {"force_N", data.noise_N}}},
-               {"remarks", data.remarks}};
+               {"data_findings", search::FindingList(data.findings)}};
   if (data.compare_below_Hz > 0) head["compare_below_Hz"] = data.compare_below_Hz;
   if (data.records.size() == 1) {
     const ElementRecord& r = data.records[0];
@@ -33,29 +47,33 @@ json Head(const Manifest& manifest, const ElementData& data) {
 }
 
 /// What the validation windows would ask for beyond the corrected model. Not part of the model.
-json AskValidation(const ElementData& data, const FreeModel& corrected, const ElementFit& fit,
-                   const PhsParams& params, const ElementSearchOptions& options) {
+json AskValidation(const ElementData& data, const FreeModel& corrected, const FitResult& fit,
+                   const PhsParams& params, const SearchOptions& options) {
   ElementData turned = data;
-  for (ElementRecord& r : turned.records) std::swap(r.fitted, r.scored);
-  Result<ElementProblem> problem = ElementProblem::Create(turned, params);
-  if (!problem.ok()) return nullptr;
+  for (ElementRecord& r : turned.records) {
+    std::swap(r.fitted, r.scored), std::swap(r.estimation, r.validation);
+  }
   std::vector<std::string> names;
   for (const FreeParameter& p : corrected.free) names.push_back(p.name);
-  ElementSearchOptions few = options;
-  few.max_effects = 2;
-  Result<ElementIdentification> found =
-      IdentifyElement(&problem.value(), params, names, few, nullptr);
+  auto bench = BenchForward::Create(turned, params, names);
+  if (!bench.ok()) return nullptr;
+  Result<FitProblem> problem = FitProblem::Create(bench.value(), params);
+  if (!problem.ok()) return nullptr;
+  SearchOptions few = options;
+  few.effort.max_effects = 2;
+  Result<Identification> found = Identify(&problem.value(), params, few, nullptr);
   if (!found.ok()) return nullptr;
-  const ElementIdentification& f = found.value();
+  const Identification& f = found.value();
   json refitted = json::object();
-  const json anew = ParametersJson(f.declared, f.before, 0, f.declared.free.size(), true);
+  const json anew = search::Parameters(f.declared, f.before, 0, f.declared.free.size(), true);
   for (size_t i = 0; i < names.size(); ++i) {
     refitted[names[i]] = anew[names[i]];
     refitted[names[i]]["estimation"] = fit.values[i];
   }
-  const auto rows = problem.value().Predict(problem.value().Params(f.declared, f.before.values));
-  const auto more = problem.value().Predict(problem.value().Params(f.corrected, f.after.values));
-  json out = {{"refitted", refitted}, {"effects", EffectsJson(f)}, {"formula", FormulaJson(f)}};
+  const auto rows = bench.value()->Predict(problem.value().Params(f.declared, f.before.values));
+  const auto more = bench.value()->Predict(problem.value().Params(f.corrected, f.after.values));
+  json out = {
+      {"refitted", refitted}, {"effects", search::EffectList(f)}, {"formula", FormulaJson(f)}};
   if (rows.ok())
     out["relative_percent_refitted"] = ScoreRows(turned, rows.value(), true)["relative_percent"];
   if (more.ok())
@@ -64,9 +82,17 @@ json AskValidation(const ElementData& data, const FreeModel& corrected, const El
   return out;
 }
 
-std::vector<std::string> NextTests(const ElementIdentification& found, const json& asks) {
+std::vector<ChannelLeft> BenchChannels(const json& result, const ElementData& data,
+                                       const Rows& before) {
+  const json& left = result["unexplained"];
+  return {{"force_N", LeftOfRows(data, before).over_noise,
+           left["residual_over_noise"].get<double>(), left["nrmse"].get<double>(),
+           std::pow(left["following_over_noise"].get<double>(), 2)}};
+}
+
+std::vector<std::string> TestsAfter(const Identification& found, const json& asks) {
   std::vector<std::string> out;
-  for (const AcceptedElementEffect& effect : found.effects) {
+  for (const search::AcceptedEffect& effect : found.effects) {
     if (effect.confusable_with.empty()) continue;
     out.push_back(effect.candidate.effect + " against " + JoinWords(effect.confusable_with) +
                   ": slow reversals after rests of different length, at two speeds and pressures");
@@ -83,9 +109,7 @@ std::vector<std::string> NextTests(const ElementIdentification& found, const jso
 
 std::string Summary(const json& result) {
   std::string out;
-  if (result["effects"].empty()) {
-    out += "effects: none; the declared model suffices as far as this record tells\n";
-  }
+  out += search::VerdictLines(result);
   for (const json& e : result["effects"]) {
     out += fmt::format("effect {}", e["name"].get<std::string>());
     if (e.contains("formula")) out += "  F = " + e["formula"].get<std::string>();
@@ -142,26 +166,39 @@ Status WriteFiles(const ElementData& data, const Rows* before, const Rows& after
 
 }  // namespace
 
-Result<IdentifyOutcome> RunElementIdentify(const Manifest& manifest,
-                                           const ElementSearchOptions& options,
-                                           const ElementProgress& progress, const ResultDir& dir) {
+Result<IdentifyOutcome> RunElementIdentify(const Manifest& manifest, const SearchOptions& options,
+                                           const search::Progress& progress, const ResultDir& dir) {
   Result<PhsParams> declared = phs_model::FindPhsParams(manifest.model);
   if (!declared.ok()) return declared.error();
   Result<ElementData> data = ReadElementData(manifest);
   if (!data.ok()) return data.error();
-  Result<ElementProblem> made = ElementProblem::Create(data.value(), declared.value());
+  for (const Status& s :
+       {search::CheckAsked(manifest.candidates, ElementCandidateNames(), "a bench"),
+        search::CheckOwnCandidates(data.value().own, declared.value(), rigs::RigKind::kElement,
+                                   manifest.options)}) {
+    if (!s.ok()) return s.error();
+  }
+  auto bench = BenchForward::Create(data.value(), declared.value(), manifest.free);
+  if (!bench.ok()) return bench.error();
+  Result<FitProblem> made = FitProblem::Create(bench.value(), declared.value());
   if (!made.ok()) return made.error();
-  ElementProblem& problem = made.value();
-  Result<ElementIdentification> searched =
-      IdentifyElement(&problem, declared.value(), manifest.free, options, progress);
+  FitProblem& problem = made.value();
+  const std::vector<std::string> faults = FindFaults(manifest, data.value(), declared.value());
+  SearchOptions asked = options;
+  const auto& named = data.value().candidates;
+  asked.formula = named.empty() || std::find(named.begin(), named.end(),
+                                             effects::UnlistedInfo().name) != named.end();
+  if (!faults.empty()) asked.effort.max_effects = 0, asked.formula = false;  // nothing to explain
+  Result<Identification> searched = Identify(&problem, declared.value(), asked, progress);
   if (!searched.ok()) return searched.error();
-  const ElementIdentification& found = searched.value();
+  const Identification& found = searched.value();
   IdentifyOutcome outcome;
   outcome.cancelled = found.cancelled;
   if (found.cancelled) return outcome;
-  const Result<Rows> before = problem.Predict(problem.Params(found.declared, found.before.values));
+  const Result<Rows> before =
+      bench.value()->Predict(problem.Params(found.declared, found.before.values));
   PhsParams corrected = problem.Params(found.corrected, found.after.values);
-  const Result<Rows> after = problem.Predict(corrected);
+  const Result<Rows> after = bench.value()->Predict(corrected);
   if (!before.ok()) return before.error();
   if (!after.ok()) return after.error();
   json& result = outcome.result;
@@ -171,19 +208,24 @@ Result<IdentifyOutcome> RunElementIdentify(const Manifest& manifest,
         {"before", ScoreRows(data.value(), before.value(), fitted)},
         {"after", ScoreRows(data.value(), after.value(), fitted)}};
   }
-  result["effects"] = EffectsJson(found);
+  result["effects"] = search::EffectList(found);
   result["fitted"] =
-      ParametersJson(found.corrected, found.after, 0, found.declared.free.size(), true);
+      search::Parameters(found.corrected, found.after, 0, found.declared.free.size(), true);
   result["fitted_before"] =
-      ParametersJson(found.declared, found.before, 0, found.declared.free.size(), true);
+      search::Parameters(found.declared, found.before, 0, found.declared.free.size(), true);
   result["localised"] = MapRows(data.value(), before.value(), true);
   result["unexplained"] = MapRows(data.value(), after.value(), false);
   result["unexplained"]["nrmse"] = result["channels"]["force_N"]["after"]["nrmse"];
+  result["unexplained"]["following_over_noise"] =
+      std::sqrt(LeftOfRows(data.value(), after.value()).following);
   result["unexplained"]["formula"] = FormulaJson(found);
+  const VerdictFacts facts{BenchChannels(result, data.value(), before.value()),
+                           search::NamedEffects(found), search::FittedNumbers(found), faults};
+  search::PutVerdict(facts, &result);
   result["validation_asks_for"] =
       AskValidation(data.value(), found.corrected, found.after, corrected, options);
-  result["next_test"] = NextTests(found, result["validation_asks_for"]);
-  result["candidates"] = CandidatesJson(found);
+  result["next_test"] = TestsAfter(found, result["validation_asks_for"]);
+  result["candidates"] = search::CandidateList(found);
   result["model"] = "model.yaml";
   corrected.name += "_identified";
   corrected.description =
@@ -201,9 +243,9 @@ Result<IdentifyOutcome> RunElementRig(const Manifest& manifest, const ResultDir&
   if (!declared.ok()) return declared.error();
   Result<ElementData> data = ReadElementData(manifest);
   if (!data.ok()) return data.error();
-  Result<ElementProblem> problem = ElementProblem::Create(data.value(), declared.value());
-  if (!problem.ok()) return problem.error();
-  const Result<Rows> rows = problem.value().Predict(declared.value());
+  auto bench = BenchForward::Create(data.value(), declared.value(), {});
+  if (!bench.ok()) return bench.error();
+  const Result<Rows> rows = bench.value()->Predict(declared.value());
   if (!rows.ok()) return rows.error();
   IdentifyOutcome outcome;
   outcome.result = Head(manifest, data.value());

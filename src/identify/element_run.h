@@ -8,15 +8,15 @@
 #include "base/result.h"
 #include "base/result_dir.h"
 #include "identify/effect_search.h"
-#include "identify/element_search.h"
 #include "identify/outcome.h"
+#include "measurement/manifest.h"
 
 namespace phs::identify::element {
 
 /// Writes result.json, measured.csv, predicted.csv, baseline.csv and model.yaml into `dir`.
 Result<search::IdentifyOutcome> RunElementIdentify(const measurement::Manifest& manifest,
-                                                   const ElementSearchOptions& options,
-                                                   const ElementProgress& progress,
+                                                   const search::SearchOptions& options,
+                                                   const search::Progress& progress,
                                                    const ResultDir& dir);
 /// The declared model as it is: result.json, measured.csv and predicted.csv.
 Result<search::IdentifyOutcome> RunElementRig(const measurement::Manifest& manifest,

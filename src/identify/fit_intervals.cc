@@ -30,34 +30,29 @@ Eigen::VectorXd ClusteredDeviation(const Eigen::MatrixXd& jacobian, const Eigen:
 }
 
 void SetIntervals(const FitProblem& problem, FitResult* result) {
-  const int n = problem.samples(), channels = problem.num_channels();
-  const auto count = result->jacobian.cols();
-  double mean = 0, independent = 0;
+  constexpr int kBlocks = 40;
+  const Likelihood& likelihood = problem.likelihood();
   result->channel_ms.clear(), result->half_95.clear();
-  Eigen::VectorXd residual = result->residual;
-  Eigen::MatrixXd jacobian = result->jacobian;
-  for (int c = 0; c < channels; ++c) {
-    result->channel_ms.push_back(residual.segment(c * n, n).squaredNorm() / n);
-    const double weight = 1 / std::sqrt(std::max(1.0, result->channel_ms.back()));
-    residual.segment(c * n, n) *= weight, jacobian.middleRows(c * n, n) *= weight;
-    mean += residual.segment(c * n, n).squaredNorm() / n / channels;
-    independent += EffectiveSamples(residual, c * n, n);
+  for (const Block& block : likelihood.blocks()) {
+    const double square = result->residual.segment(block.begin, block.count).squaredNorm();
+    result->channel_ms.push_back(square / (block.count * std::max(block.present, 1e-3)));
   }
-  Eigen::MatrixXd normal = jacobian.transpose() * jacobian;
+  const Eigen::VectorXd weight = likelihood.Weights(result->powers);
+  const Eigen::VectorXd r = weight.cwiseProduct(likelihood.Transform(result->residual));
+  const Eigen::MatrixXd slopes = weight.asDiagonal() * result->slopes;
+  // Variance of a weighted coefficient: its weight times its deviation, squared.
+  const Eigen::VectorXd spread = weight.cwiseProduct(likelihood.Deviations(result->powers));
+  const auto count = slopes.cols();
+  Eigen::MatrixXd normal = slopes.transpose() * slopes;
   normal.diagonal().array() += 1e-12 * (normal.trace() + 1e-300);
   const Eigen::MatrixXd inverse = normal.ldlt().solve(Eigen::MatrixXd::Identity(count, count));
-  const double inflate = mean * n * channels / std::max(1.0, independent);
-  // The larger of two: noise of one colour, and blocks of the record that disagree.
-  constexpr int kBlocks = 40;
-  std::vector<int> block(static_cast<size_t>(n) * static_cast<size_t>(channels));
-  for (size_t i = 0; i < block.size(); ++i) {
-    block[i] = static_cast<int>(static_cast<long>(i % static_cast<size_t>(n)) * kBlocks / n);
-  }
+  const Eigen::MatrixXd scattered = spread.asDiagonal() * slopes;
+  const Eigen::MatrixXd variance = inverse * (scattered.transpose() * scattered) * inverse;
   double quantile = 0;
   const Eigen::VectorXd clustered =
-      ClusteredDeviation(jacobian, residual, block, kBlocks, &quantile);
-  for (int i = 0; i < count; ++i) {
-    const double even = 1.96 * std::sqrt(std::max(0.0, inverse(i, i) * inflate));
+      ClusteredDeviation(slopes, r, likelihood.Parts(kBlocks), kBlocks, &quantile);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const double even = 1.96 * std::sqrt(std::max(0.0, variance(i, i)));
     result->half_95.push_back(clustered.size() > 0 ? std::max(even, quantile * clustered[i])
                                                    : even);
   }
@@ -77,10 +72,9 @@ double EffectiveSamples(const Eigen::VectorXd& residual, int begin, int count) {
   return std::max(4.0, count / sum);
 }
 
-double IndependentSamples(const Eigen::VectorXd& residual, int channels) {
-  const int n = static_cast<int>(residual.size()) / channels;
+double IndependentSamples(const Eigen::VectorXd& residual, const std::vector<Block>& blocks) {
   double sum = 0;
-  for (int c = 0; c < channels; ++c) sum += EffectiveSamples(residual, c * n, n);
+  for (const Block& block : blocks) sum += EffectiveSamples(residual, block.begin, block.count);
   return sum;
 }
 

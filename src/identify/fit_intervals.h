@@ -8,9 +8,9 @@
 
 namespace phs::identify::search {
 
-/// Mean squares and half widths of the 95 % intervals from residual and Jacobian of a fit, each
-/// channel weighed by what it leaves as in a balanced fit (near_fit.h); correlated residuals widen
-/// them.
+/// Mean squares per channel and half widths of the 95 % intervals from residual, slopes and powers
+/// of a fit: the larger of two, the inverse information of the likelihood, and that of blocks of
+/// the record that disagree (ClusteredDeviation).
 void SetIntervals(const FitProblem& problem, FitResult* result);
 
 /// Standard deviations of least-squares estimates whose residuals are correlated and whose model is
@@ -26,7 +26,7 @@ Eigen::VectorXd ClusteredDeviation(const Eigen::MatrixXd& jacobian, const Eigen:
 /// until rho falls below 0.05 (Bayley and Hammersley 1946).
 double EffectiveSamples(const Eigen::VectorXd& residual, int begin, int count);
 
-/// The same of several channels of equal length, one after the other.
-double IndependentSamples(const Eigen::VectorXd& residual, int channels);
+/// The same of several blocks.
+double IndependentSamples(const Eigen::VectorXd& residual, const std::vector<Block>& blocks);
 
 }  // namespace phs::identify::search

@@ -2,17 +2,15 @@
 // place, one for what these leave stands beside them.
 #pragma once
 
-#include "identify/effect_search.h"
+#include "identify/identification.h"
 
 namespace phs::identify::search {
 
 /// No listed effect is bent to stand for what is on no list: where a formula of one term says more
 /// than all the effects accepted, they go.
-void ChallengeByFormula(const FitProblem& problem, const FitProblem& coarse,
-                        const SearchOptions& options, Identification* found);
+void ChallengeByFormula(const FitProblem& problem, const FitProblem& coarse, Identification* found);
 
 /// A formula for what the accepted model still leaves. True if it was added.
-bool AddFormula(const FitProblem& problem, const FitProblem& coarse, const SearchOptions& options,
-                Identification* found);
+bool AddFormula(const FitProblem& problem, const FitProblem& coarse, Identification* found);
 
 }  // namespace phs::identify::search

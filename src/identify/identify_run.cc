@@ -26,8 +26,7 @@ Result<IdentifyOutcome> RunIdentify(const std::string& manifest_path, const Sear
   Result<Manifest> manifest = LoadManifest(manifest_path);
   if (!manifest.ok()) return manifest.error();
   if (manifest.value().rig == "element") {
-    return element::RunElementIdentify(manifest.value(), {.threads = options.threads}, progress,
-                                       dir);
+    return element::RunElementIdentify(manifest.value(), options, progress, dir);
   }
   if (manifest.value().rig == "bogie") {
     return IdentifyBogie(manifest.value(), options, progress, dir);

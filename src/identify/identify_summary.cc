@@ -37,9 +37,7 @@ std::string Summary(const Json& result) {
   if (findings.size() > kMostFindings) {
     out += fmt::format("data: {} more findings in result.json\n", findings.size() - kMostFindings);
   }
-  if (result["effects"].empty()) {
-    out += "effects: none; nothing that the data support beyond the declared model\n";
-  }
+  if (result.contains("verdict")) out += VerdictLines(result);
   for (const Json& e : result["effects"]) out += EffectLine(e);
   for (const auto& [name, s] : result["channels"].items()) {
     out += fmt::format("{:14} validation rmse {:.4g} -> {:.4g}  (nrmse {:.4f} -> {:.4f})\n", name,

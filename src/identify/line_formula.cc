@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "effects/formula.h"
+#include "effects/unlisted.h"
 #include "identify/fit_intervals.h"
 
 namespace phs::identify::search {
@@ -21,6 +22,7 @@ struct LinePlace {
   FormulaUnit unit = FormulaUnit::kVolume;
   std::vector<std::string> targets;
   double low = 0, high = 0;
+  double end_s = 1;  ///< of the record
 };
 
 struct Model {
@@ -44,8 +46,7 @@ class LineTerms final : public TermLibrary {
     Add(p, 1), Add(p + "^2", 2), Add(p + "^3", 3);
     Add(p + "*abs" + p, 2);
     if (place.unit != FormulaUnit::kFlow) return;
-    const double end = model.problem.data().estimation[1];
-    Add(fmt::format("(t/{:g}[s])*", RoundScale(end)) + p, 2);
+    Add(fmt::format("(t/{:g}[s])*", RoundScale(place.end_s)) + p, 2);
   }
 
   /// The ramps that fit best beyond a pressure, above and below static: sought among sums of a few
@@ -148,7 +149,7 @@ class LineTerms final : public TermLibrary {
       law.formula += " + c6*" + term;
       law.values["c6_" + unit] = amount;
     } else {
-      EffectParams law{"unlisted", place_.targets, {{"c1_" + unit, amount}}};
+      EffectParams law{effects::UnlistedInfo().name, place_.targets, {{"c1_" + unit, amount}}};
       law.formula = "c1*" + term;
       with.params.effects.push_back(std::move(law));
     }
@@ -169,31 +170,32 @@ class LineTerms final : public TermLibrary {
 
 /// Lines of the first cylinder, each alone and together, and its piston.
 std::vector<LinePlace> Places(const FitProblem& problem, const PhsParams& params) {
-  std::vector<int> rows(static_cast<size_t>(problem.samples()));
-  std::iota(rows.begin(), rows.end(), 0);
-  const auto at = problem.Places(params);
-  if (!at.ok() || params.cylinders.empty()) return {};
+  const Result<FormulaFrame> frame = problem.forward().Frame(params, "p_bore_Pa");
+  if (!frame.ok() || params.cylinders.empty()) return {};
+  const std::vector<hydraulics::ForcePlace>& at = frame.value().places.front();
   const auto& cylinder = params.cylinders.front();
   LinePlace bore, rod, across;
-  for (const auto& p : at.value()) {
+  for (const auto& p : at) {
     const auto widen = [](LinePlace* place, double rise) {
       place->low = std::min(place->low, rise), place->high = std::max(place->high, rise);
     };
     widen(&bore, p.bore_rise), widen(&rod, p.rod_rise), widen(&across, p.bore_rise - p.rod_rise);
   }
   std::vector<LinePlace> out;
+  const double end = at.back().time;
   const bool has_bore = params.FindLine(cylinder.bore_line) >= 0;
   const bool has_rod = params.FindLine(cylinder.rod_line) >= 0;
   for (const FormulaUnit unit : {FormulaUnit::kVolume, FormulaUnit::kFlow}) {
-    if (has_bore) out.push_back({unit, {cylinder.bore_line}, bore.low, bore.high});
-    if (has_rod) out.push_back({unit, {cylinder.rod_line}, rod.low, rod.high});
+    if (has_bore) out.push_back({unit, {cylinder.bore_line}, bore.low, bore.high, end});
+    if (has_rod) out.push_back({unit, {cylinder.rod_line}, rod.low, rod.high, end});
     if (!has_bore || !has_rod) continue;
     out.push_back({unit,
                    {cylinder.bore_line, cylinder.rod_line},
                    std::min(bore.low, rod.low),
-                   std::max(bore.high, rod.high)});
+                   std::max(bore.high, rod.high),
+                   end});
     if (unit == FormulaUnit::kFlow && params.FindLine(cylinder.name) < 0) {
-      out.push_back({unit, {cylinder.name}, across.low, across.high});
+      out.push_back({unit, {cylinder.name}, across.low, across.high, end});
     }
   }
   return out;
@@ -226,8 +228,9 @@ FoundFormula SearchLineFormula(const FitProblem& problem, const FreeModel& model
     return {};
   }
   data.residual = at.residual;
-  const int channels = problem.num_channels();
-  data.independent = [=](const Eigen::VectorXd& r) { return IndependentSamples(r, channels); };
+  data.independent = [&](const Eigen::VectorXd& r) {
+    return IndependentSamples(r, problem.likelihood().blocks());
+  };
   const Eigen::MatrixXd space = ModelSpace(data.jacobian, data.residual.size());
   std::vector<FoundFormula> found(places.size());
   problem.ForEach(static_cast<int>(places.size()), [&](int k) {
@@ -257,8 +260,9 @@ FoundFormula SearchAnew(const FitProblem& problem, const FreeModel& model,
         model.free[k].ToCoordinate(values[k]) * whole.col(static_cast<Eigen::Index>(k));
   }
   data.jacobian = whole.leftCols(static_cast<Eigen::Index>(base));
-  const int channels = problem.num_channels();
-  data.independent = [=](const Eigen::VectorXd& r) { return IndependentSamples(r, channels); };
+  data.independent = [&](const Eigen::VectorXd& r) {
+    return IndependentSamples(r, problem.likelihood().blocks());
+  };
   const Eigen::MatrixXd space = ModelSpace(data.jacobian, data.residual.size());
   for (const LinePlace& place : Places(problem, problem.Params(model, values))) {
     if (place.targets != law.targets || effects::UnitSuffix(place.unit) != law.unit) continue;

@@ -9,6 +9,149 @@
 namespace phs::identify::search {
 namespace {
 
+/// Powers of whole blocks in the place of those of bands.
+BandPowers Flattened(const Likelihood& likelihood, BandPowers powers) {
+  for (size_t b = 0; b < powers.rows().size(); ++b) {
+    double sum = 0;
+    std::vector<double>& row = powers.rows()[b];
+    for (int k = 0; k < static_cast<int>(row.size()); ++k) {
+      sum +=
+          row[static_cast<size_t>(k)] * (likelihood.bands(b).end(k) - likelihood.bands(b).begin(k));
+    }
+    std::fill(row.begin(), row.end(), sum / likelihood.bands(b).size());
+  }
+  return powers;
+}
+
+/// The least-squares problem with the powers held.
+class Fitter {
+ public:
+  Fitter(const FitProblem& problem, const FreeModel& model, const NearFitOptions& options)
+      : problem_(problem), model_(model), options_(options), first_(options.first_own) {}
+
+  FitResult Run(const std::vector<double>& start, const Eigen::MatrixXd& kept) {
+    at_.values = start;
+    if (!Begin(kept)) return at_;
+    for (int steps = 0; steps < options_.max_steps; ++steps) {
+      if (steps > 0 && first_ < count() && !TakeColumns()) return at_;
+      const double before = score_;
+      if (!Step()) break;
+      SetPowers();
+      if (before - score_ < kEnough && first_ == options_.first_own) break;
+    }
+    at_.ok = true;
+    if (options_.final_slopes) {
+      first_ = 0;
+      at_.ok = TakeColumns();
+    }
+    if (at_.ok) SetIntervals(problem_, &at_);
+    return std::move(at_);
+  }
+
+ private:
+  static constexpr double kEnough = 0.5;  // [-2 ln L]: far below what any comparison asks for
+
+  int count() const { return static_cast<int>(model_.free.size()); }
+
+  bool Begin(const Eigen::MatrixXd& kept) {
+    at_.slopes.resize(problem_.likelihood().size(), count());
+    if (first_ > 0) at_.slopes.leftCols(first_) = kept.leftCols(first_);
+    if (first_ < count()) {
+      if (!TakeColumns()) return false;
+    } else {
+      at_.residual = problem_.Residual(model_, at_.values);
+      ++at_.runs;
+      if (at_.residual.size() == 0) return false;
+      coefficients_ = problem_.likelihood().Transform(at_.residual);
+    }
+    SetPowers();
+    return true;
+  }
+
+  /// Residual and the columns from `first_` on.
+  bool TakeColumns() {
+    Eigen::MatrixXd own;
+    if (!problem_.Linearise(model_, at_.values, first_, &at_.residual, &own)) return false;
+    at_.runs += 1 + count() - first_;
+    coefficients_ = problem_.likelihood().Transform(at_.residual);
+    at_.slopes.rightCols(count() - first_) = problem_.likelihood().Transform(own);
+    fresh_ = first_ == 0;
+    first_ = options_.first_own;
+    return true;
+  }
+
+  /// Of a robust fit the weights stay those of its start: what is rare must not widen them.
+  void SetPowers() {
+    const Likelihood& likelihood = problem_.likelihood();
+    at_.powers = likelihood.Powers(coefficients_);
+    at_.score = likelihood.MinusTwoLog(at_.powers);
+    if (options_.robust > 0) {
+      if (weight_.size() == 0) weight_ = likelihood.Weights(at_.powers);
+      score_ = Cost(coefficients_);
+      return;
+    }
+    const BandPowers used = options_.flat ? Flattened(likelihood, at_.powers) : at_.powers;
+    weight_ = likelihood.Weights(used);
+    score_ = likelihood.MinusTwoLog(used);
+  }
+
+  double Cost(const Eigen::VectorXd& coefficients) const {
+    const Eigen::VectorXd r = weight_.cwiseProduct(coefficients);
+    if (options_.robust <= 0) return r.squaredNorm();
+    return options_.robust * options_.robust * (r / options_.robust).array().square().log1p().sum();
+  }
+
+  /// One accepted step, or false where none lowers the cost.
+  bool Step() {
+    const double cost = Cost(coefficients_);
+    Eigen::VectorXd weight = weight_;
+    if (options_.robust > 0) {
+      const Eigen::VectorXd r = weight_.cwiseProduct(coefficients_) / options_.robust;
+      weight = weight.cwiseProduct((1 + r.array().square()).rsqrt().matrix());
+    }
+    const Eigen::VectorXd residual = weight.cwiseProduct(coefficients_);
+    const Eigen::MatrixXd slopes = weight.asDiagonal() * at_.slopes;
+    double fall = 0, predicted = 0;
+    for (int attempt = 0; attempt < 4; ++attempt, lambda_ *= 30) {
+      const Eigen::VectorXd step =
+          BoundedStep(model_, at_.values, residual, slopes, lambda_, kReach);
+      predicted = residual.squaredNorm() - (residual + slopes * step).squaredNorm();
+      if (predicted < kEnough) break;
+      std::vector<double> moved = Moved(model_, at_.values, step);
+      Eigen::VectorXd r = problem_.Residual(model_, moved);
+      ++at_.runs;
+      if (r.size() == 0) continue;
+      const Eigen::VectorXd coefficients = problem_.likelihood().Transform(r);
+      const double next = Cost(coefficients);
+      if (!(next < cost)) continue;
+      fall = cost - next;
+      at_.values = std::move(moved), at_.residual = std::move(r);
+      coefficients_ = coefficients;
+      lambda_ = std::max(1e-7, lambda_ / 10);
+      break;
+    }
+    const bool aged = fall < 0.3 * predicted && predicted > kEnough && (fall > 0 || !fresh_);
+    if (aged) {
+      first_ = 0;  // the kept columns have aged
+      lambda_ = std::min(lambda_, 1e-3);
+    }
+    fresh_ = false;
+    return fall > 0 || aged;
+  }
+
+  static constexpr double kReach = 1.2;  // [ln] of a logarithmic number in one step
+  const FitProblem& problem_;
+  const FreeModel& model_;
+  const NearFitOptions options_;
+  FitResult at_;
+  Eigen::VectorXd coefficients_, weight_;
+  double score_ = 0, lambda_ = 1e-4;
+  int first_;
+  bool fresh_ = false;
+};
+
+}  // namespace
+
 std::vector<double> Moved(const FreeModel& model, const std::vector<double>& values,
                           const Eigen::VectorXd& step) {
   std::vector<double> out = values;
@@ -20,48 +163,12 @@ std::vector<double> Moved(const FreeModel& model, const std::vector<double>& val
   return out;
 }
 
-/// What a fit minimises: squares of residuals times a weight per channel, or Cauchy's loss.
-class Loss {
- public:
-  Loss(const FitProblem& problem, const NearFitOptions& options)
-      : channels_(problem.num_channels()), robust_(options.robust), balanced_(options.balanced) {}
-
-  /// Takes the channels' weights from the first residual.
-  void Start(const Eigen::VectorXd& r) {
-    channel_ = Eigen::VectorXd::Ones(r.size());
-    if (!balanced_) return;
-    const auto n = r.size() / channels_;
-    for (int c = 0; c < channels_; ++c) {
-      const double ms = r.segment(c * n, n).squaredNorm() / static_cast<double>(n);
-      channel_.segment(c * n, n).setConstant(1 / std::sqrt(std::max(1.0, ms)));
-    }
-  }
-  double Cost(const Eigen::VectorXd& r) const {
-    if (robust_ <= 0) return r.cwiseProduct(channel_).squaredNorm();
-    return robust_ * robust_ * (r / robust_).array().square().log1p().sum();
-  }
-  /// Roots of the weights that make a least-squares step one of this loss.
-  Eigen::VectorXd Weights(const Eigen::VectorXd& r) const {
-    if (robust_ <= 0) return channel_;
-    return (1 + (r / robust_).array().square()).rsqrt();
-  }
-  bool IsPlain() const { return robust_ <= 0 && !balanced_; }
-
- private:
-  int channels_;
-  double robust_;
-  bool balanced_;
-  Eigen::VectorXd channel_;
-};
-
-}  // namespace
-
 Eigen::VectorXd BoundedStep(const FreeModel& model, const std::vector<double>& values,
-                            const Eigen::VectorXd& residual, const Eigen::MatrixXd& jacobian,
+                            const Eigen::VectorXd& residual, const Eigen::MatrixXd& slopes,
                             double lambda, double reach) {
-  const auto count = jacobian.cols();
-  Eigen::MatrixXd normal = jacobian.transpose() * jacobian;
-  const Eigen::VectorXd gradient = jacobian.transpose() * residual;
+  const auto count = slopes.cols();
+  Eigen::MatrixXd normal = slopes.transpose() * slopes;
+  const Eigen::VectorXd gradient = slopes.transpose() * residual;
   const Eigen::VectorXd damping = lambda * normal.diagonal();
   normal.diagonal() += damping;
   normal.diagonal().array() += 1e-12 * normal.trace() + 1e-300;
@@ -100,85 +207,20 @@ Eigen::VectorXd BoundedStep(const FreeModel& model, const std::vector<double>& v
 FitResult FitNear(const FitProblem& problem, const FreeModel& model,
                   const std::vector<double>& start, const Eigen::MatrixXd& kept,
                   const NearFitOptions& options) {
-  FitResult at;
-  at.values = start;
-  const int count = static_cast<int>(model.free.size());
-  Loss loss(problem, options);
-  double lambda = 1e-4;
-  int first = options.first_own;
-  for (int steps = 0; steps < options.max_steps; ++steps) {
-    Eigen::MatrixXd own;
-    if (first < count) {
-      if (!problem.Linearise(model, at.values, first, &at.residual, &own)) return at;
-      at.runs += 1 + count - first;
-    } else if (steps == 0) {
-      at.residual = problem.Residual(model, at.values);
-      ++at.runs;
-      if (at.residual.size() == 0) return at;
-    }
-    if (steps == 0) {
-      loss.Start(at.residual);
-      at.jacobian.resize(at.residual.size(), count);
-      if (first > 0) at.jacobian.leftCols(first) = kept.leftCols(first);
-    }
-    if (first < count) at.jacobian.rightCols(count - first) = own;
-    const bool fresh = first == 0;  // every column is of this point
-    first = options.first_own;
-    const double cost = loss.Cost(at.residual);
-    const Eigen::VectorXd weight = loss.Weights(at.residual);
-    const Eigen::VectorXd weighted = weight.cwiseProduct(at.residual);
-    const Eigen::MatrixXd slopes =
-        loss.IsPlain() ? at.jacobian : Eigen::MatrixXd(weight.asDiagonal() * at.jacobian);
-    double fall = 0, predicted = 0;
-    for (int attempt = 0; attempt < 4; ++attempt, lambda *= 30) {
-      const Eigen::VectorXd step = BoundedStep(model, at.values, weighted, slopes, lambda, 1.2);
-      const std::vector<double> moved = Moved(model, at.values, step);
-      const Eigen::VectorXd r = problem.Residual(model, moved);
-      ++at.runs;
-      predicted = weighted.squaredNorm() - (weighted + slopes * step).squaredNorm();
-      const double next = r.size() > 0 ? loss.Cost(r) : 1e300;
-      if (!(next < cost)) {
-        if (predicted < options.tolerance * cost) break;
-        continue;
-      }
-      fall = cost - next;
-      at.values = moved, at.residual = r;
-      lambda = std::max(1e-7, lambda / 10);
-      break;
-    }
-    if (fall < 0.3 * predicted && predicted > options.tolerance * cost && (fall > 0 || !fresh)) {
-      first = 0;  // the kept columns have aged
-      lambda = std::min(lambda, 1e-3);
-    } else if (fall < options.tolerance * cost) {
-      break;
-    }
-    lambda = std::min(lambda, 10.0);
-  }
-  at.ok = true;
-  if (options.final_jacobian) {
-    at.ok = problem.Linearise(model, at.values, 0, &at.residual, &at.jacobian);
-    at.runs += count + 1;
-  }
-  if (at.ok) SetIntervals(problem, &at);
-  return at;
+  return Fitter(problem, model, options).Run(start, kept);
 }
 
-FitResult FitBalanced(const FitProblem& problem, const FreeModel& model,
-                      const std::vector<double>& start, const Eigen::MatrixXd& kept,
-                      const NearFitOptions& options) {
-  constexpr int kMostSteps = 4;
-  NearFitOptions plain = options;
-  plain.final_jacobian = false;
-  FitResult fit = FitNear(problem, model, start, kept, plain);
-  if (!fit.ok) return fit;
-  const int runs = fit.runs;
-  fit = FitNear(problem, model, fit.values, fit.jacobian,
-                {.first_own = static_cast<int>(model.free.size()),
-                 .max_steps = std::min(kMostSteps, options.max_steps),
-                 .balanced = true,
-                 .final_jacobian = options.final_jacobian});
-  fit.runs += runs;
-  return fit;
+FitResult FitBothWays(const FitProblem& problem, const FreeModel& model, const FitResult& start,
+                      int first_own) {
+  constexpr int kSteps = 10;
+  FitResult sure = FitNear(problem, model, start.values, start.slopes,
+                           {.first_own = first_own, .max_steps = kSteps});
+  const FitResult large = FitNear(problem, model, start.values, start.slopes,
+                                  {.first_own = first_own, .max_steps = kSteps, .flat = true});
+  if (!large.ok) return sure;
+  FitResult both = FitNear(problem, model, large.values, large.slopes,
+                           {.first_own = first_own, .max_steps = kSteps});
+  return both.ok && (!sure.ok || both.score < sure.score) ? both : sure;
 }
 
 }  // namespace phs::identify::search

@@ -8,6 +8,7 @@
 
 #include "base/words.h"
 #include "effects/catalogue.h"
+#include "effects/unlisted.h"
 #include "identify/residual_map.h"
 #include "measurement/channel_scores.h"
 
@@ -43,13 +44,11 @@ size_t WorstChannel(const FitResult& fit) {
 
 Json ToJson(const Evidence& e) {
   return {{"delta_bic", e.delta_bic},
-          {"correlated_bic", e.correlated_bic},
-          {"whitened_bic", e.whitened_bic},
           {"estimation_gain", e.estimation_gain},
           {"best_channel", e.best_channel},
           {"best_channel_gain", e.best_channel_gain},
           {"cross_validation_gain", e.cross_validation_gain},
-          {"excess_removed", e.excess_removed}};
+          {"share", e.share}};
 }
 
 }  // namespace
@@ -93,10 +92,13 @@ Json Localise(const FitData& data, const Channels& predicted, const FitResult& f
           {"residual_over_noise", over}};
 }
 
-Json Unexplained(const FitData& data, const Channels& after, const std::vector<double>& over_noise,
+Json Unexplained(const FitData& data, const Channels& after, const std::vector<LeftOver>& left,
                  const Identification& found) {
-  const auto c = static_cast<size_t>(std::max_element(over_noise.begin(), over_noise.end()) -
-                                     over_noise.begin());
+  const auto more = [](const LeftOver& a, const LeftOver& b) {
+    return a.over_noise < b.over_noise;
+  };
+  const auto c =
+      static_cast<size_t>(std::max_element(left.begin(), left.end(), more) - left.begin());
   const std::vector<double> r = Residual(data, after, c, data.validation);
   const ChannelScore score = Score(data.time_s, data.outputs[c].values, after[c], data.validation);
   Json depends = Json::array();
@@ -106,7 +108,8 @@ Json Unexplained(const FitData& data, const Channels& after, const std::vector<d
   return {{"channel", data.outputs[c].name},
           {"nrmse", score.nrmse},
           {"whiteness_p", WhitenessP(Finite(r))},
-          {"residual_over_noise", over_noise[c]},
+          {"residual_over_noise", left[c].over_noise},
+          {"following_over_noise", std::sqrt(left[c].following)},
           {"estimation_over_noise", std::sqrt(found.after.channel_ms[c])},
           {"depends_on", depends},
           {"formula", found.formula.empty() ? Json(nullptr) : Json(found.formula.text)}};
@@ -137,7 +140,8 @@ Json EffectList(const Identification& found) {
                                             begin + effect.candidate.free.size(), false)},
                   {"evidence", ToJson(effect.evidence)},
                   {"confusable_with", effect.confusable_with}};
-    if (effect.candidate.effect == "unlisted") entry["formula"] = found.formula.text;
+    if (effect.candidate.effect == effects::UnlistedInfo().name)
+      entry["formula"] = found.formula.text;
     if (!effect.candidate.params.targets.empty()) entry["on"] = effect.candidate.params.targets;
     out.push_back(std::move(entry));
   }
@@ -151,11 +155,10 @@ Json CandidateList(const Identification& found) {
                   {"variant", r.variant},
                   {"round", r.round},
                   {"screening_gain", r.screening_gain},
-                  {"coarse_gain", r.coarse_gain},
                   {"verdict", r.verdict}};
     if (r.fitted) {
       entry["delta_bic"] = r.evidence.delta_bic;
-      entry["whitened_bic"] = r.evidence.whitened_bic;
+      entry["share"] = r.evidence.share;
       entry["estimation_gain"] = r.evidence.estimation_gain;
       entry["cross_validation_gain"] = r.evidence.cross_validation_gain;
     }

@@ -5,7 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "identify/effect_search.h"
+#include "identify/identification.h"
+#include "identify/motion_share.h"
+#include "identify/verdict.h"
+#include "measurement/fit_data.h"
 
 namespace phs::identify::search {
 
@@ -19,15 +22,23 @@ Json ScoreBoth(const measurement::FitData& data, const Channels& before, const C
                const std::array<double, 2>& window);
 /// Where the residual of the declared model lives: channel and variables it depends on.
 Json Localise(const measurement::FitData& data, const Channels& predicted, const FitResult& fit);
-/// What the corrected model leaves.
-/// What the corrected model leaves in the validation window. `over_noise`: by channel, there.
+/// What the corrected model leaves in the validation window. `left`: by channel, there.
 Json Unexplained(const measurement::FitData& data, const Channels& after,
-                 const std::vector<double>& over_noise, const Identification& found);
+                 const std::vector<LeftOver>& left, const Identification& found);
 /// Values and intervals of the free numbers [begin, end).
 Json Parameters(const FreeModel& model, const FitResult& fit, size_t begin, size_t end,
                 bool whole_name);
 Json EffectList(const Identification& found);
 Json CandidateList(const Identification& found);
+/// The accepted effects and what explains as much.
+std::vector<NamedEffect> NamedEffects(const Identification& found);
+/// The declared numbers after the last fit.
+std::vector<FittedNumber> FittedNumbers(const Identification& found);
+/// "verdict", "verdict_text" and "reasons".
+void PutVerdict(const VerdictFacts& facts, Json* result);
+/// The same for the terminal.
+std::string VerdictLines(const Json& result);
+
 /// What would separate effects that this record cannot.
 std::vector<std::string> NextTests(const Identification& found, const Json& unexplained);
 /// Noise of each channel.

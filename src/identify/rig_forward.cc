@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "identify/effect_variants.h"
+#include "identify/own_candidates.h"
 
 namespace phs::identify::search {
 
@@ -36,7 +37,8 @@ Result<std::shared_ptr<const ForwardModel>> RigForward::Create(const FitData& da
 
 RigForward::RigForward(const FitData& data, std::shared_ptr<RedrawnMotion> redrawn,
                        std::vector<int> output_index, int stride)
-    : data_(data),
+    : RecordForward(data, stride),
+      data_(data),
       options_(data.options),
       stride_(stride),
       redrawn_(std::move(redrawn)),
@@ -64,6 +66,8 @@ RigMotion RigForward::MotionOf(const std::vector<SmoothMotion>& motion, Span spa
   for (const SmoothMotion& m : motion) {
     out.position_m.push_back(whole ? m.position : Thin(m.position));
     out.speed_m_s.push_back(whole ? m.speed : Thin(m.speed));
+    if (m.acceleration.empty()) continue;
+    out.acceleration_m_s2.push_back(whole ? m.acceleration : Thin(m.acceleration));
   }
   out.pressure_Pa = whole ? data_.pressure_Pa : Thin(data_.pressure_Pa);
   return out;
@@ -105,7 +109,7 @@ Status RigForward::RunMotion(const PhsParams& params, const RigMotion& motion,
   return {};
 }
 
-Status RigForward::Run(const PhsParams& params, Span span, Channels* out) const {
+Status RigForward::RunSpan(const PhsParams& params, Span span, Channels* out) const {
   std::shared_ptr<const rigs::RigPressures> pressures;
   if (span == Span::kWhole) return RunMotion(params, full_, &pressures, out);
   const PhsParams hydraulics = rigs::HydraulicsOf(params);
@@ -116,7 +120,7 @@ Status RigForward::Run(const PhsParams& params, Span span, Channels* out) const 
   return done;
 }
 
-Status RigForward::Uncertainty(const PhsParams& params, Span span, Channels* deviation) const {
+Status RigForward::UncertaintySpan(const PhsParams& params, Span span, Channels* deviation) const {
   Channels fast, slow;
   const RigMotion& motion = span == Span::kWhole ? full_ : short_;
   const int stride = span == Span::kWhole ? 1 : stride_;
@@ -149,7 +153,7 @@ bool RigForward::HasStates(const PhsParams& params) const {
 Status RigForward::AddDraws(const PhsParams& params, Span span, Channels* deviation) const {
   constexpr double kReach = 0.05;  // [s]
   Channels plain;
-  if (Status s = Run(params, span, &plain); !s.ok()) return s;
+  if (Status s = RunSpan(params, span, &plain); !s.ok()) return s;
   std::vector<Channels> with(plain.size());  // [channel][draw]
   for (const std::vector<SmoothMotion>& draw : redrawn_->Draws()) {
     std::shared_ptr<const rigs::RigPressures> pressures;
@@ -174,8 +178,10 @@ Status RigForward::AddDraws(const PhsParams& params, Span span, Channels* deviat
   return {};
 }
 
-Result<std::vector<hydraulics::ForcePlace>> RigForward::Places(const PhsParams& params,
-                                                               const std::vector<int>& rows) const {
+Result<FormulaFrame> RigForward::Frame(const PhsParams& params, const std::string& channel) const {
+  if (data_.kind != rigs::RigKind::kQuarter && data_.kind != rigs::RigKind::kCylinder) {
+    return ForwardModel::Frame(params, channel);
+  }
   constexpr double kRamp = 2e-4;  // [m/s]
   PhsParams bare = params;        // pressures themselves, without the errors of their sensors
   std::erase_if(bare.effects, [](const auto& e) { return e.name.starts_with("sensor_"); });
@@ -189,8 +195,9 @@ Result<std::vector<hydraulics::ForcePlace>> RigForward::Places(const PhsParams& 
     return l >= 0 ? params.lines[static_cast<size_t>(l)].static_pressure_Pa : 0;
   };
   const double bore = rest(cylinder.bore_line), rod = rest(cylinder.rod_line);
-  std::vector<hydraulics::ForcePlace> out;
-  for (const int row : rows) {
+  FormulaFrame frame;
+  std::vector<hydraulics::ForcePlace>& out = frame.places.emplace_back();
+  for (const int row : rows()) {
     const auto i = static_cast<size_t>(row);
     hydraulics::ForcePlace at;
     at.time = short_.t0_s + row * short_.step_s;
@@ -202,7 +209,10 @@ Result<std::vector<hydraulics::ForcePlace>> RigForward::Places(const PhsParams& 
     at.temperature = rig.value().system().Ambient(at.time) - params.temperature_K;
     out.push_back(at);
   }
-  return out;
+  frame.rows = [](const Channels& values) { return values; };
+  frame.has_pressure = true, frame.has_rod_pressure = data_.kind == rigs::RigKind::kQuarter;
+  frame.has_friction = channel == "load_cell_N", frame.has_time_waves = true;
+  return frame;
 }
 
 FreeModel RigForward::Declared(const PhsParams& declared) const {
@@ -258,16 +268,16 @@ std::vector<Candidate> RigForward::Candidates(const PhsParams& params) const {
     }
   }
   const auto& asked = data_.candidates;
-  if (asked.empty()) return out;
   std::erase_if(out, [&](const Candidate& c) {
-    return std::find(asked.begin(), asked.end(), c.effect) == asked.end();
+    return !asked.empty() && std::find(asked.begin(), asked.end(), c.effect) == asked.end();
   });
+  AddOwnCandidates(data_.own, params, &out);
   return out;
 }
 
-std::shared_ptr<const ForwardModel> RigForward::Thinned(int stride) const {
+std::shared_ptr<const ForwardModel> RigForward::Coarse(double step_s) const {
   return std::shared_ptr<const ForwardModel>(
-      new RigForward(data_, redrawn_, output_index_, stride));
+      new RigForward(data_, redrawn_, output_index_, StrideOf(step_s)));
 }
 
 }  // namespace phs::identify::search

@@ -4,7 +4,7 @@
 #include <list>
 #include <mutex>
 
-#include "identify/forward_model.h"
+#include "identify/record_forward.h"
 #include "measurement/fit_data.h"
 #include "measurement/redrawn_motion.h"
 #include "rigs/rig_model.h"
@@ -29,26 +29,27 @@ class PressureMemory {
   std::list<Entry> entries_;  ///< last used first
 };
 
-class RigForward final : public ForwardModel {
+class RigForward final : public RecordForward {
  public:
   /// `data` must outlive it. Error: the declared model does not fit the rig.
   static Result<std::shared_ptr<const ForwardModel>> Create(const measurement::FitData& data,
                                                             const hydraulics::PhsParams& declared,
                                                             int stride = 1);
 
-  Status Run(const hydraulics::PhsParams& params, Span span, Channels* out) const override;
+  Result<FormulaFrame> Frame(const hydraulics::PhsParams& params,
+                             const std::string& channel) const override;
+  bool TellsLines() const override { return data_.kind != rigs::RigKind::kFull; }
+  FreeModel Declared(const hydraulics::PhsParams& declared) const override;
+  std::vector<Candidate> Candidates(const hydraulics::PhsParams& params) const override;
+  std::shared_ptr<const ForwardModel> Coarse(double step_s) const override;
+
+ private:
+  Status RunSpan(const hydraulics::PhsParams& params, Span span, Channels* out) const override;
   /// Through what remains uncertain of the driving speed: where friction is steep (near standstill)
   /// a sample says little. Of a model whose friction or mounting has states, through what
   /// remains uncertain of the way too (redrawn_motion.h), the larger of the two.
-  Status Uncertainty(const hydraulics::PhsParams& params, Span span,
-                     Channels* deviation) const override;
-  Result<std::vector<hydraulics::ForcePlace>> Places(const hydraulics::PhsParams& params,
-                                                     const std::vector<int>& rows) const override;
-  FreeModel Declared(const hydraulics::PhsParams& declared) const override;
-  std::vector<Candidate> Candidates(const hydraulics::PhsParams& params) const override;
-  std::shared_ptr<const ForwardModel> Thinned(int stride) const override;
-
- private:
+  Status UncertaintySpan(const hydraulics::PhsParams& params, Span span,
+                         Channels* deviation) const override;
   RigForward(const measurement::FitData& data, std::shared_ptr<measurement::RedrawnMotion> redrawn,
              std::vector<int> output_index, int stride);
   /// Samples of the whole record -> those of `short_`.

@@ -167,10 +167,16 @@ Result<RigOutcome> RunRig(const Manifest& manifest, const ResultDir& dir) {
   if (!params.ok()) return params.error();
   Result<RigModel> made = RigModel::Create(kind.value(), params.value(), manifest.options);
   if (!made.ok()) return made.error();
-  const RigModel& model = made.value();
-  Result<RigCase> loaded = ReadRigCase(manifest, model);
+  Result<RigCase> loaded = ReadRigCase(manifest, made.value());
   if (!loaded.ok()) return loaded.error();
   const RigCase& c = loaded.value();
+  if (c.run.extra) {
+    rigs::RigOptions options = manifest.options;
+    options.extra = c.run.extra;
+    made = RigModel::Create(kind.value(), params.value(), options);
+    if (!made.ok()) return made.error();
+  }
+  const RigModel& model = made.value();
   RigPrediction predicted;
   if (Status s = model.Run(c.motion, &predicted); !s.ok()) return s.error();
   if (Status s = CheckFinite(model, c, predicted); !s.ok()) return s.error();

@@ -1,9 +1,9 @@
-// Looking through many candidates with few runs of the model.
+// Looking through many candidates with few runs of the model, on a coarse record (about 50 Hz).
 //
-// On a coarse record (about 50 Hz) every variant of every effect, from each of its starts, is
-// judged by one predicted Gauss–Newton step of all numbers together (on the declared model, effects
-// with an onset by short fits from the best of their starts); the promising are fitted on
-// the coarse record, and the best of these are then fitted to the whole record by the search.
+// Every variant of every effect, from each of its starts, about each point, is judged by one
+// predicted Gauss–Newton step of all numbers together. The best start by that promise and the best
+// as it stands take two steps really: below its onset a stop or a valve is silent, and no slope
+// leads to it. The most promising variants are then fitted to the coarse record.
 #pragma once
 
 #include <functional>
@@ -15,30 +15,30 @@
 
 namespace phs::identify::search {
 
+/// Where candidates are tried: numbers of the model, fitted to the coarse record.
+using Point = FitResult;
+
 struct Trial {
   const Candidate* candidate = nullptr;
-  size_t point = 0;             ///< the point it starts from
-  std::vector<double> start;    ///< of all numbers of the extended model
-  double predicted = 1e300;     ///< predicted mean log square
-  double square = 1e300;        ///< predicted weighted sum of squares, what a fit minimises
-  FitResult coarse;             ///< if it was promising
-  double coarse_score = 1e300;  ///< n_eff-weighted criterion of the coarse fit, small = good
+  double promise = 1e300;  ///< criterion after the steps of screening, small = good
+  FitResult coarse;        ///< ok for the most promising: fit to the coarse record
 };
 
-struct ScreeningOptions {
-  int coarse_fits = 16;
-  bool thorough = false;  ///< judge effects with an onset by short fits, not by a predicted step
-  /// Points from here on are tried by hydraulic effects only.
-  size_t hydraulic_from = 1000;
+/// How much work a search may do. None of it decides what is accepted of what was tried.
+struct Effort {
+  int threads = 2;
+  int max_effects = 3;
+  double coarse_step_s = 0.02;  ///< clock of the coarse record
+  int coarse_fits = 16;         ///< variants fitted to the coarse record per round
+  int full_fits = 4;            ///< … and to the whole one
+  bool elsewhere = true;        ///< candidates are tried away from the best fit too
 };
 
-/// Judges `list` on top of `model` at each of `points` (values of its free numbers; the first is
-/// its best fit). `tick(share)`: progress, false = stop. Best first; those with a coarse fit before
-/// those without. `reference`: mean log square of the model alone, refitted on the coarse record.
+/// Judges `list` on top of `model` about each of `points`. `go_on(share)`: progress, false = stop.
+/// Best first; those with a coarse fit before those without. Candidates must outlive the result.
 std::vector<Trial> ScreenCandidates(const FitProblem& coarse, const FreeModel& model,
-                                    const std::vector<std::vector<double>>& points,
-                                    const std::vector<Candidate>& list,
-                                    const ScreeningOptions& options,
-                                    const std::function<bool(double)>& tick, double* reference);
+                                    const std::vector<Point>& points,
+                                    const std::vector<Candidate>& list, const Effort& effort,
+                                    const std::function<bool(double)>& go_on);
 
 }  // namespace phs::identify::search

@@ -1,11 +1,10 @@
 // Fit of a rig model's numbers to measured channels.
 //
-// Minimised: sum over channels c and samples i of the estimation window of
-//   w_ci² (y_ci - model_ci(theta))²,   1/w_ci² = noise_c² + u_ci²
+// The residual of channel c, sample i of the estimation window is
+//   w_ci (y_ci - model_ci(theta)),   1/w_ci² = noise_c² + u_ci²
 // u is the model's own uncertainty (forward_model.h): of a rig, what the remaining uncertainty of
-// the driving motion does to the output. Each number is fitted as its logarithm (wide
-// positive range) or on a linear scale, inside bounds; Ceres, Levenberg–Marquardt, numeric
-// derivatives.
+// the driving motion does to the output. What a fit minimises: likelihood.h, near_fit.h. Each number
+// is fitted as its logarithm (wide positive range) or on a linear scale, inside bounds.
 #pragma once
 
 #include <Eigen/Core>
@@ -16,8 +15,8 @@
 #include "base/result.h"
 #include "hydraulics/phs_params.h"
 #include "identify/forward_model.h"
+#include "identify/likelihood.h"
 #include "identify/thread_budget.h"
-#include "measurement/fit_data.h"
 
 namespace phs::identify::search {
 
@@ -50,32 +49,34 @@ struct FitResult {
   std::vector<double> values;      ///< of the free parameters
   std::vector<double> half_95;     ///< half width of the 95 % interval, in coordinates
   Eigen::VectorXd residual;        ///< weighted, channels one after the other
-  Eigen::MatrixXd jacobian;        ///< of `residual` over coordinates
+  Eigen::MatrixXd slopes;          ///< of its coefficients (likelihood.h) over coordinates
+  BandPowers powers;               ///< of `residual`
+  double score = 0;                ///< -2 ln L
   std::vector<double> channel_ms;  ///< weighted mean square per channel
   int runs = 0;
   bool ok = false;
 };
 
-using SampleWeights = std::vector<std::vector<double>>;  ///< [channel][row], 0 = missing
+using SampleWeights = std::vector<std::vector<double>>;  ///< [block][row], 0 = missing
 
-/// Data, driving motion and weights: everything a fit needs. Thread-safe for reading.
+/// Measured rows, their weights and the model: everything a fit needs. Thread-safe for reading.
 class FitProblem {
  public:
-  /// Sets weights with the declared model. `data` must outlive the problem. `stride` > 1: a coarse
-  /// problem that steps over the record in strides of so many samples (for looking around).
-  static Result<FitProblem> Create(const measurement::FitData& data,
-                                   const hydraulics::PhsParams& declared, int stride = 1);
-  /// The same with another model than a rig.
-  static Result<FitProblem> Create(const measurement::FitData& data,
-                                   std::shared_ptr<const ForwardModel> forward,
-                                   const hydraulics::PhsParams& declared, int stride = 1);
-  /// The coarse problem of this one.
-  Result<FitProblem> Thinned(const hydraulics::PhsParams& declared, int stride) const;
+  /// Sets weights with the declared model.
+  static Result<FitProblem> Create(std::shared_ptr<const ForwardModel> forward,
+                                   const hydraulics::PhsParams& declared);
+  /// The same on a clock of about `step_s`, for looking around.
+  Result<FitProblem> Coarse(const hydraulics::PhsParams& declared, double step_s) const;
 
-  int num_channels() const { return static_cast<int>(data_->outputs.size()); }
   const ForwardModel& forward() const { return *forward_; }
-  int samples() const { return static_cast<int>(rows_.size()); }
-  const measurement::FitData& data() const { return *data_; }
+  const Likelihood& likelihood() const { return *likelihood_; }
+  int num_rows() const { return num_rows_; }
+  int num_blocks() const { return static_cast<int>(weight_.size()); }
+  /// Channel of a block of the residual.
+  const std::string& block_name(size_t block) const { return forward_->Measured()[block].channel; }
+  const Block& block(size_t block) const { return likelihood_->blocks()[block]; }
+  /// First block of a measured channel; -1 if it was not measured.
+  int FindOutput(const std::string& name) const;
 
   hydraulics::PhsParams Params(const FreeModel& model, const std::vector<double>& values) const;
   /// Weighted residual; empty if the model refuses the values.
@@ -83,21 +84,8 @@ class FitProblem {
   /// Residual and its derivative over the coordinates from `first` on.
   bool Linearise(const FreeModel& model, const std::vector<double>& values, int first,
                  Eigen::VectorXd* residual, Eigen::MatrixXd* jacobian) const;
-  FitResult Fit(const FreeModel& model, const std::vector<double>& start, int max_steps) const;
-  /// Measured channels as predicted on the whole time axis.
-  Result<std::vector<std::vector<double>>> Predict(const hydraulics::PhsParams& params) const;
-  /// Residual of whole-record predictions over noise and the model's own uncertainty, root mean
-  /// square per channel over a window [s].
-  Result<std::vector<double>> OverNoise(const hydraulics::PhsParams& params,
-                                        const std::vector<std::vector<double>>& predicted,
-                                        const std::array<double, 2>& window) const;
-  /// Index of a measured output; -1 if it was not measured.
-  int FindOutput(const std::string& name) const;
-  /// What a force of the (first) cylinder may depend on, on the rows of the residual, as the model
-  /// says it; direction by the ramp of the static law.
-  Result<std::vector<hydraulics::ForcePlace>> Places(const hydraulics::PhsParams& params) const;
-  /// A value of an output on the rows of the residual -> weighted; 0 where nothing was measured.
-  Eigen::VectorXd Weighted(int output, const std::vector<double>& on_rows) const;
+  /// Values on the rows of a channel's blocks -> weighted, on all rows of the residual.
+  Eigen::VectorXd Weighted(const std::string& channel, const Channels& on_rows) const;
   /// Asked before every run of the model: false = stop; every residual is empty from then on.
   void SetGoOn(std::function<bool()> go_on) { go_on_ = std::move(go_on); }
   /// Threads for ForEach and for the columns of Linearise; null: the calling one alone. Must
@@ -110,11 +98,10 @@ class FitProblem {
   void SetWeights(SampleWeights weights) { weight_ = std::move(weights); }
 
  private:
-  const measurement::FitData* data_ = nullptr;
-  int stride_ = 1;
   std::shared_ptr<const ForwardModel> forward_;
-  std::vector<int> rows_;  ///< rows of the estimation span in its window
   SampleWeights weight_;
+  std::shared_ptr<const Likelihood> likelihood_;
+  int num_rows_ = 0;
   std::function<bool()> go_on_;
   ThreadBudget* threads_ = nullptr;
 };

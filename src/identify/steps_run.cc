@@ -6,7 +6,6 @@
 
 namespace phs::identify {
 
-using measurement::ReadStepCase;
 using measurement::ScoreSteps;
 using measurement::StepCase;
 using measurement::WriteStepTable;
@@ -29,18 +28,24 @@ struct Measured {
 }  // namespace
 
 Result<RigOutcome> RunSteps(const measurement::Manifest& manifest, const ResultDir& dir) {
-  Result<StepCase> loaded = ReadStepCase(manifest);
+  Result<std::vector<StepCase>> loaded = measurement::ReadStepCases(manifest);
   if (!loaded.ok()) return loaded.error();
-  const StepCase& c = loaded.value();
   std::vector<double> begin, end, tau;
   std::vector<double> m_begin, m_end, p_begin, p_end;  // rows that hold a measurement
   json rows = json::array();
   RigOutcome out;
   out.summary =
-      "row  chamber  step mm   just after, MPa    settled, MPa      tau, s\n"
+      "row  chamber  step mm   MPa gauge: just after    settled          tau, s\n"
       "                        meas.   model    meas.   model    meas.  model\n";
-  for (const StepRow& row : c.rows) {
-    Result<StepPrediction> predicted = rigs::PredictStep(c.declared, row);
+  std::vector<StepRow> all;
+  std::vector<const hydraulics::PhsParams*> model;
+  for (const StepCase& c : loaded.value()) {
+    all.insert(all.end(), c.rows.begin(), c.rows.end());
+    model.resize(all.size(), &c.declared);
+  }
+  for (size_t i = 0; i < all.size(); ++i) {
+    const StepRow& row = all[i];
+    Result<StepPrediction> predicted = rigs::PredictStep(*model[i], row);
     if (!predicted.ok()) return predicted.error();
     const StepPrediction& p = predicted.value();
     begin.push_back(p.begin_Pa), end.push_back(p.end_Pa), tau.push_back(p.tau_s);
@@ -65,18 +70,18 @@ Result<RigOutcome> RunSteps(const measurement::Manifest& manifest, const ResultD
   out.result = {
       {"rig", "steps"},
       {"declared", manifest.model},
-      {"data", c.source},
-      {"setup", c.setup},
+      {"data", loaded.value().front().source},
+      {"setup", loaded.value().front().setup},
       {"channels",
        {{"p_begin_Pa", ScoreSteps(m_begin, p_begin)}, {"p_end_Pa", ScoreSteps(m_end, p_end)}}},
       {"rows", rows}};
   out.summary += fmt::format(
       "mean relative error, capped at 100 %: just after {:.1f} %, settled {:.1f} %\n",
       100 * rigs::MeanRelativeError(p_begin, m_begin), 100 * rigs::MeanRelativeError(p_end, m_end));
-  const Measured m(c.rows);
+  const Measured m(all);
   for (const Status& s :
-       {WriteStepTable(dir.File("predicted.csv"), c.rows, begin, end, tau),
-        WriteStepTable(dir.File("measured.csv"), c.rows, m.begin, m.end, m.tau),
+       {WriteStepTable(dir.File("predicted.csv"), all, begin, end, tau),
+        WriteStepTable(dir.File("measured.csv"), all, m.begin, m.end, m.tau),
         WriteFileAtomically(dir.File("result.json"), out.result.dump(1) + "\n")}) {
     if (!s.ok()) return s.error();
   }

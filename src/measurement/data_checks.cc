@@ -71,6 +71,23 @@ void MarkSpikes(Channel* channel, std::vector<DataFinding>* findings) {
   }
 }
 
+void MarkMotionSpikes(Channel* channel, std::vector<DataFinding>* findings) {
+  std::vector<double>& y = channel->y;
+  const double noise = std::max(WhiteNoise(y, channel->bad), Quantum(y) / 3.46);
+  std::vector<size_t> spikes;
+  for (size_t i = 3; i + 3 < y.size(); ++i) {
+    const double inner = (4 * (y[i - 1] + y[i + 1]) - (y[i - 2] + y[i + 2])) / 6;
+    const double outer = 0.9 * (y[i - 2] + y[i + 2]) - 0.4 * (y[i - 3] + y[i + 3]);
+    const auto [low, high] = std::minmax({y[i - 2], y[i - 1], y[i + 1], y[i + 2]});
+    const double beyond = std::max(y[i] - high, low - y[i]);
+    const double off = std::min(beyond, std::abs(y[i] - inner));  // at a turn the first alone
+    if (off > 12 * noise + 4 * std::abs(inner - outer)) spikes.push_back(i);
+  }
+  for (const size_t i : spikes) y[i] = 0.5 * (y[i - 1] + y[i + 1]), channel->bad[i] = 1;
+  if (spikes.empty()) return;
+  findings->push_back({channel->name, fmt::format("{} spikes: left out", spikes.size())});
+}
+
 void MarkStuck(Channel* channel, const RigRun& run, std::vector<DataFinding>* findings) {
   const std::vector<double>& y = channel->y;
   if (!(channel->noise.white > 0.8 * channel->noise.quantum)) return;  // repeats are natural
@@ -78,13 +95,14 @@ void MarkStuck(Channel* channel, const RigRun& run, std::vector<DataFinding>* fi
   const auto [low, high] = std::minmax_element(y.begin(), y.end());
   size_t saturated = 0, stuck = 0;
   double at = 0, from = 0, to = 0;
+  std::vector<double> ends;  // values at which the channel was saturated, rising
   for (size_t i = 0; i < y.size();) {
     size_t end = i + 1;
     while (end < y.size() && y[end] == y[i] && !channel->bad[end]) ++end;
     if (end - i >= kRepeats && !channel->bad[i]) {
       const bool edge = y[i] == *low || y[i] == *high;
       (edge ? saturated : stuck) += end - i;
-      if (edge) at = y[i];
+      if (edge) at = y[i], ends.insert(std::upper_bound(ends.begin(), ends.end(), at), at);
       if (!edge && stuck == end - i) from = run.Time(static_cast<int>(i));
       if (!edge) to = run.Time(static_cast<int>(end - 1));
       std::fill(channel->bad.begin() + static_cast<long>(i),
@@ -92,7 +110,11 @@ void MarkStuck(Channel* channel, const RigRun& run, std::vector<DataFinding>* fi
     }
     i = end;
   }
-  if (saturated > 0) {
+  if (saturated > 0) {  // one end is proved: its shorter stays are no measurement either
+    for (size_t i = 0; i < y.size(); ++i) {
+      if (channel->bad[i] || !std::binary_search(ends.begin(), ends.end(), y[i])) continue;
+      channel->bad[i] = 1, ++saturated;
+    }
     findings->push_back(
         {channel->name, fmt::format("saturated at {:.4g}: {} samples left out", at, saturated)});
   }

@@ -15,6 +15,11 @@ namespace phs::measurement {
 /// the neighbours differ among themselves.
 void MarkSpikes(Channel* channel, std::vector<DataFinding>* findings);
 
+/// The same for a motion, which has no steps: lone samples beyond all four neighbours, and off the
+/// cubic through them, by more than 12 noise levels and 4 times what these neighbours and the next
+/// depart from one cubic, however fast it moves.
+void MarkMotionSpikes(Channel* channel, std::vector<DataFinding>* findings);
+
 /// Marks stretches in which a channel, noisy elsewhere, repeats one value to the last digit: at an
 /// end of its range it is saturated, elsewhere stuck.
 void MarkStuck(Channel* channel, const RigRun& run, std::vector<DataFinding>* findings);

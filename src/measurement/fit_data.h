@@ -23,6 +23,7 @@ struct FitData {
   rigs::RigKind kind = rigs::RigKind::kQuarter;
   rigs::RigOptions options;             ///< steps per sample, beam of the full rig
   std::vector<std::string> candidates;  ///< effects to look for; empty = all
+  std::vector<OwnCandidate> own;        ///< and the user's own
   std::vector<std::string> free;        ///< numbers of the declared model; empty = the usual
   std::string source;
   std::vector<double> time_s;      ///< uniform

@@ -149,7 +149,8 @@ Result<FitData> ReadFitData(const Manifest& manifest, const hydraulics::PhsParam
   FitData data = StartData(run);
   data.kind = kind.value();
   data.options = manifest.options;
-  data.candidates = manifest.candidates;
+  if (run.extra) data.options.extra = run.extra;
+  data.candidates = manifest.candidates, data.own = manifest.own;
   data.free = manifest.free;
   data.row_time_s = run.row_time;
   std::vector<char> rest, standstill;

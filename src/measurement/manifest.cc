@@ -62,6 +62,21 @@ RunSpec ReadRun(YamlMap& map, const std::string& path) {
   return run;
 }
 
+/// One of the `runs:`; of a step table with a model and a setup of its own, and no windows.
+RunSpec ReadOneOfRuns(YamlMap& map, const std::string& path, bool steps) {
+  RunSpec run = ReadRun(map, path);
+  if (map.Has("model")) run.model = BesideFile(path, map.Text("model"));
+  run.setup = map.Integer("setup", 1, 1000000, 0);
+  if (!steps && (!run.model.empty() || run.setup != 0)) {
+    map.Fail("model", "a run of this rig has no model or setup of its own", "rig: steps");
+  }
+  if (steps && run.model.empty()) map.Text("model");
+  if (steps && (!run.estimation.empty() || !run.validation.empty())) {
+    map.Fail("estimation", "steps have no windows", "each step is left out in turn");
+  }
+  return run;
+}
+
 rigs::RigOptions ReadOptions(YamlMap& map) {
   rigs::RigOptions options;
   options.substeps = map.Integer("substeps", 1, 1000, options.substeps);
@@ -89,10 +104,53 @@ void ReadDrive(YamlMap& map, WindowNeed need, Manifest* m) {
     }
     m->signal = rigs::ReadRigSignals(map.Map("signal"));
   } else if (map.Has("runs")) {
-    for (YamlMap& run : map.Maps("runs")) m->runs.push_back(ReadRun(run, m->path));
+    for (YamlMap& run : map.Maps("runs")) {
+      m->runs.push_back(ReadOneOfRuns(run, m->path, m->rig == "steps"));
+    }
     if (m->runs.empty()) map.Fail("runs", "names no run", "at least one");
   } else {
     m->runs.push_back(ReadRun(map, m->path));
+  }
+}
+
+/// Further channels: columns like the others, and in the rig's options by name until they are read.
+void ReadExtra(YamlMap& extra, Manifest* m) {
+  auto series = std::make_shared<hydraulics::ExtraSeries>();
+  for (const std::string& key : extra.Keys()) {
+    m->columns[key] = extra.Text(key);
+    m->extra.push_back(key);
+    series->names.push_back(key), series->values.push_back({0});
+    if (static_cast<int>(m->extra.size()) > hydraulics::kMaxExtra) {
+      extra.Fail(key, "is one channel too many", "at most 8");
+    }
+    if (m->rig == "steps" || m->rig == "bogie") {
+      extra.Fail(key, "is not for rig: " + m->rig, "cylinder, quarter, full, element");
+    }
+  }
+  if (!m->extra.empty()) m->options.extra = std::move(series);
+}
+
+/// Names of the catalogue as a list; or a map of such names and of laws of one's own.
+void ReadCandidates(YamlMap& map, Manifest* m) {
+  if (m->rig == "steps" && map.Has("candidates")) {
+    map.Fail("candidates", "is not for rig: steps", "cylinder, quarter, full, element, bogie");
+  }
+  if (!map.IsMap("candidates")) {
+    m->candidates = map.Texts("candidates");
+    return;
+  }
+  YamlMap candidates = map.Map("candidates");
+  for (const std::string& name : candidates.Keys()) {
+    YamlMap entry = candidates.Map(name);
+    if (!entry.Has("where") && !entry.Has("expression") && !entry.Has("parameters")) {
+      m->candidates.push_back(name);
+      continue;
+    }
+    m->own.push_back(ReadOwnCandidate(candidates, name, m->extra));
+    if (m->rig == "bogie") {
+      candidates.Fail(name, "a law of one's own is not for rig: bogie",
+                      "cylinder, quarter, full, element");
+    }
   }
 }
 
@@ -105,18 +163,26 @@ Result<Manifest> LoadManifest(const std::string& path, WindowNeed need) {
   Manifest m;
   m.path = path;
   m.rig = map.Word("rig", {"cylinder", "quarter", "full", "element", "steps", "bogie"});
-  m.model = BesideFile(path, map.Text("model"));
+  if (map.Has("model")) m.model = BesideFile(path, map.Text("model"));
   ReadDrive(map, need, &m);
+  const bool each_its_model = !m.runs.empty() && !m.runs.front().model.empty();
+  if (each_its_model) m.model = m.runs.front().model;
+  if (m.model.empty()) {
+    map.Fail("model", "is missing", "a name in models/phs, or a path", "model: quarter_setup2");
+  }
   m.setup = map.Integer("setup", 1, 1000000, 0);
   m.options = ReadOptions(map);
-  YamlMap columns = map.Map("columns"), factors = map.Map("factors");
+  YamlMap columns = map.Map("columns"), extra = map.Map("extra"), factors = map.Map("factors");
   for (const std::string& key : columns.Keys()) m.columns[key] = columns.Text(key);
+  ReadExtra(extra, &m);
   for (const std::string& key : factors.Keys()) m.factors[key] = factors.Number(key, {});
   m.free = map.Texts("free");
-  m.candidates = map.Texts("candidates");
-  if (!m.candidates.empty() && (m.rig == "element" || m.rig == "steps")) {
-    map.Fail("candidates", "is not for rig: " + m.rig, "cylinder, quarter, full, bogie");
+  m.shared = map.Texts("shared");
+  if (!m.shared.empty() && !each_its_model) {
+    map.Fail("shared", "there are no runs to share a number",
+             "rig: steps with runs:", "runs: [{model: …, data: …}, …]");
   }
+  ReadCandidates(map, &m);
   m.compare_below_Hz = map.Number("compare_below_Hz", {.min = 0}, 0.0);
   m.low_pass_Hz = map.Number("low_pass_Hz", {.min = 0}, 0.0);
   bool any_estimation = false;

@@ -10,12 +10,17 @@
 //
 // Beyond that, where wanted:
 //   runs: [{data: a.csv, estimation: [0, 60], validation: [60, 90]}, …]   instead of the three
+//   runs: [{model: quarter_setup2, data: table.csv}, …], shared: [lines.oil_volume_m3, …]
+//                                         step tables only: a model (and `setup:`) each; the
+//                                         numbers that all runs share, the others are own
 //   columns: {x_m: x_mm, force_N: F_N}    names in the file, where they differ; the unit is read
 //                                         from the ending: _mm, _ms, _bar, _MPa, _kPa, _kN, …
 //   factors: {force_N: 35.15}             on top of that, for a channel given in another quantity
 //   free: [L1.gas_volume_m3, …]           free parameters of the baseline, instead of the usual
-//   candidates: [cant_error, …]           effects to look for, instead of all (driven
-//                                         rigs and bogie; there also unlisted: a formula)
+//   candidates: [cant_error, …]           effects to look for, instead of all (rigs, element
+//                                         bench and bogie; on rigs also unlisted: a formula)
+//   candidates: {coil_drag: {where: …}}   laws of one's own, beside them (own_candidate.h)
+//   extra: {coil_V: u_coil}               further channels for such laws: NAME_UNIT: column
 //   compare_below_Hz: 40                  element bench: model and measurement are compared below
 //                                         this frequency, both filtered alike (band_limit.h)
 //   low_pass_Hz: 20                       all channels, forwards and backwards (no lag)
@@ -30,6 +35,7 @@
 #include <vector>
 
 #include "base/result.h"
+#include "measurement/own_candidate.h"
 #include "rigs/rig_model.h"
 #include "rigs/rig_signal.h"
 
@@ -46,6 +52,8 @@ struct Window {
 struct RunSpec {
   std::string data;  ///< path, already resolved against the manifest's folder
   Window estimation, validation;
+  std::string model;  ///< step tables: of this run; empty: the manifest's
+  int setup = 0;      ///< step tables: of this run; 0: the manifest's
 };
 
 struct Manifest {
@@ -56,9 +64,12 @@ struct Manifest {
   std::map<std::string, std::string> columns;  ///< our channel -> column of the file
   std::map<std::string, double> factors;       ///< our channel -> factor
   std::vector<std::string> free;
-  std::vector<std::string> candidates;     ///< empty: all
-  double low_pass_Hz = 0;                  ///< 0: none
-  double compare_below_Hz = 0;             ///< 0: all frequencies
+  std::vector<std::string> shared;      ///< of step tables: numbers with one value for all runs
+  std::vector<std::string> candidates;  ///< of the catalogue; empty: all
+  std::vector<OwnCandidate> own;        ///< the user's, beside them
+  std::vector<std::string> extra;       ///< further channels, with unit; columns are in `columns`
+  double low_pass_Hz = 0;               ///< 0: none
+  double compare_below_Hz = 0;          ///< 0: all frequencies
   std::optional<rigs::RigSignals> signal;  ///< then no run is read
   int setup = 0;                           ///< of a step table; 0: by the model's name
   rigs::RigOptions options;

@@ -196,6 +196,22 @@ Channel ReadChannel(const Table& table, const Manifest& manifest, const Clock& c
   return channel;
 }
 
+/// Further channels, as measured: they drive laws and are not compared.
+Status ReadExtra(const Table& table, const Manifest& manifest, const Clock& clock, RigRun* run) {
+  if (manifest.extra.empty()) return {};
+  auto series = std::make_shared<hydraulics::ExtraSeries>();
+  series->t0_s = run->t0_s, series->step_s = run->step_s;
+  for (const std::string& name : manifest.extra) {
+    Channel channel = ReadChannel(table, manifest, clock, name, run);
+    if (!channel.present()) {
+      return Error{manifest.path + ": extra." + name, "holds no number", "a measured column"};
+    }
+    series->names.push_back(name), series->values.push_back(std::move(channel.y));
+  }
+  run->extra = std::move(series);
+  return {};
+}
+
 Status ClipWindow(const char* key, RigRun* run, Window* window) {
   if (window->empty()) return {};
   const Window asked = *window;
@@ -247,10 +263,11 @@ Result<RigRun> ReadRigRun(const RunSpec& spec, const Manifest& manifest,
   run.file_time = clock.time;
   for (const auto& [channel, column] : manifest.columns) {
     if (table.Find(column) >= 0) continue;
-    const std::string nearest = NearestWord(column, table.names);
-    return Error{manifest.path + ": columns." + channel,
+    const auto& further = manifest.extra;
+    const bool extra = std::find(further.begin(), further.end(), channel) != further.end();
+    return Error{manifest.path + (extra ? ": extra." : ": columns.") + channel,
                  "no column \"" + column + "\" in " + spec.data, "",
-                 nearest.empty() ? "" : "did you mean " + nearest + "?"};
+                 DidYouMean(column, table.names)};
   }
   for (const std::string& name : inputs) {
     run.inputs.push_back(ReadChannel(table, manifest, clock, name, &run));
@@ -272,6 +289,7 @@ Result<RigRun> ReadRigRun(const RunSpec& spec, const Manifest& manifest,
   run.speed = ReadChannel(table, manifest, clock, "v_m_s", &run);
   run.pressure = ReadChannel(table, manifest, clock, "p_Pa", &run);
   run.temperature = ReadChannel(table, manifest, clock, "temperature_K", &run);
+  if (Status s = ReadExtra(table, manifest, clock, &run); !s.ok()) return s.error();
   run.estimation = spec.estimation;
   run.validation = spec.validation;
   if (Status s = ClipWindow("estimation", &run, &run.estimation); !s.ok()) return s.error();

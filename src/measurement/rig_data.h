@@ -1,11 +1,13 @@
 // Measured runs on a uniform clock in SI units, with what is known about their quality.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "base/result.h"
 #include "base/table.h"
+#include "hydraulics/extra_series.h"
 #include "measurement/manifest.h"
 
 namespace phs::measurement {
@@ -43,7 +45,9 @@ struct RigRun {
   std::vector<Channel> inputs;           ///< driven motion, as RigModel::input_names()
   std::vector<Channel> outputs;          ///< as RigModel::output_names(); may be absent
   Channel speed, pressure, temperature;  ///< element rig: optional side channels
-  Window estimation, validation;         ///< clipped to the data
+  /// Further channels of the manifest; null: none.
+  std::shared_ptr<const hydraulics::ExtraSeries> extra;
+  Window estimation, validation;  ///< clipped to the data
   std::vector<DataFinding> findings;
   double Time(int i) const { return t0_s + i * step_s; }
   /// Samples of a window: [first, last).

@@ -59,6 +59,7 @@ Result<RigCase> Measured(const Manifest& manifest, const RigModel& model) {
     for (size_t i = 0; i < rest.size(); ++i) rest[i] = rest[i] && still[i];
     out.motion.position_m.push_back(std::move(smooth.position));
     out.motion.speed_m_s.push_back(std::move(smooth.speed));
+    out.motion.acceleration_m_s2.push_back(std::move(smooth.acceleration));
   }
   for (measurement::Channel& output : run.outputs) {
     if (!output.present()) continue;
@@ -72,16 +73,6 @@ Result<RigCase> Measured(const Manifest& manifest, const RigModel& model) {
   return out;
 }
 
-/// Something elastic or loose lies between actuator and piston.
-bool HasMounting(const RigModel& model) {
-  for (const auto& effect : model.system().params().effects) {
-    for (const char* name : {"backlash", "mount_compliance", "bush_viscoelastic"}) {
-      if (effect.name == name) return true;
-    }
-  }
-  return false;
-}
-
 }  // namespace
 
 Result<RigCase> ReadRigCase(const Manifest& manifest, const RigModel& model) {
@@ -91,7 +82,7 @@ Result<RigCase> ReadRigCase(const Manifest& manifest, const RigModel& model) {
 Status CheckStroke(const RigModel& model, const RigMotion& motion,
                    const std::vector<std::vector<double>>& piston) {
   if (model.kind() == RigKind::kElement) return {};
-  const bool mounted = HasMounting(model);
+  const bool mounted = model.system().has_mounts();
   for (size_t c = 0; c < motion.position_m.size(); ++c) {
     const auto& cylinder = model.system().params().cylinders[c];
     const double stop = cylinder.end_stop.clearance_m;

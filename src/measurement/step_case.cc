@@ -18,14 +18,13 @@ int TrailingNumber(const std::string& name) {
   return digits.empty() || digits.size() > 6 ? 0 : std::atoi(digits.c_str());
 }
 
-}  // namespace
-
-Result<StepCase> ReadStepCase(const measurement::Manifest& manifest) {
-  Result<hydraulics::PhsParams> params = phs_model::FindPhsParams(manifest.model);
-  if (!params.ok()) return params.error();
+Result<StepCase> ReadStepCase(const Manifest& manifest, const RunSpec& run) {
   StepCase out;
+  out.model = run.model.empty() ? manifest.model : run.model;
+  Result<hydraulics::PhsParams> params = phs_model::FindPhsParams(out.model);
+  if (!params.ok()) return params.error();
   out.declared = std::move(params.value());
-  out.source = manifest.runs.front().data;
+  out.source = run.data;
   Result<std::vector<rigs::StepRow>> rows = rigs::ReadStepTable(out.source);
   if (!rows.ok()) {
     Result<std::string> known = FindData("step table", "models/rigs", out.source, {".csv"});
@@ -34,7 +33,7 @@ Result<StepCase> ReadStepCase(const measurement::Manifest& manifest) {
   }
   std::set<int> setups;
   for (const rigs::StepRow& row : rows.value()) setups.insert(row.setup);
-  out.setup = manifest.setup;
+  out.setup = run.setup != 0 ? run.setup : manifest.setup;
   if (out.setup == 0 && setups.count(TrailingNumber(out.declared.name)) > 0) {
     out.setup = TrailingNumber(out.declared.name);
   }
@@ -46,6 +45,18 @@ Result<StepCase> ReadStepCase(const measurement::Manifest& manifest) {
   for (const int setup : setups) known.push_back(std::to_string(setup));
   return Error{manifest.path + ": setup", "no row of " + out.source + " has this setup",
                JoinWords(known)};
+}
+
+}  // namespace
+
+Result<std::vector<StepCase>> ReadStepCases(const Manifest& manifest) {
+  std::vector<StepCase> out;
+  for (const RunSpec& run : manifest.runs) {
+    Result<StepCase> one = ReadStepCase(manifest, run);
+    if (!one.ok()) return one.error();
+    out.push_back(std::move(one.value()));
+  }
+  return out;
 }
 
 nlohmann::ordered_json ScoreSteps(const std::vector<double>& measured,

@@ -12,15 +12,16 @@
 namespace phs::measurement {
 
 struct StepCase {
+  std::string model;  ///< as the manifest names it
   hydraulics::PhsParams declared;
   std::string source;
   int setup = 0;  ///< 0: the rows of all setups
   std::vector<rigs::StepRow> rows;
 };
 
-/// The setup: as in the manifest; else the number at the end of the model's name if the table has
-/// it; else all rows.
-Result<StepCase> ReadStepCase(const measurement::Manifest& manifest);
+/// One case for each run. The setup: as in the run or the manifest; else the number at the end of
+/// the model's name if the table has it; else all rows.
+Result<std::vector<StepCase>> ReadStepCases(const Manifest& manifest);
 
 /// RMSE, NRMSE, bias, largest error, m%RE and shares of rows.
 nlohmann::ordered_json ScoreSteps(const std::vector<double>& measured,

@@ -86,9 +86,10 @@ class MountedFriction {
   }
   void Advance(double h, double v, const FrictionPlace& place) {
     if (friction_.model() == FrictionModel::kPresliding) z_ = friction_.Advance(h, v, z_, place);
-    for (size_t k = 0; k < memory_.size(); ++k) {
-      memory_[k] = friction_.AdvanceMemory(static_cast<int>(k), h, v, memory_[k]);
-    }
+    if (memory_.empty()) return;
+    FrictionPlace middle = place;
+    middle.piston = y_ + 0.5 * h * v;
+    friction_.AdvanceMemories(h, v, z_, middle, memory_.data());
   }
 
   const Friction& friction_;
@@ -108,12 +109,17 @@ void RunElementBench(const hydraulics::PhsSystem& system, const RigMotion& motio
   const std::vector<double>& x = motion.position_m[0];
   std::vector<double> acceleration;
   if (part.mass_kg > 0 || !system.loads().empty()) {
-    acceleration = DifferentiateMotion(speed, motion.step_s);
+    acceleration = AccelerationOf(motion, speed);
   }
   MountedFriction friction(system.friction(0), system.mount(0), x[0], motion.step_s);
   if (places != nullptr) places->direction.resize(static_cast<size_t>(n));
+  double extra[hydraulics::kMaxExtra];
   for (int i = 0; i < n; ++i) {
     FrictionPlace place;
+    if (system.extra() != nullptr) {
+      system.extra()->At(motion.t0_s + i * motion.step_s, extra);
+      place.extra = extra;
+    }
     place.time = motion.t0_s + i * motion.step_s;
     const double p = motion.pressure_Pa.empty() ? 0 : motion.pressure_Pa[i];
     place.bore_rise = p;
@@ -129,7 +135,9 @@ void RunElementBench(const hydraulics::PhsSystem& system, const RigMotion& motio
     friction.Move((x[i + 1] - x[i]) / motion.step_s, place);
   }
   for (const auto& law : system.loads()) {
-    law->Add({motion.step_s, acceleration, motion.pressure_Pa}, force);
+    law->Add(
+        {motion.step_s, acceleration, motion.pressure_Pa, x, speed, motion.t0_s, system.extra()},
+        force);
   }
 }
 

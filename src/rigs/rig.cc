@@ -24,4 +24,9 @@ std::vector<double> DifferentiateMotion(const std::vector<double>& position, dou
   return speed;
 }
 
+std::vector<double> AccelerationOf(const RigMotion& motion, const std::vector<double>& speed) {
+  if (!motion.acceleration_m_s2.empty()) return motion.acceleration_m_s2.front();
+  return DifferentiateMotion(speed, motion.step_s);
+}
+
 }  // namespace phs::rigs

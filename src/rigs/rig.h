@@ -2,10 +2,12 @@
 // extension > 0, tension > 0; pressures absolute.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "base/result.h"
+#include "hydraulics/extra_series.h"
 
 namespace phs::rigs {
 
@@ -25,6 +27,8 @@ struct RigOptions {
   /// Of a ringing line, unless more are asked for; none for one that needs three times as many.
   int most_substeps = 8;
   BeamParams beam;  ///< full rig only
+  /// Further measured channels of the record; null: none.
+  std::shared_ptr<const hydraulics::ExtraSeries> extra;
 };
 
 /// What drives the rig: one row per driven actuator, samples at t0 + i step.
@@ -33,8 +37,10 @@ struct RigMotion {
   double step_s = 0;                            ///< > 0
   std::vector<std::vector<double>> position_m;  ///< [actuator][sample]
   std::vector<std::vector<double>> speed_m_s;   ///< same shape; empty: central differences
-  std::vector<double> pressure_Pa;              ///< element rig: side channel; else empty
-  std::vector<double> temperature_K;            ///< element rig: side channel; else empty
+  /// Same shape [m/s2]; empty: central differences of the speed, which take sin(w T)/(w T) of it.
+  std::vector<std::vector<double>> acceleration_m_s2;
+  std::vector<double> pressure_Pa;    ///< element rig: side channel; else empty
+  std::vector<double> temperature_K;  ///< element rig: side channel; else empty
   int num_samples() const {
     return position_m.empty() ? 0 : static_cast<int>(position_m[0].size());
   }
@@ -53,5 +59,7 @@ struct RigPressures {
 
 /// Speeds by central differences (one-sided at the ends).
 std::vector<double> DifferentiateMotion(const std::vector<double>& position, double step_s);
+/// Of the first actuator; `speed` counts where the motion has no acceleration of its own.
+std::vector<double> AccelerationOf(const RigMotion& motion, const std::vector<double>& speed);
 
 }  // namespace phs::rigs

@@ -22,7 +22,7 @@ using Values = std::vector<std::vector<double>>;
 class TrueState {
  public:
   TrueState(const PhsSystem& system, const Source& source, const Values& truth)
-      : piston_(truth[static_cast<size_t>(source.piston)]) {
+      : piston_(truth[static_cast<size_t>(source.piston)]), further_(system.extra()) {
     const auto& params = system.params();
     const auto& cylinder = params.cylinders[static_cast<size_t>(source.cylinder)];
     const auto pressure = [&](const std::string& name, int channel) -> Pressure {
@@ -34,12 +34,17 @@ class TrueState {
     bore_ = pressure(cylinder.bore_line, source.bore);
     rod_ = pressure(cylinder.rod_line, source.rod);
   }
-  hydraulics::ForcePlace At(size_t i, double time) const {
+  /// Holds until the next call.
+  hydraulics::ForcePlace At(size_t i, double time) {
     hydraulics::ForcePlace place;
     place.time = time;
     place.piston = piston_[i];
     place.bore_rise = bore_.Rise(i);
     place.rod_rise = rod_.Rise(i);
+    if (further_ != nullptr) {
+      further_->At(time, extra_);
+      place.extra = extra_;
+    }
     return place;
   }
 
@@ -51,6 +56,8 @@ class TrueState {
   };
   const std::vector<double>& piston_;
   Pressure bore_, rod_;
+  const hydraulics::ExtraSeries* further_;
+  double extra_[hydraulics::kMaxExtra] = {};
 };
 
 class Instruments {
@@ -67,7 +74,7 @@ class Instruments {
       law->Lag(step_s_, &y);
       gain *= law->Gain();
     }
-    const TrueState state(system_, source, truth_);
+    TrueState state(system_, source, truth_);
     for (size_t i = 0; i < y.size(); ++i) {
       const auto place = state.At(i, t0_s_ + static_cast<double>(i) * step_s_);
       y[i] *= gain;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "effects/catalogue.h"
+#include "effects/own_law.h"
 #include "effects/unlisted.h"
 #include "phs_model/phs_model.h"
 #include "rigs/element_bench.h"
@@ -91,6 +92,12 @@ Status CheckMotion(RigKind kind, const RigMotion& motion) {
   for (const auto& row : motion.speed_m_s) {
     if (Status s = check(row, "speed_m_s"); !s.ok()) return s;
   }
+  if (!motion.acceleration_m_s2.empty() && motion.acceleration_m_s2.size() != need) {
+    return Error{"acceleration_m_s2", "not as many channels as positions", ""};
+  }
+  for (const auto& row : motion.acceleration_m_s2) {
+    if (Status s = check(row, "acceleration_m_s2"); !s.ok()) return s;
+  }
   if (!motion.pressure_Pa.empty()) {
     if (Status s = check(motion.pressure_Pa, "pressure_Pa"); !s.ok()) return s;
   }
@@ -105,8 +112,9 @@ PhsParams HydraulicsOf(const PhsParams& params) {
   out.friction = {};
   out.element = {};
   std::erase_if(out.effects, [](const hydraulics::EffectParams& effect) {
-    const hydraulics::EffectInfo* info = effects::Catalogue().Find(effect.name);
+    const hydraulics::EffectInfo* info = effects::Catalogue().FindFor(effect);
     if (info == nullptr) return false;
+    if (info == effects::Catalogue().own()) return !effects::OwnActsOnOil(effect);
     if (effect.name == effects::UnlistedInfo().name) return !effects::ActsOnOil(effect);
     return info->family == "friction" || info->family == "instrument" || info->family == "element";
   });
@@ -136,7 +144,7 @@ const PhsSystem& RigModel::system() const { return impl_->system; }
 Result<RigModel> RigModel::Create(RigKind kind, const PhsParams& params,
                                   const RigOptions& options) {
   if (Status s = CheckFits(kind, params, options); !s.ok()) return s.error();
-  Result<PhsSystem> system = CreatePhsSystem(params);
+  Result<PhsSystem> system = CreatePhsSystem(params, options.extra);
   if (!system.ok()) return system.error();
   auto impl = std::unique_ptr<Impl>(
       new Impl{kind, params, options, std::move(system.value()), InputNames(kind), {}});
@@ -178,9 +186,11 @@ void RigModel::Impl::RunFull(const RigMotion& motion, const std::vector<std::vec
 void AddLoads(const PhsSystem& system, const std::vector<double>& speed, const RigMotion& motion,
               std::vector<double>* load) {
   if (system.loads().empty()) return;
-  const std::vector<double> acceleration = DifferentiateMotion(speed, motion.step_s);
+  const std::vector<double> acceleration = AccelerationOf(motion, speed);
   for (const auto& law : system.loads()) {
-    law->Add({motion.step_s, acceleration, motion.pressure_Pa}, load);
+    law->Add({motion.step_s, acceleration, motion.pressure_Pa, motion.position_m[0], speed,
+              motion.t0_s, system.extra()},
+             load);
   }
 }
 

@@ -1,224 +1,194 @@
-// Fit of the settled pressures of Table B-1 by Levenberg-Marquardt in the logarithms of the
-// parameters; leave one step out (a step loads both chambers: both of its rows are left out
-// together).
+#include "rigs/step_fit.h"
+
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 
-#include "rigs/step_table.h"
-
 namespace phs::rigs {
-
-using hydraulics::PhsParams;
-
-// An isothermal copy without the effects that only matter in motion has no states, so one
-// evaluation gives them.
-Result<std::vector<double>> PredictSettled(const PhsParams& params,
-                                           const std::vector<StepRow>& rows) {
-  PhsParams isothermal = params;
-  std::erase_if(isothermal.effects, [](const hydraulics::EffectParams& effect) {
-    for (const char* kept : {"accumulator_precharge", "diaphragm_stop", "entrained_air",
-                             "hose_expansion", "cavitation"}) {
-      if (effect.name == kept) return false;
-    }
-    return true;
-  });
-  isothermal.friction.model = hydraulics::FrictionModel::kNone;
-  for (hydraulics::LineParams& l : isothermal.lines) {
-    l.reservoir.law = l.accumulator.law = &hydraulics::kIsothermalGas;
-  }
-  std::vector<double> out;
-  for (const StepRow& row : rows) {
-    Result<StepPrediction> p = PredictStep(isothermal, row);
-    if (!p.ok()) return p.error();
-    out.push_back(p.value().end_Pa);
-  }
-  return out;
-}
-
 namespace {
 
-constexpr int kParameters = 8;
 using Vector = Eigen::VectorXd;
+using Matrix = Eigen::MatrixXd;
+using hydraulics::kAtmosphere;
 
-// [compliance, gas bore, gas rod, precharge, stop bore, stop rod, static bore, static rod], logs.
-StepFit FromLogs(const Vector& q, const StepFreedom& freedom) {
-  StepFit fit;
-  fit.oil_compliance_m3_per_Pa = std::exp(q[0]);
-  fit.gas_bore_m3 = std::exp(q[1]);
-  fit.gas_rod_m3 = std::exp(q[2]);
-  fit.precharge_Pa = std::exp(q[3]);
-  fit.static_bore_Pa = std::exp(q[6]);
-  fit.static_rod_Pa = std::exp(q[7]);
-  if (freedom.stop) {
-    fit.min_gas_bore_m3 = std::min(std::exp(q[4]), 0.999 * fit.gas_bore_m3);
-    fit.min_gas_rod_m3 = std::min(std::exp(q[5]), 0.999 * fit.gas_rod_m3);
+constexpr double kPriorWidth = 1.0986122886681098;  // ln 3
+constexpr double kConverged = 1e-6;                 // step of the logarithms
+constexpr double kPriorWeight = 1 / (kPriorWidth * kPriorWidth);
+
+/// ln(p_model/p_measured) of the rows of run `r`.
+Result<Vector> RunResiduals(const StepProblem& problem, const Vector& q, size_t r) {
+  const std::vector<StepRow>& rows = problem.runs[r].rows;
+  Result<hydraulics::PhsParams> model = ModelOf(problem, q, r);
+  if (!model.ok()) return model.error();
+  Result<std::vector<double>> p = PredictSettled(model.value(), rows);
+  if (!p.ok()) return p.error();
+  Vector out(static_cast<int>(rows.size()));
+  for (size_t i = 0; i < rows.size(); ++i) {
+    out[static_cast<int>(i)] =
+        std::log((p.value()[i] + kAtmosphere) / (rows[i].end_Pa + kAtmosphere));
   }
-  return fit;
-}
-
-std::vector<double> Measured(const std::vector<StepRow>& rows) {
-  std::vector<double> out;
-  for (const StepRow& row : rows) out.push_back(row.end_Pa);
   return out;
 }
 
-// Residuals in ln p, with a weak pull (factor 3 = 1 sigma of 0.05) to the start, so that what no
-// row determines stays where it was.
-Result<Vector> Residuals(const PhsParams& declared, const std::vector<StepRow>& rows,
-                         const Vector& q, const Vector& start, const StepFreedom& freedom) {
-  Result<std::vector<double>> p =
-      PredictSettled(WithStepFit(declared, FromLogs(q, freedom), freedom), rows);
-  if (!p.ok()) return p.error();
-  Vector r(static_cast<int>(rows.size()) + q.size());
-  for (size_t i = 0; i < rows.size(); ++i) {
-    r[static_cast<int>(i)] = std::log((p.value()[i] + hydraulics::kAtmosphere) /
-                                      (rows[i].end_Pa + hydraulics::kAtmosphere));
+Result<Vector> Residuals(const StepProblem& problem, const Vector& q) {
+  Vector out(problem.num_rows());
+  int at = 0;
+  for (size_t r = 0; r < problem.runs.size(); ++r) {
+    Result<Vector> part = RunResiduals(problem, q, r);
+    if (!part.ok()) return part.error();
+    out.segment(at, part.value().size()) = part.value();
+    at += static_cast<int>(part.value().size());
   }
-  r.tail(q.size()) = 0.05 * (q - start);
-  return r;
+  return out;
 }
 
-// What is not free stays where it is.
-void Pin(const StepFreedom& freedom, Eigen::MatrixXd* normal, Vector* slope) {
-  for (int k = 0; k < kParameters; ++k) {
-    const bool free = k < 3    ? true
-                      : k == 3 ? freedom.precharge
-                      : k < 6  ? freedom.stop
-                               : freedom.filling;
-    if (free) continue;
-    normal->row(k).setZero();
-    normal->col(k).setZero();
-    (*normal)(k, k) = 1;
-    (*slope)[k] = 0;
+/// dr/dq by differences; a number moves only the rows of its own runs.
+Result<Matrix> Jacobian(const StepProblem& problem, const Vector& q, const Vector& residuals) {
+  constexpr double kNudge = 1e-5;
+  Matrix J = Matrix::Zero(residuals.size(), q.size());
+  int at = 0;
+  for (size_t r = 0; r < problem.runs.size(); ++r) {
+    const int n = static_cast<int>(problem.runs[r].rows.size());
+    for (size_t k = 0; k < problem.numbers.size(); ++k) {
+      const int place = problem.Place(k, r);
+      Vector nudged = q;
+      nudged[place] += kNudge;
+      Result<Vector> moved = RunResiduals(problem, nudged, r);
+      if (!moved.ok()) return moved.error();
+      J.block(at, place, n, 1) = (moved.value() - residuals.segment(at, n)) / kNudge;
+    }
+    at += n;
   }
+  return J;
 }
 
-Vector StartLogs(const PhsParams& declared) {
-  const auto& c = declared.cylinders[0];
-  const auto& bore = declared.lines[declared.FindLine(c.bore_line)];
-  const auto& rod = declared.lines[declared.FindLine(c.rod_line)];
-  auto gas = [](const hydraulics::LineParams& l) { return std::max(l.gas_volume_m3, 1e-7); };
-  Vector q(kParameters);
-  q << std::log(bore.oil_volume_m3 / bore.bulk_modulus_Pa), std::log(gas(bore)), std::log(gas(rod)),
-      std::log(rod.accumulator_precharge_Pa), std::log(0.03 * gas(bore)), std::log(0.03 * gas(rod)),
-      std::log(bore.static_pressure_Pa), std::log(rod.static_pressure_Pa);
-  return q;
+/// 1/variance of every row.
+Vector Weights(const StepProblem& problem, const StepErrors& errors) {
+  Vector out(problem.num_rows());
+  int at = 0;
+  for (const StepRun& run : problem.runs) {
+    for (const StepRow& row : run.rows) {
+      const double reading = errors.reading_Pa / (row.end_Pa + kAtmosphere);
+      out[at++] = 1 / (errors.model * errors.model + reading * reading);
+    }
+  }
+  return out;
+}
+
+/// The fit at given sizes of the errors.
+class NumbersFit {
+ public:
+  NumbersFit(const StepProblem& problem, const Vector& declared, const StepErrors& errors)
+      : problem_(problem), declared_(declared), weights_(Weights(problem, errors)) {}
+
+  /// Levenberg-Marquardt from `fit->logs`.
+  Status Run(StepFit* fit) const {
+    Result<Vector> start = Residuals(problem_, fit->logs);
+    if (!start.ok()) return start.error();
+    Vector r = std::move(start.value());
+    Matrix normal;
+    double damping = 1e-3;
+    for (int iteration = 0; iteration < 60; ++iteration) {
+      Result<Matrix> J = Jacobian(problem_, fit->logs, r);
+      if (!J.ok()) return J.error();
+      const Matrix WJ = weights_.asDiagonal() * J.value();
+      normal = J.value().transpose() * WJ;
+      normal.diagonal().array() += kPriorWeight;
+      const Vector slope = WJ.transpose() * r + kPriorWeight * (fit->logs - declared_);
+      if (Move(normal, slope, &damping, &fit->logs, &r) < kConverged) break;
+    }
+    const Eigen::LDLT<Matrix> inverse(normal);
+    fit->sd = inverse.solve(Matrix::Identity(normal.rows(), normal.cols())).diagonal().cwiseSqrt();
+    fit->criterion =
+        Cost(r, fit->logs) - weights_.array().log().sum() + inverse.vectorD().array().log().sum();
+    return {};
+  }
+
+ private:
+  double Cost(const Vector& r, const Vector& q) const {
+    return (r.array().square() * weights_.array()).sum() +
+           kPriorWeight * (q - declared_).squaredNorm();
+  }
+  /// One step that lowers the cost; its length, 0 if none does.
+  double Move(const Matrix& normal, const Vector& slope, double* damping, Vector* q,
+              Vector* r) const {
+    const double now = Cost(*r, *q);
+    for (int attempt = 0; attempt < 12; ++attempt) {
+      Matrix damped = normal;
+      damped.diagonal() *= 1 + *damping;
+      Vector step = -damped.ldlt().solve(slope);
+      step = step.cwiseMax(-0.5).cwiseMin(0.5).eval();
+      if (step.norm() < kConverged) return 0;
+      Result<Vector> next = Residuals(problem_, *q + step);
+      if (next.ok() && Cost(next.value(), *q + step) < now) {
+        *damping = std::max(*damping / 4, 1e-9);
+        *q += step;
+        *r = std::move(next.value());
+        return step.norm();
+      }
+      *damping *= 4;
+    }
+    return 0;
+  }
+
+  const StepProblem& problem_;
+  const Vector& declared_;
+  Vector weights_;
+};
+
+struct ErrorSize {
+  double StepErrors::*of;
+  double least, most;
+};
+constexpr ErrorSize kErrorSizes[] = {{&StepErrors::model, 1e-3, 1},
+                                     {&StepErrors::reading_Pa, 1e3, 1e6}};
+
+/// Pattern search for the sizes of the errors, from steps of `first` in their logarithms; the
+/// numbers follow.
+Status FitSizes(const StepProblem& problem, const Vector& declared, double first, StepFit* fit) {
+  if (Status s = NumbersFit(problem, declared, fit->errors).Run(fit); !s.ok()) return s;
+  for (double step = first; step > 0.05;) {
+    bool moved = false;
+    for (const ErrorSize& size : kErrorSizes) {
+      for (const double factor : {std::exp(step), std::exp(-step)}) {
+        StepFit tried = *fit;
+        double& value = tried.errors.*size.of;
+        value = std::clamp(value * factor, size.least, size.most);
+        if (Status s = NumbersFit(problem, declared, tried.errors).Run(&tried); !s.ok()) return s;
+        if (!(tried.criterion < fit->criterion - 1e-3)) continue;
+        *fit = std::move(tried);
+        moved = true;
+        break;
+      }
+    }
+    if (!moved) step /= 2;
+  }
+  return {};
+}
+
+Status CheckCounts(const StepProblem& problem) {
+  if (problem.num_rows() >= problem.num_free()) return {};
+  std::string names;
+  for (const StepNumber& n : problem.numbers) names += (names.empty() ? "" : ", ") + n.name;
+  return Error{"steps",
+               std::to_string(problem.num_free()) + " numbers (" + names + ") for " +
+                   std::to_string(problem.num_rows()) + " settled pressures",
+               "at least as many pressures as numbers, also where one step is left out",
+               "join the setup with others (runs:, shared:) or name fewer numbers (free:)"};
 }
 
 }  // namespace
 
-PhsParams WithStepFit(const PhsParams& declared, const StepFit& fit, const StepFreedom& freedom) {
-  PhsParams out = declared;
-  const auto& c = out.cylinders[0];
-  auto& bore = out.lines[out.FindLine(c.bore_line)];
-  auto& rod = out.lines[out.FindLine(c.rod_line)];
-  for (auto* line : {&bore, &rod}) {
-    line->oil_volume_m3 = fit.oil_compliance_m3_per_Pa * line->bulk_modulus_Pa;
-  }
-  bore.gas_volume_m3 = fit.gas_bore_m3;
-  rod.gas_volume_m3 = fit.gas_rod_m3;
-  if (freedom.stop) {
-    bore.reservoir.min_gas_volume_m3 = fit.min_gas_bore_m3;
-    rod.reservoir.min_gas_volume_m3 = fit.min_gas_rod_m3;
-  }
-  if (freedom.filling) {
-    bore.static_pressure_Pa = fit.static_bore_Pa;
-    rod.static_pressure_Pa = fit.static_rod_Pa;
-  }
-  if (freedom.precharge) rod.accumulator_precharge_Pa = fit.precharge_Pa;
-  return out;
-}
-
-Result<StepFit> FitSteps(const PhsParams& declared, const std::vector<StepRow>& rows,
-                         const StepFreedom& freedom) {
-  if (rows.empty()) return Error{"steps", "no row to fit to", "at least one valid row"};
-  if (declared.cylinders.size() != 1 || declared.FindLine(declared.cylinders[0].bore_line) < 0 ||
-      declared.FindLine(declared.cylinders[0].rod_line) < 0) {
-    return Error{declared.name, "is no quarter rig", "one cylinder with a bore and a rod line"};
-  }
-  const Vector start = StartLogs(declared);
-  Vector q = start;
-  Result<Vector> r = Residuals(declared, rows, q, start, freedom);
-  if (!r.ok()) return r.error();
-  double damping = 1e-2;
-  for (int iteration = 0; iteration < 60; ++iteration) {
-    Eigen::MatrixXd J(r.value().size(), kParameters);
-    for (int k = 0; k < kParameters; ++k) {
-      Vector nudged = q;
-      nudged[k] += 1e-5;
-      Result<Vector> rk = Residuals(declared, rows, nudged, start, freedom);
-      if (!rk.ok()) return rk.error();
-      J.col(k) = (rk.value() - r.value()) / 1e-5;
-    }
-    Eigen::MatrixXd normal = J.transpose() * J;
-    Vector slope = J.transpose() * r.value();
-    Pin(freedom, &normal, &slope);
-    bool better = false;
-    double move = 0;
-    for (int attempt = 0; attempt < 12 && !better; ++attempt) {
-      Eigen::MatrixXd damped = normal;
-      damped.diagonal() *= 1 + damping;
-      Vector step = -damped.ldlt().solve(slope);
-      for (int k = 0; k < kParameters; ++k) step[k] = std::clamp(step[k], -0.5, 0.5);
-      Result<Vector> next = Residuals(declared, rows, q + step, start, freedom);
-      better = next.ok() && next.value().squaredNorm() < r.value().squaredNorm();
-      damping = better ? std::max(damping / 4, 1e-9) : damping * 4;
-      if (!better) continue;
-      q += step;
-      move = step.norm();
-      r = std::move(next);
-    }
-    if (!better || move < 1e-7) break;
-  }
-  StepFit fit = FromLogs(q, freedom);
-  Result<std::vector<double>> p = PredictSettled(WithStepFit(declared, fit, freedom), rows);
-  if (!p.ok()) return p.error();
-  fit.error_in_sample = MeanRelativeError(p.value(), Measured(rows));
+Result<StepFit> FitSteps(const StepProblem& problem, const StepFit* near) {
+  if (Status s = CheckCounts(problem); !s.ok()) return s.error();
+  Result<Vector> declared = DeclaredLogs(problem);
+  if (!declared.ok()) return declared.error();
+  StepFit fit;
+  fit.logs = declared.value();
+  if (near != nullptr) fit = *near;
+  const double first = near != nullptr ? std::log(2) / 4 : std::log(2);
+  if (Status s = FitSizes(problem, declared.value(), first, &fit); !s.ok()) return s.error();
   return fit;
-}
-
-Result<StepComparison> CompareSteps(const PhsParams& declared, const std::vector<StepRow>& rows,
-                                    const StepFreedom& freedom) {
-  StepComparison out;
-  std::vector<double> steps;
-  for (const StepRow& row : rows) {
-    // Rows 5 and 6 of Table B-1 hold no relaxation, but their settled pressures are measured.
-    if (row.end_Pa <= 0) continue;
-    out.rows.push_back(row);
-    if (std::find(steps.begin(), steps.end(), row.actuator_step_m) == steps.end()) {
-      steps.push_back(row.actuator_step_m);
-    }
-  }
-  Result<std::vector<double>> before = PredictSettled(declared, out.rows);
-  if (!before.ok()) return before.error();
-  Result<StepFit> fit = FitSteps(declared, out.rows, freedom);
-  if (!fit.ok()) return fit.error();
-  out.fit = fit.value();
-  Result<std::vector<double>> fitted =
-      PredictSettled(WithStepFit(declared, out.fit, freedom), out.rows);
-  if (!fitted.ok()) return fitted.error();
-  out.declared_Pa = std::move(before.value());
-  out.fitted_Pa = std::move(fitted.value());
-  out.left_out_Pa.assign(out.rows.size(), 0.0);
-  for (const double step : steps) {
-    std::vector<StepRow> kept, left;
-    for (const StepRow& row : out.rows) (row.actuator_step_m == step ? left : kept).push_back(row);
-    Result<StepFit> other = FitSteps(declared, kept, freedom);
-    if (!other.ok()) return other.error();
-    Result<std::vector<double>> p =
-        PredictSettled(WithStepFit(declared, other.value(), freedom), left);
-    if (!p.ok()) return p.error();
-    for (size_t i = 0, k = 0; i < out.rows.size(); ++i) {
-      if (out.rows[i].actuator_step_m == step) out.left_out_Pa[i] = p.value()[k++];
-    }
-    out.without.push_back(other.value());
-  }
-  const std::vector<double> measured = Measured(out.rows);
-  out.error_declared = MeanRelativeError(out.declared_Pa, measured);
-  out.error_fitted = MeanRelativeError(out.fitted_Pa, measured);
-  out.error_left_out = MeanRelativeError(out.left_out_Pa, measured);
-  return out;
 }
 
 }  // namespace phs::rigs

@@ -130,6 +130,89 @@ Result<StepPrediction> PredictStep(const PhsParams& params, const StepRow& row,
   return out;
 }
 
+namespace {
+
+// An isothermal copy without the effects that only matter in motion has no states, so one
+// evaluation gives a settled pressure.
+PhsParams Isothermal(const PhsParams& params) {
+  PhsParams out = params;
+  std::erase_if(out.effects, [](const hydraulics::EffectParams& effect) {
+    for (const char* kept : {"accumulator_precharge", "diaphragm_stop", "entrained_air",
+                             "hose_expansion", "cavitation"}) {
+      if (effect.name == kept) return false;
+    }
+    return true;
+  });
+  out.friction.model = hydraulics::FrictionModel::kNone;
+  for (hydraulics::LineParams& l : out.lines) {
+    l.reservoir.law = l.accumulator.law = &hydraulics::kIsothermalGas;
+  }
+  return out;
+}
+
+/// The quickest of the model's gases [s].
+double ThermalTime(const PhsParams& params) {
+  double time = 1e9;
+  for (const hydraulics::LineParams& l : params.lines) {
+    for (const hydraulics::GasChargeParams* gas : {&l.reservoir, &l.accumulator}) {
+      if (gas->law->capacity != nullptr) time = std::min(time, gas->thermal_time_s);
+    }
+  }
+  return time;
+}
+
+Status CheckQuarter(const PhsParams& params) {
+  if (params.cylinders.size() == 1) return {};
+  return Error{params.name, "is no quarter rig", "a model with one cylinder"};
+}
+
+}  // namespace
+
+Result<std::vector<double>> PredictSettled(const PhsParams& params,
+                                           const std::vector<StepRow>& rows) {
+  if (Status s = CheckQuarter(params); !s.ok()) return s.error();
+  Result<PhsSystem> made = CreatePhsSystem(Isothermal(params));
+  if (!made.ok()) return made.error();
+  const std::vector<double> state(made.value().num_states(), 0.0);
+  std::vector<double> out;
+  for (const StepRow& row : rows) {
+    out.push_back(GaugePressure(made.value(), row, 0, row.piston_step_m, state));
+  }
+  return out;
+}
+
+Result<std::vector<StepRelaxation>> PredictRelaxations(const PhsParams& params,
+                                                       const std::vector<StepRow>& rows,
+                                                       const StepOptions& options) {
+  Result<std::vector<double>> settled = PredictSettled(params, rows);
+  if (!settled.ok()) return settled.error();
+  PhsParams still = params;
+  still.friction.model = hydraulics::FrictionModel::kNone;
+  Result<PhsSystem> made = CreatePhsSystem(still);
+  if (!made.ok()) return made.error();
+  const PhsSystem& s = made.value();
+  const double h = ThermalTime(params) / 50;
+  std::vector<StepRelaxation> out;
+  for (size_t i = 0; i < rows.size(); ++i) {
+    const StepRow& row = rows[i];
+    std::vector<double> state(s.num_states(), 0.0);
+    double t = 0, x = 0;
+    Advance(s, options.rise_s, options.rise_s / 50, row.piston_step_m / options.rise_s, &t, &x,
+            &state);
+    StepRelaxation& r = out.emplace_back();
+    r.begin_Pa = GaugePressure(s, row, t, x, state);
+    const double fall = r.begin_Pa - settled.value()[i];
+    double before = 0;
+    for (int k = 0; k < 2000 && std::abs(fall) > 1 && r.tau_37_s == 0; ++k) {
+      Advance(s, h, h, 0, &t, &x, &state);
+      const double done = (r.begin_Pa - GaugePressure(s, row, t, x, state)) / fall;
+      if (done >= 0.37) r.tau_37_s = h * (k + (0.37 - before) / (done - before));
+      before = done;
+    }
+  }
+  return out;
+}
+
 double MeanRelativeError(const std::vector<double>& predicted,
                          const std::vector<double>& measured) {
   double sum = 0;

@@ -42,43 +42,21 @@ struct StepPrediction {
 Result<StepPrediction> PredictStep(const hydraulics::PhsParams& params, const StepRow& row,
                                    const StepOptions& options = {});
 
-/// Mean of |predicted - measured|/measured, each capped at 1, as the thesis's relative errors are.
-double MeanRelativeError(const std::vector<double>& predicted, const std::vector<double>& measured);
-
-/// What a fit may move beside the oil compliance and the two gas volumes.
-struct StepFreedom {
-  bool precharge = false;  ///< effect accumulator_precharge
-  bool stop = false;       ///< effect diaphragm_stop, of each line
-  bool filling = false;    ///< static pressure of each line: filled to another one than declared
+/// What the heat of the gas does after a step, by row.
+struct StepRelaxation {
+  double begin_Pa = 0;  ///< gauge, just after the step
+  double tau_37_s = 0;  ///< time to P_begin - 0.37 dP, the mark that the table's tau belongs to; 0
+                        ///< where nothing relaxes
 };
-
-/// Free parameters of a setup, fitted to settled pressures in ln(absolute pressure).
-struct StepFit {
-  double oil_compliance_m3_per_Pa = 0;  ///< V_oil/beta of each line
-  double gas_bore_m3 = 0, gas_rod_m3 = 0;
-  double min_gas_bore_m3 = 0, min_gas_rod_m3 = 0;  ///< diaphragm on its stop
-  double precharge_Pa = 0;                         ///< blow-off, absolute
-  double static_bore_Pa = 0, static_rod_Pa = 0;    ///< before the step, absolute
-  double error_in_sample = 0;  ///< mean relative error of the rows it was fitted to
-};
-/// Deterministic (Levenberg-Marquardt).
-Result<StepFit> FitSteps(const hydraulics::PhsParams& declared, const std::vector<StepRow>& rows,
-                         const StepFreedom& freedom);
-hydraulics::PhsParams WithStepFit(const hydraulics::PhsParams& declared, const StepFit& fit,
-                                  const StepFreedom& freedom);
+/// `rows` of one model; only gas with a temperature of its own relaxes.
+Result<std::vector<StepRelaxation>> PredictRelaxations(const hydraulics::PhsParams& params,
+                                                       const std::vector<StepRow>& rows,
+                                                       const StepOptions& options = {});
 /// Settled pressures (gauge) of `rows`: every gas at the temperature of its surroundings.
 Result<std::vector<double>> PredictSettled(const hydraulics::PhsParams& params,
                                            const std::vector<StepRow>& rows);
 
-/// Settled pressures of one setup: declared, fitted, and each step predicted from the others.
-struct StepComparison {
-  std::vector<StepRow> rows;                                ///< those with a settled pressure
-  std::vector<double> declared_Pa, fitted_Pa, left_out_Pa;  ///< of the rows, gauge
-  double error_declared = 0, error_fitted = 0, error_left_out = 0;
-  StepFit fit;                   ///< to all rows
-  std::vector<StepFit> without;  ///< to the rows of all steps but one
-};
-Result<StepComparison> CompareSteps(const hydraulics::PhsParams& declared,
-                                    const std::vector<StepRow>& rows, const StepFreedom& freedom);
+/// Mean of |predicted - measured|/measured, each capped at 1, as the thesis's relative errors are.
+double MeanRelativeError(const std::vector<double>& predicted, const std::vector<double>& measured);
 
 }  // namespace phs::rigs

@@ -1,6 +1,7 @@
 // Identification of a part on a bench, on data made here with equations of their own.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -9,6 +10,7 @@
 #include <random>
 
 #include "base/data_path.h"
+#include "identify/element_data.h"
 #include "identify/element_run.h"
 #include "phs_model/phs_model.h"
 
@@ -25,10 +27,18 @@ struct Sample {
 /// Force beside 30 N Coulomb, 60 N s/m viscous, 4 kg and 2 N offset.
 using Hidden = std::function<double(const Sample&)>;
 
+/// What is written of a sample.
+struct Row {
+  double t, x, force, p;
+};
+/// Done to a record before it is written.
+using Tamper = std::function<void(std::vector<Row>*)>;
+
 /// A bench record: mixed sines, pressure that wanders, noise of 0.3 N, correlated over 3 samples.
 class BenchRecord {
  public:
-  BenchRecord(const std::string& name, unsigned seed, const Hidden& hidden)
+  BenchRecord(const std::string& name, unsigned seed, const Hidden& hidden,
+              const Tamper& tamper = nullptr, double jitter_s = 0)
       : folder_(fs::temp_directory_path() / ("phs_element_" + name)) {
     fs::remove_all(folder_);
     fs::create_directories(folder_);
@@ -38,12 +48,17 @@ class BenchRecord {
     csv << "t_s,x_m,force_N,p_Pa\n";
     csv.precision(12);
     double noise = 0;
+    std::vector<Row> rows;
     for (int i = 0; i < 4000; ++i) {
-      const Sample s = At(0.01 * i);
+      const Sample s = At(0.01 * i + jitter_s * std::sin(2.4 * i * i));
       noise = 0.7 * noise + 0.3 * std::sqrt(1 - 0.49) * normal(random);
       const double friction = std::tanh(s.v / 2e-4) * 30 + 60 * s.v;
-      csv << s.t << ',' << s.x + 2e-7 * normal(random) << ','
-          << 4 * s.a + friction + 2 + hidden(s) + noise << ',' << s.p << '\n';
+      const double x = s.x + 2e-7 * normal(random);
+      rows.push_back({s.t, x, 4 * s.a + friction + 2 + hidden(s) + noise, s.p});
+    }
+    if (tamper) tamper(&rows);
+    for (const Row& row : rows) {
+      csv << row.t << ',' << row.x << ',' << row.force << ',' << row.p << '\n';
     }
     std::ofstream(folder_ / "manifest.yaml")
         << "rig: element\nmodel: " << (folder_ / "part.yaml").string()
@@ -102,6 +117,19 @@ TEST(ElementIdentify, NothingHiddenNothingFound) {
   }
 }
 
+/// The declared law's own ramp in place of tanh, so that the noise, which remembers three samples, is
+/// all that is left: two to three times what a white noise of its differences would be.
+TEST(ElementIdentify, ACleanRecordWithColouredNoiseIsSufficient) {
+  for (const unsigned seed : {11u, 12u}) {
+    const auto r = BenchRecord("coloured", seed, [](const Sample& s) {
+                     return 30 * (std::clamp(s.v / 3e-4, -1.0, 1.0) - std::tanh(s.v / 2e-4));
+                   }).Identified();
+    EXPECT_TRUE(Names(r).empty()) << r["effects"].dump(1);
+    EXPECT_GT(r["unexplained"]["residual_over_noise"], 1.8);
+    EXPECT_EQ(r["verdict"], "sufficient") << r["reasons"];
+  }
+}
+
 TEST(ElementIdentify, PressureInTheFrictionIsFoundWithItsSlope) {
   const auto r = BenchRecord("pressure", 21, [](const Sample& s) {
                    return std::tanh(s.v / 2e-4) * 2.5e-5 * s.p;
@@ -134,6 +162,86 @@ TEST(ElementIdentify, FrictionThatGrowsWithTheSquareOfSpeedIsNotBentIntoAListedE
   const std::string formula = r["effects"][0]["formula"];
   EXPECT_NE(formula.find("abs(v)"), std::string::npos) << formula;
   EXPECT_LT(r["channels"]["force_N"]["after"]["rmse"].get<double>(), 0.45);
+}
+
+/// What contradicts itself is named and not explained away.
+TEST(ElementIdentify, ATurnedSignAndSwappedColumnsAreNamed) {
+  const auto tampered = [](const std::string& name, const std::string& line) {
+    const BenchRecord record(name, 61, [](const Sample&) { return 0.0; });
+    std::ofstream(record.folder() / "manifest.yaml", std::ios::app) << line << '\n';
+    return record.Identified();
+  };
+  const auto turned = tampered("turned", "factors: {force_N: -1}");
+  EXPECT_EQ(turned["verdict"], "not_described");
+  EXPECT_NE(turned["reasons"].dump().find("turned sign"), std::string::npos) << turned["reasons"];
+  EXPECT_TRUE(Names(turned).empty());
+  const auto swapped = tampered("swapped", "columns: {x_m: force_N, force_N: x_m}");
+  EXPECT_EQ(swapped["verdict"], "not_described");
+  EXPECT_NE(swapped["reasons"].dump().find("under each other's name"), std::string::npos)
+      << swapped["reasons"];
+  EXPECT_TRUE(Names(swapped).empty());
+  const auto clean = tampered("untampered", "");
+  EXPECT_EQ(clean["reasons"].dump().find("turned sign"), std::string::npos) << clean["reasons"];
+  EXPECT_EQ(clean["reasons"].dump().find("each other"), std::string::npos) << clean["reasons"];
+}
+
+/// A record of the declared part alone, tampered with: nothing may be explained by an effect.
+class TamperedBench : public testing::Test {
+ protected:
+  static nlohmann::ordered_json Run(const std::string& name, const Tamper& tamper) {
+    auto r = BenchRecord(
+                 name, 61, [](const Sample&) { return 0.0; }, tamper)
+                 .Identified();
+    EXPECT_TRUE(Names(r).empty()) << name << r["effects"].dump(1);
+    return r;
+  }
+  static bool Says(const nlohmann::ordered_json& list, const std::string& words) {
+    return list.dump().find(words) != std::string::npos;
+  }
+};
+
+TEST_F(TamperedBench, AForceInAnotherUnitIsNamed) {
+  const auto r = Run("unit_force", [](std::vector<Row>* rows) {
+    for (Row& row : *rows) row.force *= 1e-3;
+  });
+  EXPECT_EQ(r["verdict"], "not_described");
+  EXPECT_TRUE(Says(r["reasons"], "another unit: force_N")) << r["reasons"];
+  EXPECT_TRUE(Says(r["reasons"], "1e3")) << r["reasons"];
+}
+
+TEST_F(TamperedBench, AMotionInMillimetresIsMendedAndSaid) {
+  const auto r = Run("unit_motion", [](std::vector<Row>* rows) {
+    for (Row& row : *rows) row.x *= 1e3;
+  });
+  EXPECT_TRUE(Says(r["data_findings"], "taken in units of 0.001 m")) << r["data_findings"];
+  EXPECT_LT(r["channels"]["force_N"]["after"]["rmse"].get<double>(), 0.45);
+}
+
+/// A third of the record at the ends of the amplifier: left out, and what is left fits.
+TEST_F(TamperedBench, AClippedForceIsNamedAndLeftOut) {
+  const auto r = Run("clipped", [](std::vector<Row>* rows) {
+    for (Row& row : *rows) row.force = std::clamp(row.force, -32.5, 32.5);
+  });
+  EXPECT_TRUE(Says(r["data_findings"], "saturated at")) << r["data_findings"];
+  EXPECT_LT(r["channels"]["force_N"]["after"]["rmse"].get<double>(), 0.45);
+}
+
+TEST_F(TamperedBench, SpikesOfForceAndMotionAreLeftOut) {
+  const auto r = Run("spikes", [](std::vector<Row>* rows) {
+    for (size_t i = 40; i < rows->size(); i += 190) (*rows)[i].force += i % 380 < 190 ? 60 : -45;
+    for (size_t i = 115; i < rows->size(); i += 430) (*rows)[i].x += 4e-3;
+  });
+  EXPECT_TRUE(Says(r["data_findings"], "21 spikes")) << r["data_findings"];
+  EXPECT_TRUE(Says(r["data_findings"], "10 spikes")) << r["data_findings"];
+  EXPECT_LT(r["channels"]["force_N"]["after"]["rmse"].get<double>(), 0.45);
+}
+
+TEST_F(TamperedBench, AClockThatJittersIsNamed) {
+  const auto r = BenchRecord(
+                     "jitter", 61, [](const Sample&) { return 0.0; }, nullptr, 2e-3)
+                     .Identified();
+  EXPECT_TRUE(Names(r).empty()) << r["effects"].dump(1);
+  EXPECT_TRUE(Says(r["data_findings"], "clock is not uniform")) << r["data_findings"];
 }
 
 TEST(ElementIdentify, PoorDataEndWithAWord) {

@@ -1,104 +1,129 @@
-// Evidence on residuals and Jacobians written by hand: the blocks left out are judged by a fit that
-// has not seen them.
+// What speaks for a model, on residuals written by hand, and the rule of acceptance.
 #include "identify/evidence.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <memory>
+#include <random>
 
-#include "identify/effect_search.h"
+#include "identify/accept.h"
+#include "identify/effect_variants.h"
 
 namespace phs::identify::search {
-
-using measurement::FitData;
 namespace {
 
-constexpr int kBlocks = 6, kRows = 50;  // of a block
+constexpr int kRows = 1024;
 
-/// A model of which only the number of samples and channels counts.
+/// A model of which only the number of rows counts.
 class NoModel : public ForwardModel {
  public:
+  NoModel() : measured_{{"load_cell_N", std::vector<double>(kRows, 0.0), 1.0}} {}
+  const std::vector<MeasuredBlock>& Measured() const override { return measured_; }
   Status Run(const hydraulics::PhsParams&, Span, Channels*) const override { return {}; }
   Status Uncertainty(const hydraulics::PhsParams&, Span, Channels* deviation) const override {
-    deviation->assign(1, std::vector<double>(kBlocks * kRows, 0.0));
+    deviation->assign(1, std::vector<double>(kRows, 0.0));
     return {};
   }
   FreeModel Declared(const hydraulics::PhsParams&) const override { return {}; }
   std::vector<Candidate> Candidates(const hydraulics::PhsParams&) const override { return {}; }
-  std::shared_ptr<const ForwardModel> Thinned(int) const override { return nullptr; }
+  std::shared_ptr<const ForwardModel> Coarse(double) const override { return nullptr; }
+
+ private:
+  std::vector<MeasuredBlock> measured_;
 };
 
-FitData Samples(const std::string& channel) {
-  FitData data;
-  for (int i = 0; i < kBlocks * kRows; ++i) data.time_s.push_back(0.01 * i);
-  data.step_s = 0.01;
-  data.estimation = {0, 1e3};
-  data.outputs = {{channel, data.time_s, 1.0}};
-  return data;
+Eigen::VectorXd Noise(unsigned seed, double deviation) {
+  std::mt19937 random(seed);
+  std::normal_distribution<double> normal(0, deviation);
+  Eigen::VectorXd out(kRows);
+  for (double& x : out) x = normal(random);
+  return out;
 }
 
-/// A fit whose residual and derivative over one coordinate are even in every block.
-FitResult Fitted(const double (&residual)[kBlocks], const double (&slope)[kBlocks]) {
+FitResult Fitted(const FitProblem& problem, const Eigen::VectorXd& residual, int numbers) {
   FitResult fit;
-  fit.values = {0};
-  fit.residual.resize(kBlocks * kRows);
-  fit.jacobian.resize(kBlocks * kRows, 1);
-  for (int i = 0; i < kBlocks * kRows; ++i) {
-    fit.residual[i] = residual[i / kRows];
-    fit.jacobian(i, 0) = slope[i / kRows];
-  }
-  fit.channel_ms = {fit.residual.squaredNorm() / (kBlocks * kRows)};
+  fit.values.assign(static_cast<size_t>(numbers), 1.0);
+  fit.residual = residual;
+  fit.powers = problem.likelihood().Powers(problem.likelihood().Transform(residual));
+  fit.score = problem.likelihood().MinusTwoLog(fit.powers);
+  fit.slopes = Eigen::MatrixXd::Zero(problem.likelihood().size(), numbers);
+  fit.channel_ms = {residual.squaredNorm() / kRows};
   return fit;
 }
 
-Evidence Judge(const FitResult& without, const FitResult& with,
-               const std::string& channel = "load_cell_N") {
-  const FitData data = Samples(channel);
-  const auto problem = FitProblem::Create(data, std::make_shared<NoModel>(), {});
-  EXPECT_TRUE(problem.ok());
-  return Compare(problem.value(), without, with);
+FitProblem NoProblem() { return FitProblem::Create(std::make_shared<NoModel>(), {}).value(); }
+
+// White residuals of deviation 3 and 1.5: each octave of m falls by m ln(9/2.25).
+TEST(Evidence, HalfAResidualIsWorthTheLogOfFourInEveryOctave) {
+  const FitProblem problem = NoProblem();
+  const Eigen::VectorXd r = Noise(1, 1);
+  const FitResult without = Fitted(problem, 3 * r, 2), with = Fitted(problem, 1.5 * r, 3);
+  const double count = problem.likelihood().Count();
+  const Evidence e = Compare(problem, without, with, 10);
+  EXPECT_NEAR(e.delta_bic, count * std::log(4) - std::log(count) - 2 * std::log(10), 0.12 * count)
+      << "an octave that is down at the noise has no more to give";
+  EXPECT_NEAR(e.estimation_gain, 0.5, 1e-9);
+  EXPECT_EQ(e.best_channel, "load_cell_N");
+  // Mean square beyond the noise: 9 - 1.1 before, 2.25 - 1.1 after.
+  EXPECT_NEAR(e.share, 1 - 1.15 / 7.9, 0.02);
 }
 
-// Two blocks ask for opposite values of the new parameter, the others for none: half the misfit
-// goes in the fit, but each of the two, left out, is foretold from the other and missed by twice as
-// much. Residuals (-2d, 0) without, (-d, d) with, (-2d, 2d) left out.
-TEST(Evidence, AParameterThatFitsEachBlockOnItsOwnLosesInCrossValidation) {
-  constexpr double d = 0.05;  // coordinates: within what a linear refit may move
-  const FitResult without = Fitted({-2 * d, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0});
-  const FitResult with = Fitted({-d, d, 0, 0, 0, 0}, {1, 1, 0, 0, 0, 0});
-  const Evidence e = Judge(without, with);
-  EXPECT_NEAR(e.estimation_gain, 1 - std::sqrt(0.5), 1e-9);
-  EXPECT_NEAR(e.cross_validation_gain, 1 - std::sqrt(2), 5e-3);
+TEST(Evidence, BelowTheNoiseNothingIsGained) {
+  const FitProblem problem = NoProblem();
+  const Eigen::VectorXd r = Noise(2, 0.8);
+  const Evidence e = Compare(problem, Fitted(problem, r, 2), Fitted(problem, 0.9 * r, 3), 1);
+  EXPECT_LT(e.delta_bic, 60);
+  EXPECT_LT(e.delta_bic, 0.25 * problem.likelihood().Count());
 }
 
-// The same slope everywhere and a misfit of +-e from block to block: the fit without one block has
-// the mean of the other five, r_b - sum/5 of the rest = 6/5 r_b.
-TEST(Evidence, AParameterThatEveryBlockAsksForLosesOnlyWhatABlockWeighs) {
-  constexpr double e = 0.02, m = 0.5;
-  const FitResult without = Fitted({m + e, m - e, m + e, m - e, m + e, m - e}, {0, 0, 0, 0, 0, 0});
-  const FitResult with = Fitted({e, -e, e, -e, e, -e}, {1, 1, 1, 1, 1, 1});
-  const Evidence found = Judge(without, with);
-  const double before = std::sqrt(m * m + e * e);
-  EXPECT_NEAR(found.estimation_gain, 1 - e / before, 1e-9);
-  EXPECT_NEAR(found.cross_validation_gain, 1 - 1.2 * e / before, 1e-4);
+// A number that each part of the record would set anew: what it gains in the fit it loses on the
+// parts left out.
+TEST(Evidence, ANumberThatEveryPartSetsAnewLosesInCrossValidation) {
+  const FitProblem problem = NoProblem();
+  Eigen::VectorXd bump = Eigen::VectorXd::Zero(kRows), other = bump;
+  for (int i = 0; i < kRows / 6; ++i) {
+    bump[i] = 0.05 * std::sin(0.3 * i), other[i + kRows / 6] = 0.05 * std::sin(0.3 * i);
+  }
+  // Two parts ask for +1 and -1 times the same column: the fit takes half of one and none of it.
+  const FitResult without = Fitted(problem, 100 * (bump - other), 1);
+  FitResult with = Fitted(problem, 100 * (bump - other), 1);
+  with.slopes.col(0) = problem.likelihood().Transform(Eigen::VectorXd(1000 * (bump + other)));
+  EXPECT_LT(Compare(problem, without, with, 1).cross_validation_gain, 0);
+  // Where both ask for the same, nothing is lost by leaving either out.
+  FitResult same = Fitted(problem, Eigen::VectorXd::Zero(kRows), 1);
+  same.slopes = with.slopes;
+  EXPECT_GT(Compare(problem, without, same, 1).cross_validation_gain, 0);
 }
 
-// A residual of 2 everywhere (mean square 4, noise 1) of which the new parameter takes half (mean
-// square 1, all of the excess) where every block asks for it; where two blocks disagree, those left
-// out say that nothing is gained.
-TEST(Evidence, WhatAPressureShowsBeyondItsNoiseIsWhatLeftOutBlocksSayToo) {
-  const FitResult without = Fitted({2, 2, 2, 2, 2, 2}, {0, 0, 0, 0, 0, 0});
-  const FitResult with = Fitted({1, 1, 1, 1, 1, 1}, {0, 0, 0, 0, 0, 0});
-  EXPECT_NEAR(Judge(without, with, "p_bore_Pa").pressure_removed, 1, 1e-9);
-  EXPECT_EQ(Judge(without, with, "load_cell_N").pressure_removed, 0);
-  const FitResult half = Fitted({1.5, 1.5, 1.5, 1.5, 1.5, 1.5}, {0, 0, 0, 0, 0, 0});
-  EXPECT_NEAR(Judge(without, half, "p_rod_Pa").pressure_removed, (4 - 2.25) / 3, 1e-9);
-  const double d = 1.5;
-  const FitResult torn = Fitted({-d, d, 1, 1, 1, 1}, {1, 1, 0, 0, 0, 0});
-  EXPECT_LT(Judge(without, torn, "p_rod_Pa").pressure_removed, 0.84) << "0.861 of those in the fit";
-  const FitResult quiet = Fitted({1.01, 1.01, 1.01, 1.01, 1.01, 1.01}, {0, 0, 0, 0, 0, 0});
-  EXPECT_EQ(Judge(quiet, with, "p_rod_Pa").pressure_removed, 0) << "nothing beyond the noise";
+TEST(Accept, ChanceIsPaidForByTheNumberTried) {
+  const double alone = -2 * std::log(Acceptance().false_alarms);
+  EXPECT_TRUE(IsBeyondChance(alone + 0.1, 1));
+  EXPECT_FALSE(IsBeyondChance(alone - 0.1, 1));
+  EXPECT_FALSE(IsBeyondChance(alone + 0.1, 20));
+}
+
+TEST(Accept, AnAmountMustBeBeyondZeroAndInsideItsRange) {
+  Candidate linear;
+  linear.free = {{"effects.sensor_offset.load_N", 0, -100, 100, false, 1}};
+  linear.none = {0};
+  FitResult fit;
+  const auto there = [&](const Candidate& c, double value, double half) {
+    fit.values = {value}, fit.half_95 = {half};
+    return IsThere(c, fit);
+  };
+  EXPECT_TRUE(there(linear, 3, 2));
+  EXPECT_TRUE(there(linear, -3, 2));
+  EXPECT_FALSE(there(linear, 3, 4)) << "zero is in its interval";
+  EXPECT_FALSE(there(linear, 100, 2)) << "at the end of its range";
+  Candidate logarithmic;
+  logarithmic.free = {{"effects.piston_leakage.conductance_m3_per_Pas", 1e-14, 1e-17, 1e-11, true}};
+  logarithmic.none = {0};
+  EXPECT_TRUE(there(logarithmic, 1e-14, 0.3));
+  EXPECT_FALSE(there(logarithmic, 1e-14, 1.5)) << "its deviation is as large as itself";
+  EXPECT_FALSE(there(logarithmic, 1e-17, 0.3)) << "none of it";
+  logarithmic.none = {0.9e-14};  // known beforehand: differs from that by less than its interval
+  EXPECT_FALSE(there(logarithmic, 1e-14, 0.3));
 }
 
 }  // namespace

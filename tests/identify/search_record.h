@@ -7,6 +7,7 @@
 #include <random>
 
 #include "identify/effect_search.h"
+#include "identify/rig_forward.h"
 #include "phs_model/phs_model.h"
 
 namespace phs::identify::search {
@@ -44,12 +45,46 @@ inline measurement::FitData Record(const hydraulics::PhsParams& truth, bool hold
   return data;
 }
 
+/// `data` must outlive it.
+inline Result<FitProblem> ProblemOf(const measurement::FitData& data,
+                                    const hydraulics::PhsParams& declared) {
+  auto rig = RigForward::Create(data, declared);
+  if (!rig.ok()) return rig.error();
+  return FitProblem::Create(rig.value(), declared);
+}
+
+inline Channels PredictWhole(const measurement::FitData& data,
+                             const hydraulics::PhsParams& params) {
+  Channels out;
+  const auto rig = RigForward::Create(data, params);
+  EXPECT_TRUE(rig.ok() && rig.value()->Run(params, ForwardModel::Span::kWhole, &out).ok());
+  return out;
+}
+
 inline Identification Find(const hydraulics::PhsParams& declared,
                            const measurement::FitData& data) {
-  auto problem = FitProblem::Create(data, declared);
+  auto problem = ProblemOf(data, declared);
   auto found = Identify(&problem.value(), declared, {}, nullptr);
   EXPECT_TRUE(found.ok());
   return found.value();
+}
+
+/// What was found, for messages.
+inline std::string Said(const Identification& found) {
+  std::string out;
+  for (const AcceptedEffect& e : found.effects) {
+    out += e.candidate.effect + " " + VariantName(e.candidate) + " " + e.candidate.params.formula +
+           " delta BIC " + std::to_string(e.evidence.delta_bic) + "\n";
+  }
+  for (const CandidateRecord& r : found.candidates) {
+    if (r.verdict == "screened out" && r.screening_gain < 0) continue;
+    out += std::to_string(r.round) + " " + r.effect + " " + r.variant + " " +
+           std::to_string(r.screening_gain) + " " + r.verdict + "\n";
+  }
+  for (size_t i = 0; i < found.corrected.free.size(); ++i) {
+    out += found.corrected.free[i].name + " = " + std::to_string(found.after.values[i]) + "\n";
+  }
+  return out;
 }
 
 inline hydraulics::PhsParams Declared() {

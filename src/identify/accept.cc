@@ -1,0 +1,66 @@
+#include "identify/accept.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace phs::identify::search {
+namespace {
+
+constexpr double kEdge = 1e-3;  // of a range: as good as its end (a fit stops this short of it)
+
+bool IsAtHigh(const FreeParameter& p, double value) {
+  const double low = p.ToCoordinate(p.low), high = p.ToCoordinate(p.high);
+  return high - p.ToCoordinate(value) < kEdge * (high - low);
+}
+
+bool IsAtLow(const FreeParameter& p, double value) {
+  const double low = p.ToCoordinate(p.low), high = p.ToCoordinate(p.high);
+  return p.ToCoordinate(value) - low < kEdge * (high - low);
+}
+
+/// Nothing lies outside the interval. Of a logarithmic number the deviation is relative: a half
+/// width of 1 is as much as the number itself.
+bool ExcludesNone(const FreeParameter& p, double none, double value, double half_95) {
+  if (p.logarithmic && none <= 0) return half_95 < 1;
+  return std::abs(p.ToCoordinate(value) - p.ToCoordinate(none)) > half_95;
+}
+
+}  // namespace
+
+bool IsBeyondChance(double gain, double tried) {
+  return gain > 2 * std::log(std::max(1.0, tried)) - 2 * std::log(Acceptance().false_alarms);
+}
+
+bool AreTold(const std::vector<FreeParameter>& free, const FitResult& fit, size_t count) {
+  for (size_t k = 1; k <= count; ++k) {
+    const FreeParameter& p = free[free.size() - k];
+    const double value = fit.values[fit.values.size() - k];
+    const double half = fit.half_95[fit.half_95.size() - k];
+    if (IsAtHigh(p, value) || IsAtLow(p, value)) return false;
+    if (2 * half > p.ToCoordinate(p.high) - p.ToCoordinate(p.low)) return false;
+  }
+  return true;
+}
+
+bool IsThere(const Candidate& form, const FitResult& fit) {
+  const size_t base = fit.values.size() - form.free.size();
+  bool there = false;
+  for (size_t k = 0; k < static_cast<size_t>(form.mains); ++k) {
+    const FreeParameter& p = form.free[k];
+    const double value = fit.values[base + k];
+    if (IsAtHigh(p, value) || (!p.logarithmic && IsAtLow(p, value))) return false;
+    if (IsAtLow(p, value)) continue;
+    there |= ExcludesNone(p, form.none[k], value, fit.half_95[base + k]);
+  }
+  return there;
+}
+
+std::string Refusal(const Evidence& evidence, const Candidate& form, const FitResult& fit) {
+  if (!IsBeyondChance(evidence.delta_bic, 1)) return "not significant";
+  if (evidence.cross_validation_gain <= 0) return "no gain in cross-validation";
+  if (evidence.share < Acceptance().least_share) return "explains too little of what is left";
+  if (!IsThere(form, fit)) return "its amount is not told by the record, or not plausible";
+  return "";
+}
+
+}  // namespace phs::identify::search

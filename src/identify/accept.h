@@ -1,0 +1,32 @@
+// The one rule of acceptance, for effects, their forms and formulas alike (acceptance.h).
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "identify/acceptance.h"
+#include "identify/effect_variants.h"
+#include "identify/evidence.h"
+#include "identify/search_fit.h"
+
+namespace phs::identify::search {
+
+inline constexpr const char* kAccepted = "accepted";
+inline constexpr const char* kBeaten = "another explains more";
+
+/// True if a gain of the criterion [-2 ln L] is more than the best of `tried` structures would gain
+/// by chance.
+bool IsBeyondChance(double gain, double tried);
+
+/// True if the record tells each of the last `count` numbers of a fit: it is on no bound, and its
+/// 95 % interval is narrower than its plausible range. `free`: the last numbers of the model.
+bool AreTold(const std::vector<FreeParameter>& free, const FitResult& fit, size_t count);
+
+/// True if an amount of the candidate, the last in `fit`, is beyond zero with 95 % and not on the
+/// far end of what is plausible.
+bool IsThere(const Candidate& form, const FitResult& fit);
+
+/// Empty if the candidate may be accepted, else why not. `fit` ends with its numbers.
+std::string Refusal(const Evidence& evidence, const Candidate& form, const FitResult& fit);
+
+}  // namespace phs::identify::search

@@ -1,0 +1,23 @@
+// The numbers of the rule of acceptance (accept.h). Beside them decide: plausible ranges and starts of the
+// effects, what a formula's single term must bring (formula_selection.h), and for the word of the
+// verdict those of verdict.cc.
+#pragma once
+
+namespace phs::identify {
+
+struct Acceptance {
+  /// Wanted share of clean records on which anything is accepted. A structure is taken only if its
+  /// likelihood, less what its numbers and the number of structures tried cost (likelihood.h), is
+  /// better by 2 ln(1/false_alarms): by Bonferroni's inequality chance alone does not do that more
+  /// often.
+  double false_alarms = 0.01;
+  /// Share of what a channel shows beyond its noise that an effect must remove: no model is quite
+  /// right, and with many samples the likelihood sees every tenth of a per cent of it. Below a third
+  /// the larger cause is another one.
+  double least_share = 0.33;
+  /// How well the power of noise and discrepancy is known in an octave (likelihood.h): the noise is
+  /// estimated from the same record, its level not better than by 5 %.
+  double noise_known = 0.1;
+};
+
+}  // namespace phs::identify

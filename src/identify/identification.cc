@@ -1,0 +1,21 @@
+#include "identify/identification.h"
+
+namespace phs::identify::search {
+
+std::vector<double> ValuesWithout(const Identification& found, size_t dropped, FreeModel* model) {
+  *model = found.declared;
+  const std::vector<double>& all = found.after.values;
+  size_t at = model->free.size();
+  std::vector<double> values(all.begin(), all.begin() + static_cast<long>(at));
+  for (size_t i = 0; i < found.effects.size(); ++i) {
+    const Candidate& c = found.effects[i].candidate;
+    if (i != dropped) {
+      *model = WithCandidate(*model, c);
+      for (size_t k = 0; k < c.free.size(); ++k) values.push_back(all[at + k]);
+    }
+    at += c.free.size();
+  }
+  return values;
+}
+
+}  // namespace phs::identify::search

@@ -1,0 +1,44 @@
+// What an identification found: the corrected model, the effects in it, and everything tried.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "identify/effect_variants.h"
+#include "identify/evidence.h"
+#include "identify/formula_selection.h"
+#include "identify/search_fit.h"
+
+namespace phs::identify::search {
+
+struct CandidateRecord {
+  std::string effect;
+  std::string variant;  ///< targets and free numbers
+  int round = 0;
+  double screening_gain = 0;  ///< of the criterion, on the coarse record
+  bool fitted = false;
+  Evidence evidence;
+  std::string verdict;  ///< "accepted", or why not
+};
+
+struct AcceptedEffect {
+  Candidate candidate;
+  Evidence evidence;
+  std::vector<std::string> confusable_with;
+};
+
+struct Identification {
+  FreeModel declared, corrected;
+  FitResult before;  ///< declared, by plain least squares: what its numbers can do alone
+  FitResult base;    ///< declared, by likelihood: what evidence is counted from
+  FitResult after;
+  std::vector<AcceptedEffect> effects;  ///< strongest first
+  FoundFormula formula;                 ///< of the effect `unlisted`, if accepted
+  std::vector<CandidateRecord> candidates;
+  bool cancelled = false;
+};
+
+/// The model of the accepted effects but one, and the numbers that these have now.
+std::vector<double> ValuesWithout(const Identification& found, size_t dropped, FreeModel* model);
+
+}  // namespace phs::identify::search

@@ -1,0 +1,88 @@
+// How likely a residual is: noise of known size and a coloured discrepancy of unknown size.
+//
+// Of a weighted residual (variance 1 where the model is right) the coefficients of one band of one
+// block are taken as normal with a variance S that the residual itself tells, but never below that
+// of noise whose level is known to `noise_known`:
+//   -2 ln L = sum over bands  m_b (ln S_b + P_b/S_b),   S_b = max(1 + e, P_b)
+//   m_b = 1/(1/n_b + e²/2)
+// P_b: mean square of the band's n_b coefficients (octave_bands.h), e: how well the power of noise
+// is known. It is the profile likelihood of y = model + noise + discrepancy with one unknown power
+// of the discrepancy per octave and block; its sizes are estimated with every fit, so that the same
+// number compares any two models of one record.
+//
+// Why m_b and not n_b: ln P_b varies by 2/n_b by chance and by e² because no model of noise and
+// discrepancy is right to better than e. Without that the fastest octave, with half of all
+// coefficients, would outvote all others for the sake of a per cent (a likelihood tempered so is
+// the coarsened posterior of Miller and Dunson 2019, J. Am. Stat. Assoc. 114, 1113).
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "identify/octave_bands.h"
+
+namespace phs::identify {
+
+/// One channel of one record in the residual.
+struct Block {
+  int begin = 0, count = 0;  ///< rows of the residual
+  double present = 1;        ///< share of them that was measured (the others are 0)
+};
+
+/// Powers of the bands of every block: of a residual, over its noise.
+class BandPowers {
+ public:
+  double operator()(size_t block, int band) const {
+    return power_[block][static_cast<size_t>(band)];
+  }
+  std::vector<std::vector<double>>& rows() { return power_; }
+  const std::vector<std::vector<double>>& rows() const { return power_; }
+
+ private:
+  std::vector<std::vector<double>> power_;
+};
+
+class Likelihood {
+ public:
+  /// `noise_known`: e, as in Acceptance.
+  Likelihood(std::vector<Block> blocks, double noise_known);
+
+  const std::vector<Block>& blocks() const { return blocks_; }
+  const OctaveBands& bands(size_t block) const { return bands_[block]; }
+  /// Coefficients of all blocks.
+  int size() const { return size_; }
+  /// Rows of a residual -> coefficients, block after block.
+  Eigen::VectorXd Transform(const Eigen::VectorXd& residual) const;
+  Eigen::MatrixXd Transform(const Eigen::MatrixXd& jacobian) const;
+  /// Mean squares of the bands of these coefficients, over the rows that were measured.
+  BandPowers Powers(const Eigen::VectorXd& coefficients) const;
+  /// Deviation of each coefficient if noise and discrepancy have these powers.
+  Eigen::VectorXd Deviations(const BandPowers& powers) const;
+  /// Its weight in a least-squares step: root of m/n over the deviation.
+  Eigen::VectorXd Weights(const BandPowers& powers) const;
+  /// -2 ln L of these powers. `block` < 0: of all blocks.
+  double MinusTwoLog(const BandPowers& powers, int block = -1) const;
+  double MinusTwoLog(const Eigen::VectorXd& residual) const {
+    return MinusTwoLog(Powers(Transform(residual)));
+  }
+  /// By how much -2 ln L of these powers could fall at most: to that of noise alone.
+  double MostGain(const BandPowers& powers) const;
+  /// Mean square beyond the noise, per block, times its rows.
+  std::vector<double> Excess(const BandPowers& powers) const;
+  /// Sum of m over all bands: what the record is worth in independent samples.
+  double Count() const;
+  /// Part 0 … parts-1 of the record that each coefficient lies in.
+  std::vector<int> Parts(int parts) const;
+
+ private:
+  std::vector<Block> blocks_;
+  std::vector<OctaveBands> bands_;
+  std::vector<int> first_;  ///< coefficient of each block
+  int size_ = 0;
+  /// m of a band.
+  double Worth(size_t block, int band) const;
+  double floor_;       ///< power that is noise
+  double most_worth_;  ///< 2/e²
+};
+
+}  // namespace phs::identify

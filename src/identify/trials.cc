@@ -1,0 +1,104 @@
+#include "identify/trials.h"
+
+#include <algorithm>
+#include <atomic>
+
+#include "identify/effect_form.h"
+#include "identify/evidence.h"
+#include "identify/near_fit.h"
+
+namespace phs::identify::search {
+namespace {
+
+/// The best variants of the best effects, two of each and three times as many as are fitted in full:
+/// what options bring shows only when they are there.
+std::vector<size_t> BestOfEach(const std::vector<FullTrial>& trials, size_t most) {
+  constexpr long kOfOne = 2;
+  std::vector<size_t> chosen;
+  for (size_t i = 0; i < trials.size() && chosen.size() < most; ++i) {
+    if (!trials[i].coarse.ok) continue;
+    const auto known = std::count_if(chosen.begin(), chosen.end(), [&](size_t k) {
+      return trials[k].candidate->effect == trials[i].candidate->effect;
+    });
+    if (known < kOfOne) chosen.push_back(i);
+  }
+  return chosen;
+}
+
+/// Where the full fit of a candidate begins: the numbers of its coarse fit. A thinned record may
+/// mislead (a line that rings faster than its samples seems damped): where these say less than
+/// nothing on the full one, what is best there of neighbours of each number and of the candidate's
+/// own starts.
+std::vector<double> FullStart(const FitProblem& problem, const FreeModel& whole,
+                              const FitResult& without, const FullTrial& trial) {
+  const std::vector<double>& coarse = trial.coarse.values;
+  const auto score = [&](const std::vector<double>& values) {
+    const Eigen::VectorXd residual = problem.Residual(whole, values);
+    return residual.size() > 0 ? problem.likelihood().MinusTwoLog(residual) : 1e300;
+  };
+  double least = score(coarse);
+  if (least < without.score) return coarse;
+  const size_t first = without.values.size();
+  std::vector<std::vector<double>> tried;
+  for (const std::vector<double>& start : trial.candidate->starts) {
+    tried.push_back(coarse);
+    std::copy(start.begin(), start.end(), tried.back().begin() + static_cast<long>(first));
+  }
+  for (size_t i = first; i < coarse.size(); ++i) {
+    const FreeParameter& p = whole.free[i];
+    if (!p.logarithmic) continue;
+    for (const double factor : {0.1, 0.3, 3.0, 10.0}) {
+      tried.push_back(coarse);
+      tried.back()[i] = std::clamp(factor * coarse[i], p.low, p.high);
+    }
+  }
+  std::vector<double> best = coarse;
+  for (std::vector<double>& values : tried) {
+    const double here = score(values);
+    if (here < least) least = here, best = std::move(values);
+  }
+  return best;
+}
+
+}  // namespace
+
+std::vector<FullTrial> TryEffects(const FitProblem& problem, const FitProblem& coarse,
+                                  const FreeModel& model, const FitResult& fit,
+                                  const std::vector<Point>& points,
+                                  const std::vector<Candidate>& list, const Effort& effort,
+                                  const std::function<bool(double)>& go_on) {
+  constexpr double kScreening = 0.5, kForms = 0.25;  // of the work
+  std::vector<FullTrial> trials;
+  for (Trial& trial : ScreenCandidates(coarse, model, points, list, effort,
+                                       [&](double part) { return go_on(kScreening * part); })) {
+    trials.push_back(
+        {trial.candidate, *trial.candidate, std::move(trial.coarse), {}, trial.promise});
+  }
+  const auto fits = static_cast<size_t>(effort.full_fits);
+  std::vector<size_t> chosen = BestOfEach(trials, 3 * fits);
+  std::atomic<int> done{0};
+  problem.ForEach(static_cast<int>(chosen.size()), [&](int k) {
+    if (!go_on(kScreening + kForms * done++ / static_cast<double>(chosen.size()))) return;
+    FullTrial& trial = trials[chosen[static_cast<size_t>(k)]];
+    trial.coarse = AddOptions(coarse, model, std::move(trial.coarse), &trial.form);
+    trial.promise = Criterion(coarse, trial.coarse.score, trial.coarse.values.size());
+  });
+  std::stable_sort(chosen.begin(), chosen.end(),
+                   [&](size_t a, size_t b) { return trials[a].promise < trials[b].promise; });
+  if (chosen.size() > fits) chosen.resize(fits);
+  done = 0;
+  problem.ForEach(static_cast<int>(chosen.size()), [&](int k) {
+    if (!go_on(kScreening + kForms + (1 - kScreening - kForms) * done++ / chosen.size())) return;
+    FullTrial& trial = trials[chosen[static_cast<size_t>(k)]];
+    const FreeModel whole = WithCandidate(model, trial.form);
+    trial.fit = FitNear(problem, whole, FullStart(problem, whole, fit, trial), {},
+                        {.first_own = 0, .max_steps = 1});
+    if (!trial.fit.ok) return;
+    trial.fit = FitNear(
+        problem, whole, trial.fit.values, trial.fit.slopes,
+        {.first_own = static_cast<int>(whole.free.size()), .max_steps = 15, .final_slopes = true});
+  });
+  return trials;
+}
+
+}  // namespace phs::identify::search

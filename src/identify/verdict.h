@@ -1,0 +1,58 @@
+// What an identification says in one word, and why.
+//
+//   sufficient      nothing is missing: what the declared model leaves is its noise
+//   explained       the accepted effects take most of what it leaves
+//   not_described   something is there that neither has; also data that contradict themselves
+//   undecidable     two effects explain as much: the record does not tell which
+// "Noise": of the mean square of the worst channel over that of sensor noise and uncertain input, no
+// more than 1 is beyond the noise and follows what the rig did (motion_share.h), so that whatever
+// the model lacks is no larger than the noise itself. What does not follow is noise with a colour.
+// "Most": more than half of the mean square beyond the noise.
+#pragma once
+
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace phs::identify {
+
+/// What a channel leaves on the validation window.
+struct ChannelLeft {
+  std::string channel;
+  double before = 1, after = 1;  ///< rms over noise: declared model as fitted, corrected model
+  double of_sigma = 0;           ///< rms over the channel's own standard deviation, corrected
+  /// Mean square over that of the noise, corrected, of the part that follows what the rig did.
+  double following = std::numeric_limits<double>::infinity();
+};
+
+/// An accepted effect and those that explain as much.
+struct NamedEffect {
+  std::string name;
+  std::vector<std::string> rivals;
+};
+
+/// A declared number after its fit.
+struct FittedNumber {
+  std::string name;
+  double declared = 0, fitted = 0;
+  bool at_end = false;  ///< of the range that it was allowed
+};
+
+struct VerdictFacts {
+  std::vector<ChannelLeft> channels;
+  std::vector<NamedEffect> effects;
+  std::vector<FittedNumber> numbers;
+  std::vector<std::string> faults;  ///< of the data, not mended: a turned sign, swapped columns
+};
+
+struct Verdict {
+  std::string word;                  ///< as above
+  std::vector<std::string> reasons;  ///< short sentences
+};
+
+Verdict Judge(const VerdictFacts& facts);
+
+/// For people: "explained by backlash", "not described by this model".
+std::string VerdictSentence(const Verdict& verdict, const VerdictFacts& facts);
+
+}  // namespace phs::identify

@@ -1,0 +1,104 @@
+// What follows the motion is told from noise with a colour.
+#include "identify/motion_share.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+namespace phs::identify {
+namespace {
+
+constexpr int kRows = 8000;
+constexpr double kStep = 0.005;  // s
+
+/// Slow and fast parts, reversals, rests.
+std::vector<double> Motion() {
+  std::vector<double> x;
+  for (int i = 0; i < kRows; ++i) {
+    const double t = i * kStep;
+    const double slow = std::sin(2 * M_PI * 0.13 * t), fast = std::sin(2 * M_PI * 1.7 * t + 1);
+    x.push_back(std::fmod(t, 10) < 8 ? slow + 0.2 * fast : slow);
+  }
+  return x;
+}
+
+std::vector<double> Speed(const std::vector<double>& x) {
+  std::vector<double> v(x.size(), 0.0);
+  for (size_t i = 1; i + 1 < x.size(); ++i) v[i] = (x[i + 1] - x[i - 1]) / (2 * kStep);
+  return v;
+}
+
+std::vector<double> White(unsigned seed, double deviation) {
+  std::mt19937 generator(seed);
+  std::normal_distribution<double> normal(0, deviation);
+  std::vector<double> out(kRows);
+  for (double& y : out) y = normal(generator);
+  return out;
+}
+
+/// y_i = remembered y_(i-1) + white: first-order noise of the asked deviation.
+std::vector<double> Coloured(unsigned seed, double remembered, double deviation) {
+  std::vector<double> out = White(seed, deviation * std::sqrt(1 - remembered * remembered));
+  for (size_t i = 1; i < out.size(); ++i) out[i] += remembered * out[i - 1];
+  return out;
+}
+
+TEST(MotionShare, NoiseOfAnyColourDoesNotFollow) {
+  const std::vector<std::vector<double>> signals = {Motion(), Speed(Motion())};
+  for (const unsigned seed : {1u, 2u, 3u, 4u, 5u}) {
+    EXPECT_LT(MeanSquareThatFollows(White(seed, 1), signals), 0.05) << seed;
+    for (const double remembered : {0.7, 0.95}) {  // three and twenty samples
+      EXPECT_LT(MeanSquareThatFollows(Coloured(seed, remembered, 3), signals), 9 * 0.06)
+          << seed << ' ' << remembered;
+    }
+    std::vector<double> hum = White(seed, 1);  // mains, 50 Hz, at its own phase
+    for (size_t i = 0; i < hum.size(); ++i) {
+      hum[i] += 4 * std::sin(2 * M_PI * 50.03 * kStep * static_cast<double>(i) + seed);
+    }
+    EXPECT_LT(MeanSquareThatFollows(hum, signals), 0.3) << seed;
+  }
+}
+
+TEST(MotionShare, FrictionDampingAndCreepFollow) {
+  const std::vector<double> x = Motion(), v = Speed(x);
+  const std::vector<double> noise = Coloured(6, 0.7, 1);
+  std::vector<double> friction = noise, square = noise, creep = noise;
+  double remembered = 0;
+  for (size_t i = 0; i < x.size(); ++i) {
+    remembered += (x[i] - remembered) * kStep / 0.3;  // s
+    friction[i] += 2 * std::tanh(v[i] / 0.05), square[i] += v[i] * std::abs(v[i]);
+    creep[i] += 5 * (x[i] - remembered);
+  }
+  for (const auto& residual : {friction, square, creep}) {
+    double all = -1;  // of the noise
+    for (const double r : residual) all += r * r / kRows;
+    const double following = MeanSquareThatFollows(residual, {x});
+    EXPECT_GT(following, 0.5 * all);
+    EXPECT_LT(following, 1.2 * all);
+  }
+}
+
+TEST(MotionShare, AnOffsetIsNoColour) {
+  std::vector<double> residual = White(7, 1);
+  for (double& r : residual) r += 2;
+  EXPECT_NEAR(MeanSquareThatFollows(residual, {Motion()}), 4, 0.2);
+}
+
+TEST(MotionShare, GapsAndShortRecords) {
+  std::vector<double> residual = Coloured(8, 0.7, 3);
+  for (size_t i = 100; i < 500; ++i) residual[i] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_LT(MeanSquareThatFollows(residual, {Motion()}), 0.5);
+  // What cannot be told counts whole: it is not taken for noise.
+  EXPECT_DOUBLE_EQ(MeanSquareThatFollows({1, 2, 3}, {{1, 2, 3}}), 14.0 / 3);
+  std::vector<double> broken = Motion();
+  broken[7] = std::numeric_limits<double>::quiet_NaN();
+  for (const std::vector<double>& signal : {std::vector<double>{1, 2, 3}, broken}) {
+    EXPECT_GT(MeanSquareThatFollows(residual, {signal}), 7);
+  }
+  EXPECT_GT(MeanSquareThatFollows(residual, {}), 7);
+}
+
+}  // namespace
+}  // namespace phs::identify

@@ -1,0 +1,72 @@
+// One word for an identification, and why.
+#include "identify/verdict.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace phs::identify {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+
+VerdictFacts Facts(double before, double after) {
+  return {{{"load_cell_N", before, after, 0.02}}, {}, {}, {}};
+}
+
+TEST(Verdict, SufficientWhereNothingIsLeftButNoise) {
+  EXPECT_EQ(Judge(Facts(1.05, 1.05)).word, "sufficient");
+  EXPECT_EQ(Judge(Facts(1.4, 1.4)).word, "sufficient") << "what it lacks is no larger than noise";
+}
+
+TEST(Verdict, NoiseWithAColourIsNotWhatTheModelLacks) {
+  VerdictFacts facts = Facts(2.8, 2.8);
+  facts.channels[0].following = 0.3;
+  EXPECT_EQ(Judge(facts).word, "sufficient");
+  EXPECT_THAT(Judge(facts).reasons, Contains(HasSubstr("noise with a colour")));
+  facts.channels[0].following = 1.5;
+  EXPECT_EQ(Judge(facts).word, "not_described");
+  facts.channels[0].following = 0.3;
+  facts.channels.push_back({"p_bore_Pa", 3, 3, 0.02});
+  EXPECT_EQ(Judge(facts).word, "not_described") << "another channel lacks something";
+}
+
+TEST(Verdict, NotDescribedWhereMuchIsLeftAndNothingFound) {
+  const Verdict v = Judge(Facts(5, 5));
+  EXPECT_EQ(v.word, "not_described");
+  EXPECT_THAT(v.reasons, Contains(HasSubstr("5.0 times its noise")));
+}
+
+TEST(Verdict, ExplainedWhereTheEffectsTakeMoreThanHalfBeyondTheNoise) {
+  VerdictFacts facts = Facts(10, 1.1);
+  facts.effects = {{"backlash", {}}};
+  EXPECT_EQ(Judge(facts).word, "explained");
+  facts.channels[0].after = 6;  // (100 - 36)/99
+  EXPECT_EQ(Judge(facts).word, "explained");
+  facts.channels[0].after = 9;  // (100 - 81)/99
+  const Verdict v = Judge(facts);
+  EXPECT_EQ(v.word, "not_described");
+  EXPECT_THAT(v.reasons, Contains(HasSubstr("19 %")));
+}
+
+TEST(Verdict, UndecidableWhereAnotherExplainsAsMuch) {
+  VerdictFacts facts = Facts(10, 1.1);
+  facts.effects = {{"backlash", {"mount_compliance"}}};
+  EXPECT_EQ(Judge(facts).word, "undecidable");
+  EXPECT_THAT(Judge(facts).reasons, Contains(HasSubstr("mount_compliance")));
+}
+
+TEST(Verdict, FaultsAndNumbersAtTheirEndsAreNeverSufficient) {
+  VerdictFacts facts = Facts(1, 1);
+  facts.faults = {"a turned sign"};
+  EXPECT_EQ(Judge(facts).word, "not_described");
+  facts.faults.clear();
+  facts.numbers = {{"L1.oil_volume_m3", 1e-3, 2.5e-3, true}};
+  EXPECT_EQ(Judge(facts).word, "not_described");
+  facts.numbers[0].at_end = false;
+  EXPECT_EQ(Judge(facts).word, "sufficient");
+  EXPECT_THAT(Judge(facts).reasons, Contains(HasSubstr("2.5 times its declared value")));
+}
+
+}  // namespace
+}  // namespace phs::identify
