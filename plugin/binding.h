@@ -78,7 +78,8 @@ struct UserData {
   static constexpr int kBrakePower = 9;     ///< lost at the brake blocks [W]
   static constexpr int kDamperPower = 10;   ///< lost in elements between bodies [W]
   static constexpr int kDrivePower = 11;    ///< given by the drives [W]
-  static constexpr int kHeader = 12;
+  static constexpr int kAppliedPower = 12;  ///< given by qfrc_applied and xfrc_applied [W]
+  static constexpr int kHeader = 13;
 };
 
 /// Forces and motion of one wheelset at one instant (T axes: x forward, y left, z up).

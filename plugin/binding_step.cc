@@ -5,6 +5,7 @@
 #include <new>
 
 #include "plugin/binding_work.h"
+#include "plugin/guest.h"
 
 namespace phs::plugin {
 namespace {
@@ -127,6 +128,7 @@ void Binding::CalcForces(const mjModel* m, mjData* d, const double* speed, bool 
 
 double Binding::DriveControl(const mjModel* m, const mjData* d,
                              const WheelsetBinding& w) const noexcept {
+  if (Guest::Has(d, w.drive_actuator)) return d->ctrl[w.drive_actuator];
   if (running_.active) return running_.Share(d->time) * running_.drive_torque_Nm;
   // Each axle holds its own speed: torque and speed at the same place damp every mode, while the
   // speed of the frame, felt through the springs of the axle guidance, would drive the bogie to
@@ -208,6 +210,9 @@ void Binding::BookPowers(const mjModel* m, mjData* d, Work* work) const noexcept
     d->userdata[UserData::kDamperPower] += elements->LostPower(m, d, speed);
   }
   d->userdata[UserData::kDrivePower] = mju_dot(work->drive, speed, m->nv);
+  std::fill(work->row, work->row + m->nv, 0.0);
+  AddApplied(m, d, work->row);
+  d->userdata[UserData::kAppliedPower] = mju_dot(work->row, speed, m->nv);
 }
 
 void Binding::Passive(const mjModel* m, mjData* d) const noexcept {

@@ -145,6 +145,8 @@ void phs_detach(mjModel* m) {
   });
 }
 
+const char* phs_version(void) { return PHS_VERSION; }
+
 const char* phs_last_error(void) { return LastError().c_str(); }
 
 int phs_reset(const mjModel* m, mjData* d) {

@@ -43,6 +43,9 @@ PHS_API int phs_attach(mjModel* m, const char* options);
 /// Forgets the model and undoes the changes to it; the key "test" keeps the running start. Unknown
 /// models are ignored.
 PHS_API void phs_detach(mjModel* m);
+/// Version of the library, "MAJOR.MINOR.PATCH" (semver.org). Programs that were built with a library
+/// of the same file name libphs_mujoco.so.N run with this one.
+PHS_API const char* phs_version(void);
 /// Text of the last error on this thread; "" if none.
 PHS_API const char* phs_last_error(void);
 /// Resets `d` to the settled running start on the track; the plugin stands in front of the

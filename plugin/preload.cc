@@ -18,6 +18,7 @@
 #include "plugin/binding.h"
 #include "plugin/phs_mujoco.h"
 #include "plugin/registry.h"
+#include "plugin/scene_marks.h"
 
 namespace {
 
@@ -117,6 +118,19 @@ PHS_API void mj_step(const mjModel* m, mjData* d) {
   next(m, d);
   TellReset(m, d, time);
   Trace::Get().Step(m, d);
+}
+
+// Viewers fill their scene by this: they show track and forces, too.
+PHS_API void mjv_updateScene(const mjModel* m, mjData* d, const mjvOption* opt,
+                             const mjvPerturb* pert, mjvCamera* cam, int catmask, mjvScene* scn) {
+  using Update = void (*)(const mjModel*, mjData*, const mjvOption*, const mjvPerturb*, mjvCamera*,
+                          int, mjvScene*);
+  static const Update next = Next<Update>("mjv_updateScene");
+  next(m, d, opt, pert, cam, catmask, scn);
+  const phs::plugin::Binding* binding = phs::plugin::Find(m);
+  if (binding != nullptr && (catmask & mjCAT_DECOR) != 0) {
+    phs::plugin::AddSceneMarks(m, d, *binding, scn);
+  }
 }
 
 PHS_API void mj_step1(const mjModel* m, mjData* d) {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "plugin/callback_chain.h"
+#include "plugin/guest.h"
 #include "plugin/model_mark.h"
 #include "plugin/settle.h"
 
@@ -38,7 +39,10 @@ struct PassiveHook {
   template <typename Previous>
   static void Serve(const Previous& previous, const mjModel* m, mjData* d) {
     previous();
-    if (const Binding* binding = Find(m)) binding->Passive(m, d);
+    const Binding* binding = Find(m);
+    if (binding == nullptr) return;
+    Guest::Call(m, d);
+    binding->Passive(m, d);
   }
 };
 
