@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "report/json_fields.h"
+#include "report/moving_shape.h"
 #include "report/report_page.h"
 
 namespace phs::report {
@@ -43,45 +44,39 @@ std::string Unit(const Mode& mode, bool stiffness) {
   return stiffness ? "kN/m" : "kN s/m";
 }
 
-/// Picture of one mode from above: at rest dashed, at its greatest displacement solid; motion drawn
-/// large. Yaw turns the axle, x moves it; the frame stands still.
-XyPlot ModePicture(const json& bogie, const Mode& mode, int lead_sign, int trail_sign) {
+/// One mode from above, motion drawn large: both axles move as one sine, greatest at phase zero.
+/// Yaw turns an axle, x moves it; the frame stands still. A cylinder goes with its axle's box.
+MovingShape ModeShape(const json& bogie, const Mode& mode, int lead_sign, int trail_sign) {
   constexpr double kHalfAxle = 0.9;  // [m]
-  constexpr double kYaw = 0.22;      // drawn [rad]
-  constexpr double kMove = 0.25;     // drawn [m]
-  XyPlot plot{.title = std::string(mode.title) + ": " + mode.meaning,
-              .x_label = "along the bogie [m], motion enlarged",
-              .y_label = "to the left [m]",
-              .height_px = 260};
-  Curve frame{.label = "frame", .colour = 7, .x = {}, .y = {}};
-  Curve rest{.label = "axles at rest", .colour = 7, .dash = 2};
-  Curve moved{.label = "axles moved", .colour = 0};
-  Curve longer{.label = "cylinder extends", .colour = 2};
-  Curve shorter{.label = "cylinder shortens", .colour = 1};
-  const auto line = [](Curve* curve, double x0, double y0, double x1, double y1) {
-    for (const auto& [x, y] : {std::pair{x0, y0}, {x1, y1}, {kNone, kNone}}) {
-      curve->x.push_back(x);
-      curve->y.push_back(y);
-    }
-  };
+  MovingShape shape{.title = std::string(mode.title) + ": " + mode.meaning,
+                    .keys = {{"axles", 0}, {"at rest", 6, 2}, {"frame, held", 7}},
+                    .period_s = PlayedPeriod(NumberOf(bogie, "frequency_Hz"))};
   const json plan = bogie.value("plan", json::object());
   double reach = 0;
   const json axles = plan.value("axles", json::array());
   for (const json& axle : axles) reach = std::max(reach, std::abs(NumberOf(axle, "x_m")));
-  for (const double side : {-0.75, 0.75}) line(&frame, -0.75 * reach, side, 0.75 * reach, side);
-  line(&frame, 0, -0.75, 0, 0.75);
-  const auto place = [&](double x, double y) {  // of a point of the axle nearest to x
-    const int sign = x > 0 ? lead_sign : trail_sign;
+  const auto fixed = [&shape](const char* name, int key, double x0, double y0, double x1, double y1,
+                              double width) {
+    shape.lines.push_back(
+        {.name = name, .key = key, .from = {x0, y0}, .to = {x1, y1}, .width_px = width});
+  };
+  for (const double side : {-0.75, 0.75}) {
+    fixed("frame", 2, -0.75 * reach, side, 0.75 * reach, side, 2);
+  }
+  fixed("frame", 2, 0, -0.75, 0, 0.75, 2);
+  const auto moved = [&](double x, double y) {  // a point of the axle that is nearest to x
+    const double sign = x > 0 ? lead_sign : trail_sign;
     const double centre = x > 0 ? reach : -reach;
-    const double yaw = mode.rotation ? kYaw * sign : 0;
-    return std::pair{x - yaw * y + (mode.rotation ? 0 : kMove * sign), y + yaw * (x - centre)};
+    return PointOfBody(centre, x - centre, y, mode.rotation ? 0 : sign, 0,
+                       mode.rotation ? sign : 0);
   };
   for (const json& axle : axles) {
     const double x = NumberOf(axle, "x_m");
-    line(&rest, x, -kHalfAxle, x, kHalfAxle);
-    const auto [x0, y0] = place(x, -kHalfAxle);
-    const auto [x1, y1] = place(x, kHalfAxle);
-    line(&moved, x0, y0, x1, y1);
+    fixed("at rest", 1, x, -kHalfAxle, x, kHalfAxle, 1);
+    shape.lines.push_back({.name = axle.value("name", ""),
+                           .from = moved(x, -kHalfAxle),
+                           .to = moved(x, kHalfAxle),
+                           .width_px = 4});
   }
   const json at =
       bogie.value(mode.key, json::object()).value("at_greatest_displacement", json::object());
@@ -93,14 +88,20 @@ XyPlot ModePicture(const json& bogie, const Mode& mode, int lead_sign, int trail
     const json from = cylinder.value("from_m", json::array());
     const json to = cylinder.value("to_m", json::array());
     if (from.size() != 2 || to.size() != 2) continue;
-    const auto [x, y] = place(to[0].get<double>(), to[1].get<double>());
-    line(strokes[cylinder.value("name", "")] >= 0 ? &longer : &shorter, from[0].get<double>(),
-         from[1].get<double>(), x, y);
+    if (shape.keys.size() == 3) {
+      shape.keys.push_back({"cylinder longer than at rest", 2});
+      shape.keys.push_back({"cylinder shorter", 1});
+    }
+    const std::string name = cylinder.value("name", "");
+    shape.lines.push_back({.name = "cylinder " + name,
+                           .key = 3,
+                           .from = {from[0].get<double>(), from[1].get<double>()},
+                           .to = moved(to[0].get<double>(), to[1].get<double>()),
+                           .width_px = 5,
+                           .stroke = strokes[name]});
   }
-  plot.curves = {frame, rest, moved};
-  if (!longer.x.empty()) plot.curves.push_back(longer);
-  if (!shorter.x.empty()) plot.curves.push_back(shorter);
-  return plot;
+  Enlarge(0.25, &shape.lines);
+  return shape;
 }
 
 std::vector<double> Scaled(const json& values, double factor) {
@@ -146,7 +147,7 @@ void AddCylinderTable(const json& bogie, ReportPage* page) {
                                    FormatNumber(1e-3 * NumberOf(cylinder, "force_N"))));
     }
     for (const json& line : at.value("lines", json::array())) {
-      if (first) table.head.push_back(line.value("name", "") + " [MPa]");
+      if (first) table.head.push_back(line.value("name", "") + " [MPa absolute]");
       row.emplace_back(FormatNumber(1e-6 * NumberOf(line, "pressure_Pa")));
     }
     table.rows.push_back(std::move(row));
@@ -218,10 +219,13 @@ Status WriteModesReport(const std::vector<std::string>& modes_files, const std::
       "static pressure; it holds for small motion. Large motion breaks the seals loose (friction "
       "goes into the damping) and compresses the gas.");
   page.Section("How the axles move");
+  page.Paragraph("Motion enlarged, greatest at 0°. " +
+                 PlayedWords(NumberOf(bogies[0], "frequency_Hz")) +
+                 " The axles are driven as a sine, so nothing grows or dies out.");
   constexpr int kTrailSign[] = {-1, 1, 1, -1};
   page.BeginGrid(2);
   for (size_t i = 0; i < std::size(kModes); ++i) {
-    page.Add(ModePicture(bogies[0], kModes[i], 1, kTrailSign[i]));
+    AddMovingShape(ModeShape(bogies[0], kModes[i], 1, kTrailSign[i]), &page);
     page.Add(ModeLoop(bogies, kModes[i]));
   }
   page.EndGrid();

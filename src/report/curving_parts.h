@@ -25,6 +25,12 @@ void AddDiscretisation(const CurvingResults& results, ReportPage* page);
 bool HasStandards(const CurvingResults& results);
 void AddStandards(const CurvingResults& results, ReportPage* page);
 
+// curving_facts.cc
+/// Radius, cant, speed, balance.
+void AddTrackWords(const CurvingResults& results, ReportPage* page);
+/// The wheels that carry most in the steady curve.
+void AddWheelWords(const CurvingResults& results, ReportPage* page);
+
 // curving_words.cc
 void AddSteeringWords(const CurvingResults& results, ReportPage* page);
 void AddNextSteps(const CurvingResults& results, ReportPage* page);

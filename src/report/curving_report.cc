@@ -37,7 +37,7 @@ std::string Subtitle(const CurvingResults& results) {
   return text;
 }
 
-Status WritePage(const CurvingReportInput& input, const std::string& path) {
+Status WritePage(const CurvingReportInput& input, const std::string& path, const Replay* replay) {
   Result<CurvingResults> read = ReadCurvingResults(input);
   if (!read.ok()) return read.error();
   const CurvingResults& results = read.value();
@@ -46,12 +46,15 @@ Status WritePage(const CurvingReportInput& input, const std::string& path) {
   AddRunWarnings(results, &page);
   page.Section("At a glance");
   AddKeyFigures(results, &page);
+  AddTrackWords(results, &page);
   page.BeginBeside();
   AddSteeringWords(results, &page);
+  AddWheelWords(results, &page);
   AddComparisonBars(results, &page);
   page.Next();
   AddHeadlineTable(results, &page);
   page.EndBeside();
+  if (replay != nullptr) AddReplay(*replay, results, &page);
   page.Section("Seen from above");
   AddPlanView(results, &page);
   page.Section("What steers, what holds back");
@@ -77,14 +80,16 @@ Status WritePage(const CurvingReportInput& input, const std::string& path) {
 
 }  // namespace
 
-Status WriteCurvingReport(const CurvingReportInput& input, const std::string& path) {
-  return MakeGuarded(input.results, [&] { return WritePage(input, path); });
+Status WriteCurvingReport(const CurvingReportInput& input, const std::string& path,
+                          const Replay* replay) {
+  return MakeGuarded(input.results, [&] { return WritePage(input, path, replay); });
 }
 
-Status WriteCurvingReport(const std::string& directory, const std::string& path) {
+Status WriteCurvingReport(const std::string& directory, const std::string& path,
+                          const Replay* replay) {
   return MakeGuarded(directory, [&]() -> Status {
     Result<CurvingReportInput> input = CurvingReportInput::FromDirectory(directory);
-    return input.ok() ? WriteCurvingReport(input.value(), path) : Status(input.error());
+    return input.ok() ? WriteCurvingReport(input.value(), path, replay) : Status(input.error());
   });
 }
 

@@ -10,12 +10,16 @@
 
 #include "base/result.h"
 #include "report/curving_input.h"
+#include "report/replay.h"
 
 namespace phs::report {
 
-/// Writes the page. Channels that a run does not have are left out.
-Status WriteCurvingReport(const CurvingReportInput& input, const std::string& path);
+/// Writes the page. Channels that a run does not have are left out. `replay` (src/film) is shown in
+/// it; null: a page without one.
+Status WriteCurvingReport(const CurvingReportInput& input, const std::string& path,
+                          const Replay* replay = nullptr);
 /// The same from the files found in a result directory.
-Status WriteCurvingReport(const std::string& directory, const std::string& path);
+Status WriteCurvingReport(const std::string& directory, const std::string& path,
+                          const Replay* replay = nullptr);
 
 }  // namespace phs::report

@@ -18,6 +18,12 @@ literal(template "${TEMPLATE}")
 literal(style ${STYLES})
 literal(script ${SCRIPTS})
 literal(licence "${LICENCE}")
+literal(scene "${SCENE}")
+literal(scene_licence "${SCENE_LICENCE}")
+string(FIND "${scene}" "</script" clash)
+if(NOT clash EQUAL -1)
+  message(FATAL_ERROR "${SCENE}: would end the script element that holds it")
+endif()
 file(WRITE "${OUTPUT}" "// Made from the files of src/report/web and the plotting library.
 #include \"report/page_assets.h\"
 namespace phs::report {
@@ -25,5 +31,7 @@ const char kPageTemplate[] = ${template};
 const char kPageStyle[] = ${style};
 const char kPageScript[] = ${script};
 const char kPlotLibraryLicence[] = ${licence};
+const char kSceneScript[] = ${scene};
+const char kSceneLibraryLicence[] = ${scene_licence};
 }  // namespace phs::report
 ")

@@ -11,10 +11,13 @@ namespace phs::report {
 std::string Spaced(std::string words);
 /// An accepted effect: name, the lines or cylinders it acts on, its formula if it is on no list.
 std::string DescribeEffect(const nlohmann::ordered_json& effect);
-/// A section of its own; nothing if the data are sound.
+/// Of a rig run: a section of its own; nothing if the data are sound.
 void AddDataFindings(const IdentifyResults& results, ReportPage* page);
-void AddFindings(const IdentifyResults& results, ReportPage* page);
+/// Effects that the record does not tell apart; where the residual of the declared model sits.
+void AddDoubt(const IdentifyResults& results, ReportPage* page);
 void AddUnexplained(const IdentifyResults& results, ReportPage* page);
+/// What to do next, the most useful first; never empty.
+std::vector<std::string> NextTests(const IdentifyResults& results);
 void AddNextTests(const IdentifyResults& results, ReportPage* page);
 
 // identify_tables.cc

@@ -1,4 +1,6 @@
 // Plots of the identification report.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -202,12 +204,17 @@ void AddTimePlots(const IdentifyResults& results, ReportPage* page) {
 }
 
 void AddLoops(const IdentifyResults& results, ReportPage* page) {
+  constexpr std::size_t kMost = 6000;
   bool any = false;
+  const std::size_t scored = results.ScoredRows().size();
+  if (scored > kMost) {
+    page->Note(fmt::format("Loops show {} of {} rows, evenly thinned out.", kMost, scored));
+  }
   page->BeginGrid(2);
   for (const ChannelData& channel : results.channels) {
     if (!channel.is_force || results.displacement.empty()) continue;
     const ReadableName name = Readable(channel.name);
-    const std::vector<std::size_t> rows = Thinned(results.ScoredRows(), 6000);
+    const std::vector<std::size_t> rows = Thinned(results.ScoredRows(), kMost);
     const std::vector<double> x = Scaled(Picked(results.displacement, rows), 1e3);
     for (bool after : {false, true}) {
       const std::vector<double>& predicted = after ? channel.after : channel.before;
@@ -257,7 +264,10 @@ void AddResidualMaps(const IdentifyResults& results, ReportPage* page) {
     AddMeanPlot(results, channel, "displacement [mm]", results.displacement, 1e3, page);
     page->EndGrid();
   }
-  if (!any) page->Note("The motion does not cover enough places and speeds for a map.");
+  page->Note(
+      any ? "Maps and means cover the middle 99 % of displacement and speed; cells with fewer "
+            "than 3 samples stay empty."
+          : "The motion does not cover enough places and speeds for a map.");
 }
 
 }  // namespace phs::report

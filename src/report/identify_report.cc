@@ -1,6 +1,8 @@
 #include "report/identify_report.h"
 
+#include "report/identify_glance.h"
 #include "report/identify_parts.h"
+#include "report/json_fields.h"
 
 namespace phs::report {
 namespace {
@@ -17,23 +19,27 @@ std::string Subtitle(const IdentifyResults& results) {
   return text;
 }
 
-}  // namespace
+/// The first screen: of an identification its verdict, of a rig run its errors.
+void AddTop(const IdentifyResults& results, ReportPage* page) {
+  page->Section("At a glance");
+  if (results.has_before) return AddGlance(results, page);
+  AddErrorFigures(results, page);
+  AddDataFindings(results, page);
+}
 
-Status WriteIdentifyReport(const IdentifyReportInput& input, const std::string& path) {
+Status WritePage(const IdentifyReportInput& input, const std::string& path) {
   Result<IdentifyResults> read = ReadIdentifyResults(input);
   if (!read.ok()) return read.error();
   const IdentifyResults& results = read.value();
   const bool identified = results.has_before;
   ReportPage page(identified ? "What the declared model lacks" : "Rig against model",
                   Subtitle(results));
-  page.Section("At a glance");
-  AddErrorFigures(results, &page);
-  if (identified) AddFindings(results, &page);
-  AddDataFindings(results, &page);
+  AddTop(results, &page);
   page.Section("Errors");
   AddErrorTable(results, &page);
   if (identified) {
     page.Section("Effects");
+    AddDoubt(results, &page);
     AddEffectTable(results, &page);
     AddCandidateTable(results, &page);
   }
@@ -54,6 +60,12 @@ Status WriteIdentifyReport(const IdentifyReportInput& input, const std::string& 
     AddNextTests(results, &page);
   }
   return page.Write(path);
+}
+
+}  // namespace
+
+Status WriteIdentifyReport(const IdentifyReportInput& input, const std::string& path) {
+  return MakeGuarded(input.result, [&] { return WritePage(input, path); });
 }
 
 }  // namespace phs::report

@@ -22,6 +22,12 @@ int FindAny(const Table& table, const std::vector<std::string>& names) {
   return -1;
 }
 
+/// Column `name`; empty if there is none.
+std::vector<double> ColumnOf(const Table& table, const std::string& name) {
+  const int column = table.Find(name);
+  return column < 0 ? std::vector<double>() : table.columns[column];
+}
+
 /// Column `name` of `table` on the clock `time`, linear between its rows; empty if it has none.
 std::vector<double> OnClock(const Table& table, const std::string& name,
                             const std::vector<double>& time) {
@@ -79,7 +85,11 @@ Status ReadData(const IdentifyReportInput& input, IdentifyResults* results) {
   }
   const Table& data = measured.value();
   const int t = data.Find("t_s");
-  if (t < 0) return {};  // a table of steps has no clock: nothing to plot over time
+  if (t < 0) {  // a table of steps has no clock: nothing to plot over time
+    results->steps = {ColumnOf(data, "p_end_MPa"), ColumnOf(baseline, "p_end_MPa"),
+                      ColumnOf(predicted.value(), "p_end_MPa")};
+    return {};
+  }
   results->time = data.columns[t];
   const int place = data.Find("s_m");
   const int x = place >= 0

@@ -23,8 +23,14 @@ struct ChannelData {
   bool is_force = false;
 };
 
+/// A table of steps, row by row, one run after the other.
+struct StepsData {
+  std::vector<double> measured_MPa, before_MPa, after_MPa;  ///< settled; empty = not saved
+};
+
 struct IdentifyResults {
   nlohmann::ordered_json all;
+  StepsData steps;
   std::vector<double> time;          ///< [s]; empty if there are no data to plot
   std::vector<double> displacement;  ///< of the (first) actuator [m]; empty if there is none
   std::vector<double> place;         ///< of a vehicle along its track [m]; empty on a rig

@@ -115,9 +115,14 @@ DataTable WideTable(const json& items, const std::string& caption, const std::st
 
 void AddErrorFigures(const IdentifyResults& results, ReportPage* page) {
   const json channels = results.all.value("channels", json::object());
+  constexpr size_t kMost = 4;
   std::vector<KeyFigure> figures;
   for (const auto& [channel, scores] : channels.items()) {
-    if (figures.size() == 4) break;
+    if (figures.size() == kMost) {
+      page->Note(fmt::format("Shown are the first {} of {} channels; all stand under Errors.",
+                             kMost, channels.size()));
+      break;
+    }
     const std::string at = results.has_before ? "/after/nrmse" : "/nrmse";
     const double after = NumberAt(scores, at);
     if (!std::isfinite(after)) continue;
@@ -135,10 +140,12 @@ void AddErrorFigures(const IdentifyResults& results, ReportPage* page) {
 
 void AddErrorTable(const IdentifyResults& results, ReportPage* page) {
   const bool windows = !results.windows.empty();
+  const bool steps = results.all.value("rig", "") == "steps";
   page->BeginGrid(2);
   AddScores(results.all.value("channels", json::object()), results.has_before,
-            results.has_before || windows ? "Validation window (took no part in fit or choice)"
-                                          : "Whole record",
+            steps                           ? "Steps, each left out of its fit"
+            : results.has_before || windows ? "Validation window (took no part in fit or choice)"
+                                            : "Whole record",
             page);
   const json estimation = results.all.value("channels_estimation", json::object());
   if (!estimation.empty()) {

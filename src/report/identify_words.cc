@@ -40,29 +40,6 @@ std::string JoinedVariables(const json& variables) {
   return Joined(words);
 }
 
-/// The channel whose error falls most, as a sentence.
-std::string DescribeGain(const IdentifyResults& results) {
-  std::string best;
-  double lowest = 1e300;
-  double before = 0;
-  double after = 0;
-  const json channels = results.all.value("channels", json::object());
-  for (const auto& [channel, scores] : channels.items()) {
-    const double a = NumberAt(scores, "/before/nrmse");
-    const double b = NumberAt(scores, "/after/nrmse");
-    if (!(b / a < lowest)) continue;
-    lowest = b / a;
-    best = channel;
-    before = a;
-    after = b;
-  }
-  if (best.empty()) return "";
-  return fmt::format(
-      "On the validation window the error of the {} goes from {} % to {} % of its standard "
-      "deviation.",
-      Readable(best).words, FormatNumber(100 * before), FormatNumber(100 * after));
-}
-
 /// Variables of a "depends_on" list that call for a certain excitation.
 std::string TestFor(const std::string& variable) {
   if (variable == "reversal" || variable == "history") {
@@ -141,26 +118,13 @@ void AddDataFindings(const IdentifyResults& results, ReportPage* page) {
   }
 }
 
-void AddFindings(const IdentifyResults& results, ReportPage* page) {
-  const json effects = results.all.value("effects", json::array());
-  if (effects.empty()) {
-    page->Paragraph(
-        "No missing effect is supported by the data: with its free parameters fitted, the declared "
-        "model says what can be said.",
-        "Nothing to add.");
-  } else {
-    json names = json::array();
-    for (const json& effect : effects) names.push_back(DescribeEffect(effect));
-    page->Paragraph(
-        fmt::format("The declared model lacks {}. {}", Joined(names), DescribeGain(results)),
-        "Found.");
-    for (const json& effect : effects) {
-      const std::string twins = Joined(effect.value("confusable_with", json::array()));
-      if (twins.empty()) continue;
-      page->Warning(
-          fmt::format("With these data {} cannot be told from {}: take the name as one of these.",
-                      Spaced(effect.value("name", "?")), twins));
-    }
+void AddDoubt(const IdentifyResults& results, ReportPage* page) {
+  for (const json& effect : results.all.value("effects", json::array())) {
+    const std::string twins = Joined(effect.value("confusable_with", json::array()));
+    if (twins.empty()) continue;
+    page->Warning(
+        fmt::format("With these data {} cannot be told from {}: take the name as one of these.",
+                    Spaced(effect.value("name", "?")), twins));
   }
   const json where = results.all.value("localised", json::object());
   const std::string variables = JoinedVariables(where.value("depends_on", json::array()));
@@ -208,7 +172,7 @@ void AddUnexplained(const IdentifyResults& results, ReportPage* page) {
   if (!table.rows.empty()) page->Add(table);
 }
 
-void AddNextTests(const IdentifyResults& results, ReportPage* page) {
+std::vector<std::string> NextTests(const IdentifyResults& results) {
   std::vector<std::string> tests;
   const json own = results.all.value("next_test", json());
   if (own.is_string()) tests.push_back(own.get<std::string>());
@@ -231,15 +195,27 @@ void AddNextTests(const IdentifyResults& results, ReportPage* page) {
       if (variable.is_string()) AddTestOnce(TestFor(variable.get<std::string>()), &tests);
     }
   }
+  const bool described = results.all.value("verdict", "") != "not_described";
+  if (tests.empty() && !described) {
+    tests.push_back(
+        "Mend what the reasons name, in the record or in the declared numbers, and identify "
+        "again.");
+  }
   if (tests.empty()) {
     tests.push_back(
         "Repeat the run on another day and score the corrected model on it without any "
         "fit: an effect that is real stays.");
   }
-  tests.push_back(
-      "Put model.yaml into the bogie (phs compare) to see what the found effects mean "
-      "in a curve.");
-  page->List(tests);
+  if (described) {
+    tests.push_back(
+        "Put model.yaml into the bogie (phs compare) to see what the found effects mean "
+        "in a curve.");
+  }
+  return tests;
+}
+
+void AddNextTests(const IdentifyResults& results, ReportPage* page) {
+  page->List(NextTests(results));
 }
 
 }  // namespace phs::report

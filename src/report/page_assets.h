@@ -7,5 +7,8 @@ extern const char kPageTemplate[];        ///< HTML with the marks @TITLE@, @STY
 extern const char kPageStyle[];           ///< CSS of the plotting library and of the page
 extern const char kPageScript[];          ///< JavaScript of the plotting library and of the page
 extern const char kPlotLibraryLicence[];  ///< licence text of the plotting library
+/// The replay in three dimensions with its library (web/scene.js bundled), for pages with a film.
+extern const char kSceneScript[];
+extern const char kSceneLibraryLicence[];
 
 }  // namespace phs::report

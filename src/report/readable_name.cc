@@ -25,8 +25,10 @@ constexpr std::array<Unit, 25> kUnits = {
      {"_rad", "mrad", 1e3}, {"_kg", "kg", 1},        {"_J", "kJ", 1e-3},      {"_K", "K", 1},
      {"_s", "s", 1}}};
 
-constexpr std::array<std::pair<const char*, const char*>, 5> kWords = {
-    {{"load_cell", "load cell force"},
+constexpr std::array<std::pair<const char*, const char*>, 7> kWords = {
+    {{"p_end", "settled pressure"},
+     {"p_begin", "pressure just after the step"},
+     {"load_cell", "load cell force"},
      {"p_bore", "bore pressure"},
      {"p_rod", "rod pressure"},
      {"piston", "piston displacement"},

@@ -7,6 +7,7 @@
 
 #include "base/check.h"
 #include "report/decimation.h"
+#include "report/page_assets.h"
 #include "report/report_page.h"
 
 namespace phs::report {
@@ -152,6 +153,12 @@ void ReportPage::Add(const HeatMap& map) {
                      {"y_edges", map.y_edges},         {"values", map.values},
                      {"diverging", map.diverging},     {"full_scale", map.full_scale}};
   AddFigure("heat", map.title, Dump(spec));
+}
+
+void ReportPage::SetFilm(const std::string& film) {
+  // As text: it is run by the page's script once everything else is drawn.
+  film_ = "<script type=\"application/json\" id=\"film\">" + ScriptSafe(film) +
+          "</script>\n<script type=\"text/plain\" id=\"scene\">" + kSceneScript + "</script>\n";
 }
 
 void ReportPage::AddFigure(const std::string& kind, const std::string& title,

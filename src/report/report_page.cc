@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "base/check.h"
-#include "base/result_dir.h"
 #include "report/page_assets.h"
 
 namespace phs::report {
@@ -45,6 +44,10 @@ void ReportPage::List(const std::vector<std::string>& items) {
   body_ += "<ul>\n";
   for (const std::string& item : items) body_ += Tag("li", item) + "\n";
   body_ += "</ul>\n";
+}
+
+void ReportPage::Verdict(const std::string& sentence, int tone) {
+  body_ += Tag("p", sentence, "verdict tone-" + std::to_string(tone)) + "\n";
 }
 
 void ReportPage::Note(const std::string& text) { body_ += Tag("p", text, "note") + "\n"; }
@@ -106,22 +109,28 @@ void ReportPage::Add(const DataTable& table) {
   const std::string id = "table-" + std::to_string(++num_tables_);
   // One box, so that a grid keeps the caption over its table.
   body_ += "<div><p class=\"caption\" id=\"" + id + "\">" + EscapeHtml(table.caption) +
-           "</p><div class=\"scroll\" tabindex=\"0\"><table aria-labelledby=\"" + id +
-           "\">\n<thead><tr>";
+           "</p><div class=\"scroll" + (table.words ? " words" : "") +
+           "\" tabindex=\"0\"><table aria-labelledby=\"" + id + "\">\n<thead><tr>";
   for (const std::string& title : table.head)
     body_ += "<th scope=\"col\">" + EscapeHtml(title) + "</th>";
   body_ += "</tr></thead>\n<tbody>\n";
   for (const std::vector<TableCell>& row : table.rows) {
     body_ += "<tr>";
     for (std::size_t i = 0; i < row.size(); ++i) {
-      const std::string style = row[i].strong ? " class=\"strong\"" : "";
+      const std::string style = row[i].bad      ? " class=\"bad\""
+                                : row[i].strong ? " class=\"strong\""
+                                                : "";
+      const std::string words = EscapeHtml(row[i].text);
+      const std::string text =
+          row[i].link.empty() ? words
+                              : "<a href=\"" + EscapeHtml(row[i].link) + "\">" + words + "</a>";
       if (row.size() == 1) {
         body_ += "<th class=\"group\" colspan=\"" + std::to_string(table.head.size()) + "\">" +
-                 EscapeHtml(row[i].text) + "</th>";
+                 text + "</th>";
       } else if (i == 0) {
-        body_ += "<th scope=\"row\">" + EscapeHtml(row[i].text) + "</th>";
+        body_ += "<th scope=\"row\">" + text + "</th>";
       } else {
-        body_ += "<td" + style + ">" + EscapeHtml(row[i].text) + "</td>";
+        body_ += "<td" + style + ">" + text + "</td>";
       }
     }
     body_ += "</tr>\n";
@@ -170,17 +179,17 @@ std::string ReportPage::Html() const {
   std::string html = kPageTemplate;
   html = Fill(std::move(html), "@SCRIPT@", kPageScript);
   html = Fill(std::move(html), "@STYLE@", kPageStyle);
-  html = Fill(std::move(html), "@LICENCE@", EscapeHtml(kPlotLibraryLicence));
+  html = Fill(std::move(html), "@FILM@", film_);
+  std::string licence = kPlotLibraryLicence;
+  if (!film_.empty()) licence += std::string("\n") + kSceneLibraryLicence;
+  html = Fill(std::move(html), "@LICENCE@", EscapeHtml(licence));
   html = Fill(std::move(html), "@FIGURES@", "{" + figures_ + "}");
   html = Fill(std::move(html), "@BODY@", body_ + (num_sections_ > 0 ? "</section>\n" : ""));
   html = Fill(std::move(html), "@CONTENTS@", contents_);
+  html = Fill(std::move(html), "@LINKS@", links_);
   html = Fill(std::move(html), "@SUBTITLE@", EscapeHtml(subtitle_));
   html = Fill(std::move(html), "@HEADING@", EscapeHtml(title_));
   return Fill(std::move(html), "@TITLE@", EscapeHtml(title_));
-}
-
-Status ReportPage::Write(const std::string& path) const {
-  return WriteFileAtomically(path, Html());
 }
 
 }  // namespace phs::report

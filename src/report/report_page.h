@@ -10,9 +10,11 @@
 // All texts are plain text (the page escapes them); quantities carry their unit in the label.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "base/origin.h"
 #include "base/result.h"
 
 namespace phs::report {
@@ -101,6 +103,8 @@ struct BarChart {
 struct TableCell {
   std::string text = {};
   bool strong = false;
+  std::string link = {};  ///< address relative to the page (page_links.h: Address); empty = none
+  bool bad = false;       ///< set in the colour of warnings
   TableCell(std::string t, bool s = false) : text(std::move(t)), strong(s) {}  // NOLINT
   TableCell(const char* t) : text(t) {}                                        // NOLINT
 };
@@ -108,7 +112,8 @@ struct DataTable {
   std::string caption = {};
   std::vector<std::string> head = {};  ///< first column = row names
   std::vector<std::vector<TableCell>> rows =
-      {};  ///< a row with one cell is a heading across the table
+      {};              ///< a row with one cell is a heading across the table
+  bool words = false;  ///< cells hold words: set from the left and broken into lines
 };
 
 /// One big number at the top of a page.
@@ -129,6 +134,8 @@ class ReportPage {
   /// `lead` is set in bold in front of the text.
   void Paragraph(const std::string& text, const std::string& lead = "");
   void List(const std::vector<std::string>& items);
+  /// What the page says above all, in one sentence. `tone`: 0 good, 1 in doubt, 2 bad.
+  void Verdict(const std::string& sentence, int tone);
   void Note(const std::string& text);     ///< set off from the text
   void Warning(const std::string& text);  ///< something is wrong with the run
   void Preformatted(const std::string& text);
@@ -157,7 +164,17 @@ class ReportPage {
   /// A figure drawn by the page script's painter `kind` from `json`, whatever its texts hold.
   void AddFigure(const std::string& kind, const std::string& title, const std::string& json);
 
+  /// Where the numbers come from. Without it Write() looks for origin.json beside a report.html.
+  void SetOrigin(const std::optional<Origin>& origin) { origin_ = origin; }
+  /// HTML that stands above the page, e.g. links (page_links.h).
+  void SetLinks(const std::string& html) { links_ = html; }
+  /// Data of the painters `replay` and `profiles`, apart from those of the figures: read after them,
+  /// as is the library that draws them in three dimensions.
+  void SetFilm(const std::string& json);
+
   std::string Html() const;
+  /// The page with a last section on where it comes from and a link to the index above it, if there
+  /// is one.
   Status Write(const std::string& path) const;
 
  private:
@@ -166,6 +183,9 @@ class ReportPage {
   std::string contents_ = {};  ///< HTML list of the sections
   std::string body_ = {};      ///< HTML
   std::string figures_ = {};   ///< JSON members "id": {…}
+  std::string links_ = {};     ///< HTML
+  std::optional<Origin> origin_ = {};
+  std::string film_ = {};  ///< HTML of the script elements of SetFilm
   int num_sections_ = 0;
   int num_figures_ = 0;
   int num_tables_ = 0;

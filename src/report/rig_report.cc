@@ -28,10 +28,10 @@ void AddSteps(const json& result, ReportPage* page) {
       "The piston is moved quickly and held. Pressures are gauge: just after the step, and when "
       "the "
       "gas has given off its heat. A model with isothermal gas has one pressure for both.");
-  DataTable table{.caption = "Pressures [MPa] and time constants [s]",
+  DataTable table{.caption = "Pressures [MPa gauge] and time constants [s]",
                   .head = {"Row", "chamber", "piston step [mm]", "just after, measured", "model",
                            "settled, measured", "model", "tau, measured", "model"}};
-  BarChart bars{.title = "Settled pressure", .unit = "MPa"};
+  BarChart bars{.title = "Settled pressure, gauge", .unit = "MPa"};
   bars.bars = {{.label = "measured", .colour = 0}, {.label = "model", .colour = 1}};
   const json rows = result.value("rows", json::array());
   for (const json& row : rows) {

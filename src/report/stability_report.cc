@@ -3,19 +3,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <complex>
 #include <map>
 #include <nlohmann/json.hpp>
 
 #include "report/analysis_report.h"
 #include "report/json_fields.h"
+#include "report/moving_shape.h"
 #include "report/report_page.h"
 
 namespace phs::report {
 namespace {
 
 using json = nlohmann::ordered_json;
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 /// Least damping ratio -Re/|λ| of the oscillating eigenvalues at each speed.
 Curve LeastDamping(const json& eigenvalues) {
@@ -81,38 +81,63 @@ XyPlot RootLocus(const json& eigenvalues) {
   return plot;
 }
 
-/// Value of a swinging quantity at a phase.
-double At(const json& body, const char* quantity, const char* amplitude, double phase) {
+/// Complex amplitude of a swinging quantity.
+std::complex<double> Swing(const json& body, const char* quantity, const char* amplitude) {
   const json part = body.value(quantity, json::object());
-  return NumberOf(part, amplitude) * std::cos(NumberOf(part, "phase_rad") + phase);
+  const double size = NumberOf(part, amplitude);
+  const double phase = NumberOf(part, "phase_rad");
+  return std::isfinite(size) && std::isfinite(phase) ? std::polar(std::abs(size), phase) : 0;
 }
 
-/// Plan view: wheelsets as lines across, other bodies as lines along, at four instants.
-XyPlot ModeShape(const json& mode) {
-  constexpr double kDrawn = 0.35;          // of a motion of one metre [m]
-  constexpr double kHalf[2] = {0.9, 0.6};  // of a body along, of a wheelset across [m]
-  XyPlot plot{.title = "Mode at the limit seen from above, a quarter period apart",
-              .x_label = "along the track [m]",
-              .y_label = "to the left [m], motion enlarged"};
-  for (int quarter = 0; quarter < 4; ++quarter) {
-    Curve curve{.label = fmt::format("{}°", 90 * quarter), .colour = quarter, .dash = quarter};
-    for (const json& body : mode.value("bodies", json::array())) {
-      const double phase = M_PI / 2 * quarter;
-      const bool wheelset = body.value("wheelset", false);
-      const double x =
-          NumberOf(body, "x_m") + kDrawn * At(body, "longitudinal", "amplitude_m", phase);
-      const double y = kDrawn * At(body, "lateral", "amplitude_m", phase);
-      const double yaw = kDrawn * At(body, "yaw", "amplitude_rad", phase);
-      for (const double end : {-kHalf[wheelset], kHalf[wheelset]}) {
-        curve.x.push_back(x + (wheelset ? -yaw * end : end));
-        curve.y.push_back(y + (wheelset ? end : yaw * end));
-      }
-      curve.x.push_back(kNone);
-      curve.y.push_back(kNone);
-    }
-    plot.curves.push_back(std::move(curve));
+/// Plan view: wheelsets with their wheels, what stands at a wheelset's place (axle boxes) beside
+/// the wheels, and other bodies as lines along with one across.
+MovingShape ModeShape(const json& mode) {
+  constexpr double kHalfAxle = 0.9, kWheel = 0.75, kWheelRadius = 0.3, kBox = 1.0;  // [m]
+  constexpr double kSamePlace = 0.05;                                               // [m]
+  const double frequency = NumberOf(mode, "frequency_Hz");
+  MovingShape shape{.title = "Least stable mode seen from above, motion enlarged",
+                    .keys = {{"wheelsets, faint a quarter period apart", 0},
+                             {"axle boxes", 1},
+                             {"other bodies", 7, 1}},
+                    .traces_deg = {0, 90, 180, 270},
+                    .period_s = PlayedPeriod(frequency)};
+  const json bodies = mode.value("bodies", json::array());
+  std::vector<double> wheelsets;
+  for (const json& body : bodies) {
+    if (body.value("wheelset", false)) wheelsets.push_back(NumberOf(body, "x_m"));
   }
-  return plot;
+  std::vector<double> others;  // places of bodies drawn: the next one there is drawn larger
+  for (const json& body : bodies) {
+    const double x = NumberOf(body, "x_m");
+    if (!std::isfinite(x)) continue;
+    const std::complex<double> dx = Swing(body, "longitudinal", "amplitude_m");
+    const std::complex<double> dy = Swing(body, "lateral", "amplitude_m");
+    const std::complex<double> yaw = Swing(body, "yaw", "amplitude_rad");
+    const auto line = [&](int key, double along0, double left0, double along1, double left1,
+                          double width, bool trace = false) {
+      shape.lines.push_back({.name = body.value("name", ""),
+                             .key = key,
+                             .from = PointOfBody(x, along0, left0, dx, dy, yaw),
+                             .to = PointOfBody(x, along1, left1, dx, dy, yaw),
+                             .width_px = width,
+                             .trace = trace});
+    };
+    const auto there = [x](double place) { return std::abs(place - x) < kSamePlace; };
+    if (body.value("wheelset", false)) {
+      line(0, 0, -kHalfAxle, 0, kHalfAxle, 4, true);
+      for (const double side : {-kWheel, kWheel})
+        line(0, -kWheelRadius, side, kWheelRadius, side, 3);
+    } else if (std::any_of(wheelsets.begin(), wheelsets.end(), there)) {
+      for (const double side : {-kBox, kBox}) line(1, -0.15, side, 0.15, side, 6);
+    } else {
+      const auto before = static_cast<double>(std::count_if(others.begin(), others.end(), there));
+      others.push_back(x);
+      line(2, -0.9 - 0.3 * before, 0, 0.9 + 0.3 * before, 0, 2);
+      line(2, 0, -0.5 - 0.2 * before, 0, 0.5 + 0.2 * before, 2);
+    }
+  }
+  Enlarge(0.35, &shape.lines);
+  return shape;
 }
 
 DataTable ModeTable(const json& mode) {
@@ -205,7 +230,9 @@ Status WriteStabilityReport(const std::string& stability_file, const std::string
         "At {} km/h: {} Hz, damping ratio {} %.", FormatNumber(3.6 * NumberOf(mode, "speed_m_s")),
         FormatNumber(NumberOf(mode, "frequency_Hz")),
         FormatNumber(std::round(1e4 * NumberOf(mode, "damping_ratio")) / 100)));
-    page.Add(ModeShape(mode));
+    page.Paragraph(PlayedWords(NumberOf(mode, "frequency_Hz")) + " " +
+                   GrowthWords(NumberOf(mode, "real_1_s"), NumberOf(mode, "frequency_Hz")));
+    AddMovingShape(ModeShape(mode), &page);
     page.Add(ModeTable(mode));
   }
   if (const json cycle = result.value("limit_cycle", json::object()); !cycle.empty()) {

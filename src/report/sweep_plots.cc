@@ -174,7 +174,10 @@ void AddScatter(const Sweep& sweep, int output, ReportPage* page) {
               .y_label = Label(sweep.table, output),
               .height_px = 300};
   for (auto& [name, cloud] : clouds) {
-    if (static_cast<int>(plot.curves.size()) == kMostCurves) break;
+    if (static_cast<int>(plot.curves.size()) == kMostCurves) {
+      plot.title += fmt::format(" (the first {} of {} series)", kMostCurves, clouds.size());
+      break;
+    }
     cloud.label = name.empty() ? "all runs" : name;
     cloud.colour = static_cast<int>(plot.curves.size());
     cloud.points = true;

@@ -16,14 +16,14 @@ export function findChromium() {
   return found;
 }
 
-/** Runs `work(browser)`; the browser and its profile are gone afterwards. */
-export async function withBrowser(modules, work) {
+/** Runs `work(browser)`; the browser and its profile are gone afterwards. `drawing`: how it draws. */
+export async function withBrowser(modules, work, drawing = ["--disable-3d-apis"]) {
   const require = createRequire(path.join(path.resolve(modules), "from.cjs"));
   const profile = mkdtempSync(path.join(tmpdir(), "phs-browser-"));
   const browser = await require("puppeteer-core").launch({
     executablePath: findChromium(),
     userDataDir: profile,
-    args: ["--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
+    args: ["--headless", "--no-sandbox", "--disable-gpu", ...drawing, "--disable-quic", "--no-first-run",
       "--disable-background-networking", "--disable-component-update", "--disable-sync"],
   });
   try {

@@ -5,7 +5,8 @@
 // The first report is looked at at 1400 px and 390 px width, light and dark, the others at 1400 px
 // light and 390 px dark: no console message, nothing asked
 // from the network, every figure drawn (pixels or shapes that differ from the ground), no text
-// beyond the page; zoom, legend and slider work. Exit 0 if all holds; screenshots stay in
+// beyond the page; zoom, legend and slider work; moving shapes stand at their phase, run when told to
+// and only then. Exit 0 if all holds; screenshots stay in
 // PICTURES_DIR.
 import {mkdirSync} from "node:fs";
 import path from "node:path";
@@ -30,7 +31,7 @@ function check(holds, words) {
 /** Figures that are empty: no figure body, or a canvas on which no curve has been drawn. */
 const findEmptyFigures = () => [...document.querySelectorAll("figure.plot")].filter((figure) => {
   if (figure.closest("details:not([open])")) return false;
-  if (figure.dataset.kind === "plan" || figure.dataset.kind === "heat") {
+  if (["plan", "heat", "shape"].includes(figure.dataset.kind)) {
     return figure.querySelectorAll("svg path, svg rect").length < 4;
   }
   const canvas = figure.querySelector("canvas");
@@ -141,8 +142,9 @@ async function tryControls(page, name) {
   if (button) {
     await button.click();
     const wantedRange = await button.evaluate((b) => [Number(b.dataset.begin), Number(b.dataset.end)]);
-    const shown = await abscissae(page, group);
-    check(shown.every((x) => Math.abs(x[0] - wantedRange[0]) < 1 && Math.abs(x[1] - wantedRange[1]) < 1),
+    const shown = await abscissae(page, await button.evaluate((b) =>
+      b.closest(".zoom").dataset.group));
+    check(shown.length > 0 && shown.every((x) => Math.abs(x[0] - wantedRange[0]) < 1 && Math.abs(x[1] - wantedRange[1]) < 1),
       `${name}: zoom button shows its part`);
     await (await page.$(".zoom button:not([data-begin])")).click();
   }
@@ -154,6 +156,135 @@ async function tryControls(page, name) {
     await page.keyboard.press("Home");
     check(await words() !== old, `${name}: the slider moves the bogies`);
   }
+}
+
+/** Shapes that move: still at first, at the phase of the slider, running from button to button, and
+ * in single steps where less motion is asked for. */
+async function tryShapes(page, name) {
+  const figure = await page.$("figure.shape");
+  if (!figure) return;
+  const wait = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
+  const paths = () => page.$$eval("figure.shape svg path.moves",
+    (all) => all.map((path) => path.getAttribute("d")).join());
+  const phase = () => figure.evaluate((f) => Number(f.dataset.phase));
+  const turnTo = (degrees) => figure.$eval("input", (input, value) => {
+    input.value = value;
+    input.dispatchEvent(new Event("input"));
+  }, degrees);
+  const rest = await paths();
+  await wait(250);
+  check(await phase() === 0 && await paths() === rest, `${name}: a shape stands still at first`);
+  await turnTo(90);
+  // Where the ends of the lines stand, in metres of the scale bar about the first end.
+  const off = await page.evaluate((degrees) => {
+    const specs = JSON.parse(document.getElementById("figures").textContent);
+    const worst = [];
+    for (const figure of document.querySelectorAll("figure.shape")) {
+      const {lines} = specs[figure.id];
+      const scale = Number(/h([\d.]+)/.exec([...figure.querySelectorAll("svg path:not(.moves)")].pop()
+        .getAttribute("d"))[1]);
+      const drawn = [...figure.querySelectorAll("svg path.moves")].map((path) =>
+        path.getAttribute("d").match(/[\d.]+/g).map(Number));
+      const cos = Math.cos(degrees * Math.PI / 180), sin = Math.sin(degrees * Math.PI / 180);
+      const wanted = lines.map(({from, to}) => [from, to].flatMap((p) =>
+        [p.x + p.dx[0] * cos - p.dx[1] * sin, -(p.y + p.dy[0] * cos - p.dy[1] * sin)]));
+      if (drawn.length !== lines.length || !(scale > 10)) return Infinity;
+      worst.push(...drawn.map((d, i) => Math.max(...d.map((v, k) =>
+        Math.abs((v - drawn[0][k % 2]) / scale - (wanted[i][k] - wanted[0][k % 2]))))));
+    }
+    return Math.max(...worst);
+  }, 90);
+  check(off < 0.01, `${name}: at 90° a shape is drawn ${off} m off`);
+  check(await paths() !== rest, `${name}: the slider turns the phase`);
+  const button = await figure.$("button.play");
+  await turnTo(0);
+  await button.click();
+  await wait(500);
+  const later = await phase();
+  check(later > 10 && later < 180, `${name}: half a second of play turns the phase to ${later}°`);
+  await button.click();
+  const stopped = await phase();
+  const there = await paths();
+  await wait(250);
+  check(await phase() === stopped && await paths() === there, `${name}: pause stops a shape`);
+  const features = (await page.evaluate(() => matchMedia("(prefers-color-scheme: dark)").matches))
+    ? "dark" : "light";
+  await page.emulateMediaFeatures([{name: "prefers-color-scheme", value: features},
+    {name: "prefers-reduced-motion", value: "reduce"}]);
+  await turnTo(0);
+  await button.click();
+  await wait(250);
+  check(await phase() === 30, `${name}: with less motion asked for, the button goes on by one step`);
+  await page.emulateMediaFeatures([{name: "prefers-color-scheme", value: features}]);
+  await turnTo(0);
+}
+
+/** Opens the data of plots, and takes the files that the buttons save without a disk. */
+async function tryData(page, name) {
+  const found = await page.evaluate(async () => {
+    const saved = [];
+    const make = URL.createObjectURL;
+    URL.createObjectURL = (blob) => (saved.push(blob.text()), "data:,");
+    const click = HTMLAnchorElement.prototype.click;
+    const names = [];
+    HTMLAnchorElement.prototype.click = function () { names.push(this.download); };
+    const out = {plots: 0, without: [], panels: [], tables: 0, bars: 0};
+    for (const figure of document.querySelectorAll("figure.plot")) {
+      if (figure.closest("details:not([open])")) continue;
+      const toggle = figure.querySelector("figcaption .data-button");
+      if (!toggle) {
+        out.without.push(figure.dataset.kind);
+        continue;
+      }
+      ++out.plots;
+      if (out.plots > 6) continue;
+      toggle.click();
+      figure.querySelector(".data-panel .data-button").click();
+      out.panels.push(figure.querySelectorAll(".data-panel tbody tr").length);
+      toggle.click();
+      if (figure.querySelector(".data-panel")) out.panels.push("stays open");
+    }
+    const press = (selector) => {
+      const buttons = document.querySelectorAll(selector);
+      buttons[0]?.click();
+      return buttons.length;
+    };
+    out.tables = press(".caption > .data-button");
+    out.bars = press("figure.bars .data-button");
+    URL.createObjectURL = make;
+    HTMLAnchorElement.prototype.click = click;
+    out.files = await Promise.all(saved);
+    out.names = names;
+    return out;
+  });
+  check(found.tables > 0, `${name}: tables can be saved`);
+  check(found.panels.every((rows) => rows > 0 && rows <= 200),
+    `${name}: rows of data: ${found.panels.join(" ")}`);
+  check(found.names.length === found.files.length && found.names.every((n) => /^[a-z0-9_]+\.csv$/.test(n)),
+    `${name}: names of files: ${found.names.join(" ")}`);
+  for (const [i, text] of found.files.entries()) {
+    const bare = text.replace(/"(?:[^"]|"")*"/g, "");  // quoted cells may hold commas and lines
+    const rows = bare.trimEnd().split("\n");
+    const width = rows[0].split(",").length;
+    check(rows.length > 1 && rows.every((row) => row.split(",").length <= width),
+      `${name}: ${found.names[i]} is a table`);
+    check(i >= Math.min(found.plots, 6) || rows.slice(1).every((row) => /^[-+\d.e,]*$/.test(row)),
+      `${name}: ${found.names[i]} holds numbers alone: ${rows[1]}`);
+  }
+  return found;
+}
+
+/** On paper: no buttons, nothing wider than the page, every figure still there. */
+async function tryPaper(page, name) {
+  await page.emulateMediaType("print");
+  const shown = await page.evaluate(() => [...document.querySelectorAll(
+    "button, .zoom, input, nav, .data-panel")].filter((e) => e.offsetParent !== null &&
+      !e.closest(".legend")).map((e) => e.className || e.tagName));
+  check(shown.length === 0, `${name} on paper: controls are left: ${shown.slice(0, 5).join(" ")}`);
+  const pdf = await page.pdf({preferCSSPageSize: true, printBackground: false});
+  const pages = (Buffer.from(pdf).toString("latin1").match(/\/Type\s*\/Page\b/g) ?? []).length;
+  check(pages > 0 && pages < 40, `${name} on paper: ${pages} pages`);
+  await page.emulateMediaType("screen");
 }
 
 async function lookAt(browser, file, thorough) {
@@ -178,6 +309,11 @@ async function lookAt(browser, file, thorough) {
     }
     if (width === 1400 && scheme === "light") {
       await tryControls(page, name);
+      await tryShapes(page, name);
+      const data = await tryData(page, name);
+      check(data.without.every((kind) => kind !== "series" && kind !== "xy" && kind !== "heat" &&
+        kind !== "plan" && kind !== "shape"), `${name}: plots without data: ${data.without.join(" ")}`);
+      await tryPaper(page, name);
       await page.evaluate(() => document.querySelectorAll("details").forEach((d) => { d.open = true; }));
       await new Promise((resolve) => setTimeout(resolve, 300));
       const unfolded = await page.evaluate(findEmptyFigures);

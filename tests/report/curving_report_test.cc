@@ -89,6 +89,47 @@ TEST_F(CurvingReport, SaysWhatTheStepChangesAndWhichLimitsWereTouched) {
   EXPECT_TRUE(Lacks(html, "steady_curve.lines.L1.pressure_Pa"));
 }
 
+TEST_F(CurvingReport, SaysHowTheCurveLiesAndWhichWheelCarriesMost) {
+  (void)Make({});
+  const std::string path = directory_.File("compare.json");
+  auto all = nlohmann::ordered_json::parse(ReadFile(path).value());
+  all["track"]["centre_line"]["s_m"] = {0.0, 430.0};
+  all["track"]["centre_line"]["cant_rad"] = {0.0, 0.0527};
+  auto& steady = all["bogies"]["phs"]["steady_curve"];
+  steady["speed_m_s"] = 80 / 3.6;
+  const auto wheel = [](const char* name, double y, double ratio, double slope, double flange) {
+    return nlohmann::ordered_json{{"name", name},
+                                  {"Y_N", y},
+                                  {"Y_over_Q", ratio},
+                                  {"contact_angle_rad", slope},
+                                  {"flange_N", flange}};
+  };
+  steady["wheels"] = {wheel("lead_outer", 6e3, 0.04, 0.14, 0),
+                      wheel("lead_inner", -7e3, -0.07, 0.01, 0),
+                      wheel("trail_outer", 8.58e3, 0.057, 0.1, 0)};
+  ASSERT_TRUE(WriteFileAtomically(path, all.dump()).ok());
+  // 80 km/h: v²/R cos - g sin = 0.8966 - 0.5167 m/s2; balance sqrt(g R tan) = 16.87 m/s.
+  std::string html = Remake();
+  EXPECT_TRUE(Holds(html,
+                    "Left curve of R = 550 m, canted by 52.7 mrad; it balances 60.7 km/h. At "
+                    "80.0 km/h 0.380 m/s² are left towards the outer rail."));
+  EXPECT_TRUE(Holds(html,
+                    "largest guiding force is 8.58 kN (trailing outer wheel), the largest Y/Q "
+                    "0.0700 (leading inner wheel)"));
+  EXPECT_TRUE(Holds(html, "steepest contact has 8.02° (leading outer wheel); no flange carries"));
+  steady["speed_m_s"] = 10;
+  steady["wheels"][0]["flange_N"] = 12e3;
+  ASSERT_TRUE(WriteFileAtomically(path, all.dump()).ok());
+  html = Remake();
+  EXPECT_TRUE(Holds(html, "towards the inner rail"));
+  EXPECT_TRUE(Holds(html, "a flange carries 12.0 kN (leading outer wheel)"));
+}
+
+/// The energy table closes: kinetic energy as a change, like all else.
+TEST_F(CurvingReport, KineticEnergyIsAChange) {
+  EXPECT_TRUE(Holds(Make({}), "Gained in kinetic energy"));
+}
+
 TEST_F(CurvingReport, SaysWhatSteersAndWhatHoldsBack) {
   const std::string html = Make({});
   EXPECT_TRUE(Holds(html, "it is turned by the creep forces between wheel and rail (7.47 kN m)"));

@@ -3,8 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 
+#include "base/result_dir.h"
 #include "holds.h"
+#include "tests/base/scratch_dir.h"
 
 namespace phs::report {
 namespace {
@@ -90,6 +94,31 @@ TEST(ReportPage, EveryPlotHasItsData) {
   EXPECT_TRUE(Holds(html, "id=\"figure-2\" data-kind=\"heat\""));
   EXPECT_TRUE(Holds(html, "\"figure-1\":{"));
   EXPECT_TRUE(Holds(html, "[[1.0,null]]"));
+}
+
+TEST(ReportPage, SaysWhereItComesFrom) {
+  const ScratchDir dir;
+  std::ofstream(dir.File(kOriginFile)) << R"({"program":"phs 0.7.1","date":"2026-11-23T17:05:09Z",
+    "command":"phs rig '<i>.yaml'","inputs":[{"path":"a&b.yaml","sha256":"0123abcd"}]})";
+  ASSERT_TRUE(ReportPage("t", "s").Write(dir.File("report.html")).ok());
+  const std::string html = ReadFile(dir.File("report.html")).value();
+  EXPECT_TRUE(Holds(html, "Calculated by phs 0.7.1 on 2026-11-23, 17:05:09 UTC"));
+  EXPECT_TRUE(Holds(html, "phs rig &#39;&lt;i&gt;.yaml&#39;"));
+  EXPECT_TRUE(Holds(html, "a&amp;b.yaml</th><td>0123abcd</td>"));
+  // Another page in that folder is no page of that result.
+  ASSERT_TRUE(ReportPage("t", "s").Write(dir.File("contact.html")).ok());
+  EXPECT_TRUE(Lacks(ReadFile(dir.File("contact.html")).value(), "0123abcd"));
+  ReportPage own("t", "s");
+  own.SetOrigin(Origin{.program = "phs 2", .command = "phs contact", .date = "x", .inputs = {}});
+  ASSERT_TRUE(own.Write(dir.File("contact.html")).ok());
+  EXPECT_TRUE(Holds(ReadFile(dir.File("contact.html")).value(), "phs contact"));
+}
+
+TEST(ReportPage, WithoutAnOriginItSaysSo) {
+  const ScratchDir dir;
+  ASSERT_TRUE(ReportPage("t", "s").Write(dir.File("report.html")).ok());
+  EXPECT_TRUE(Holds(ReadFile(dir.File("report.html")).value(),
+                    "its date and its inputs were not recorded"));
 }
 
 TEST(ReportPage, UnwritablePlaceIsAnError) {

@@ -55,6 +55,19 @@ TEST_F(SweepReport, WorstCasesCarryTheCommandThatRepeatsThem) {
   EXPECT_TRUE(Holds(html, "phs sweep study.yaml --only 2 --out run_2"));  // derailed
 }
 
+TEST_F(SweepReport, MoreSeriesOfSamplesThanColoursAreSaid) {
+  std::ofstream csv(File("many.csv"));
+  csv << "run,bogie,x_m,status,result_N\n";
+  for (int i = 0; i < 40; ++i) {
+    csv << i << ",bogie" << i % 10 << ',' << 0.1 * i << ",ok," << i << "\n";
+  }
+  csv.close();
+  const Status status =
+      WriteSweepReport({.table = File("many.csv"), .sampled = true}, File("report.html"));
+  ASSERT_TRUE(status.ok()) << status.error().Line();
+  EXPECT_TRUE(Holds(ReadFile(File("report.html")).value(), "(the first 8 of 10 series)"));
+}
+
 TEST_F(SweepReport, SamplesAreShownOverTheParameterThatMattersMost) {
   std::ofstream csv(File("samples.csv"));
   csv << "run,weak_m,strong_m,status,result_N\n";

@@ -75,5 +75,8 @@ const phs = (() => {
     matchMedia(query).addEventListener("change", changed);
   }
 
-  return {painters, unpack, theme, colour, dashes, number, html, svg, ticks, onWidth, recolour};
+  /** Functions called once everything else of the page is drawn. */
+  const afterwards = [];
+
+  return {afterwards, painters, unpack, theme, colour, dashes, number, html, svg, ticks, onWidth, recolour};
 })();

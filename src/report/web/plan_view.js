@@ -215,7 +215,18 @@
       views.replaceChildren(...spec.bogies.map((bogie, i) => drawBogie(spec, bogie, row, widths[i])));
       map.replaceChildren(...(spec.track ? [drawMap(spec, at(row), map.clientWidth)] : []));
     };
-    slider.addEventListener("input", draw);
+    const toRow = (x) => Math.max(0, Math.min(rows - 1,
+      Math.round((x - grid.begin) / (grid.end - grid.begin) * rows - 0.5)));
+    let waiting = null;  // the page draws other things first while the cursor runs
+    const cursor = phs.cursor.join((x) => {
+      slider.value = toRow(x);
+      clearTimeout(waiting);
+      waiting = setTimeout(draw, 60);
+    });
+    slider.addEventListener("input", () => {
+      draw();
+      cursor.move(at(Number(slider.value)));
+    });
     phs.onWidth(place, draw);
   };
 })();

@@ -9,6 +9,30 @@
     return groups[name] ??= {plots: [], range: null, hidden: new Set()};
   }
 
+  // The cursor of the plots over distance is that of the replay.
+  const kShared = "distance";
+  let told = false;  // true while the plots are moved from outside
+  let next = null;
+  /** Plots in the window only, and at most ten times a second: a running replay has no more time. */
+  function moveCursors() {
+    const x = next;
+    next = null;
+    if (x === null) return;
+    told = true;
+    for (const plot of groupOf(kShared).plots) {
+      const box = plot.root.getBoundingClientRect();
+      if (box.width === 0 || box.bottom < 0 || box.top > innerHeight) continue;
+      const left = plot.valToPos(x, "x");
+      const seen = left >= 0 && left <= plot.over.clientWidth;
+      plot.setCursor(seen ? {left, top: plot.over.clientHeight / 2} : {left: -10, top: -10}, false);
+    }
+    told = false;
+  }
+  const cursor = phs.cursor.join((x) => {
+    if (next === null) setTimeout(moveCursors, 100);
+    next = x;
+  });
+
   function zoom(group, least, greatest) {
     busy = true;
     group.range = least === undefined ? null : [least, greatest];
@@ -150,6 +174,11 @@
         setScale: [(plot, scale) => {
           if (scale !== "x" || busy || !plot.ready) return;
           zoom(group, plot.scales.x.min, plot.scales.x.max);
+        }],
+        setCursor: [(plot) => {
+          const {left} = plot.cursor;
+          if (told || spec.group !== kShared || !(left >= 0) || !plot.over.matches(":hover")) return;
+          cursor.move(plot.posToVal(left, "x"));
         }],
         setSeries: [(plot, i, change) => {
           if (busy || i === null || change.show === undefined || change.show === null) return;
