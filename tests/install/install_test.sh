@@ -26,7 +26,9 @@ cd "$scratch"
 PHS_DATA="$prefix/share/phs" consumer/use_physics | tee physics.txt
 grep -q "data $prefix/share/phs/models/phs/bo_bo.yaml" physics.txt || fail "data of another place"
 consumer/use_plugin "$prefix/share/phs/bogie_xml/only_installed.xml" 200 | tee plugin.txt
-grep -q "^outputs [1-9]" plugin.txt || fail "the plugin gives no outputs"
+grep -q "^phs [0-9.]*: outputs [1-9]" plugin.txt || fail "the plugin gives no outputs"
+version="$("$prefix/bin/phs" --version)"
+grep -q "^$version: " plugin.txt || fail "the library is not of the program's version $version"
 
 step "program"
 "$prefix/bin/phs" --version

@@ -20,7 +20,7 @@ int main(int argc, char** argv) {
     return 1;
   }
   for (i = 0; i < atoi(argv[2]); ++i) mj_step(m, d);
-  printf("outputs %d, time %.3f s\n", phs_num_outputs(m), d->time);
+  printf("phs %s: outputs %d, time %.3f s\n", phs_version(), phs_num_outputs(m), d->time);
   mj_deleteData(d);
   phs_detach(m);
   mj_deleteModel(m);

@@ -1,0 +1,28 @@
+#!/usr/bin/env bash
+# The Debian packages of a build: made, unpacked into a folder and used there; nothing that lintian
+# minds, where it is. deb_test.sh BUILD_DIR
+set -euo pipefail
+build="$(cd "$1" && pwd)"
+here="$(cd "$(dirname "$0")" && pwd)"
+packaging="$here/../../packaging"
+scratch="$(mktemp -d)"
+trap 'rm -rf "$scratch"' EXIT
+fail() { echo "deb: $*" >&2; exit 1; }
+
+"$packaging/build_deb" --from "$build" --out "$scratch/deb" 2>"$scratch/log" || { cat "$scratch/log"; fail "build"; }
+for package in phs libphs-dev; do
+  file="$(echo "$scratch"/deb/${package}_*.deb)"
+  [ -s "$file" ] || fail "no package $package"
+  dpkg-deb -x "$file" "$scratch/root"
+  dpkg-deb -f "$file" Depends >"$scratch/$package.depends"
+done
+grep -q 'libmujoco2.2.2' "$scratch/phs.depends" || fail "phs does not depend on the engine"
+grep -q 'phs (= ' "$scratch/libphs-dev.depends" || fail "libphs-dev does not depend on its phs"
+grep -q 'models/profiles/S1002.prw' "$scratch/root/usr/share/doc/phs/copyright" ||
+  fail "the copyright file does not name the profiles"
+if command -v lintian >/dev/null; then
+  # A build that is no distribution's has no multiarch folder.
+  lintian --allow-root --suppress-tags pkg-config-unavailable-for-cross-compilation \
+    --fail-on error,warning "$scratch"/deb/*.deb || fail "lintian"
+fi
+"$packaging/try_installed" "$scratch/root/usr" "$here/consumer"
