@@ -1,7 +1,9 @@
 #include "analysis/axle_modes.h"
 
 #include <cmath>
+#include <iterator>
 #include <numbers>
+#include <utility>
 
 #include "analysis/axle_pattern.h"
 #include "plugin/model_text.h"
@@ -170,7 +172,8 @@ Result<PatternJoints> FindPatternJoints(const mjModel* m, const std::string& pre
 }
 
 Result<AxleModes> MeasureAxleModes(const vehicle::Simulation& simulation,
-                                   const AxleModeOptions& options) {
+                                   const AxleModeOptions& options,
+                                   const vehicle::Progress& progress) {
   const mjModel* m = simulation.model();
   const auto bogies = plugin::FindBogies(simulation.binding());
   if (bogies.empty()) {
@@ -189,10 +192,14 @@ Result<AxleModes> MeasureAxleModes(const vehicle::Simulation& simulation,
     auto joints = FindPatternJoints(m, bogies[0].prefix, pattern);
     if (!joints.ok()) return joints.error();
     const double lever = pattern.rotation ? modes.lever_m : 1.0;
-    modes.small.push_back(Measure(binding, m, data.get(), pattern, joints.value(),
-                                  options.small_displacement_m / lever, options));
-    modes.large.push_back(Measure(binding, m, data.get(), pattern, joints.value(),
-                                  options.large_displacement_m / lever, options));
+    for (auto [size, measured] : {std::pair{options.small_displacement_m, &modes.small},
+                                  std::pair{options.large_displacement_m, &modes.large}}) {
+      const double share = static_cast<double>(modes.small.size() + modes.large.size()) /
+                           static_cast<double>(2 * std::size(kAxlePatterns));
+      if (progress && !progress(share)) return Error{"axle modes", "were interrupted", "", ""};
+      measured->push_back(
+          Measure(binding, m, data.get(), pattern, joints.value(), size / lever, options));
+    }
   }
   return modes;
 }

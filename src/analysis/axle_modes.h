@@ -75,6 +75,7 @@ struct AxleModes {
 /// Measures on the first bogie (lead and trail) of a simulation, lifted off its rails.
 /// Joints needed: "lead_x", "lead_yaw", "trail_x", "trail_yaw" (with the bogie's prefix).
 Result<AxleModes> MeasureAxleModes(const vehicle::Simulation& simulation,
-                                   const AxleModeOptions& options = {});
+                                   const AxleModeOptions& options = {},
+                                   const vehicle::Progress& progress = {});
 
 }  // namespace phs::analysis

@@ -14,13 +14,15 @@ namespace {
 constexpr double kWindow = 1.0;     ///< over which the swing is taken [s]
 constexpr double kRecord = 0.1;     ///< between points of a ramp [s]
 constexpr double kDerailed = 0.05;  ///< lateral [m]
+constexpr long kLook = 500;         ///< steps between looks at the progress
 constexpr double kSustained = 0.8;  ///< amplitude kept over the second half of a run
 
 /// A vehicle on straight track whose forward speed is prescribed.
 class GuidedRun {
  public:
-  explicit GuidedRun(vehicle::Simulation* simulation)
+  GuidedRun(vehicle::Simulation* simulation, const vehicle::Progress& progress)
       : simulation_(*simulation),
+        progress_(progress),
         m_(simulation->mutable_model()),
         binding_(simulation->binding()),
         data_(mj_makeData(m_)),
@@ -43,12 +45,20 @@ class GuidedRun {
     vehicle::AddToState(m_, size * mode.state.real(), data_.get());
   }
 
-  /// Runs for `duration` while the speed changes at `rate` [m/s^2]; false once it has derailed.
+  /// The share of the whole that is done, told from now on.
+  void At(double share) { share_ = share; }
+  /// True once the caller has asked for the end; no Advance goes on then.
+  bool stopped() const { return stopped_; }
+
+  /// Runs for `duration` while the speed changes at `rate` [m/s^2]; false once it has derailed or
+  /// was stopped.
   bool Advance(double duration, double rate) {
     mjData* d = data_.get();
     const double h = m_->opt.timestep;
     const long steps = std::lround(duration / h);
     for (long i = 0; i < steps; ++i) {
+      if (i % kLook == 0 && progress_ && !progress_(share_)) stopped_ = true;
+      if (stopped_) return false;
       mj_step(m_, d);
       speed_ += rate * h;
       Guide();
@@ -105,6 +115,7 @@ class GuidedRun {
   }
 
   const vehicle::Simulation& simulation_;
+  const vehicle::Progress& progress_;
   mjModel* m_;
   const plugin::Binding& binding_;
   vehicle::DataPtr data_;
@@ -112,6 +123,8 @@ class GuidedRun {
   double radius_;
   int forward_ = 0;
   double speed_ = 0;
+  double share_ = 0;
+  bool stopped_ = false;
   std::deque<double> swing_;
   DrivesOff drives_off_;
 };
@@ -129,7 +142,7 @@ using Snapshots = std::vector<GuidedRun::Snapshot>;
 
 /// Down until the motion dies; snapshots while it lives, highest speed first.
 Status RampDown(const VibrationMode& mode, const LimitCycleOptions& options, GuidedRun* run,
-                LimitCycle* result, Snapshots* alive, const vehicle::Progress& progress) {
+                LimitCycle* result, Snapshots* alive) {
   if (Status s = run->Settle(options.high_speed_m_s); !s.ok()) return s;
   run->Disturb(mode, options.disturbance_m);
   // The cycle first builds up at constant speed.
@@ -142,7 +155,7 @@ Status RampDown(const VibrationMode& mode, const LimitCycleOptions& options, Gui
     alive->push_back(run->Save());
     const double share =
         (options.high_speed_m_s - run->speed()) / (options.high_speed_m_s - options.low_speed_m_s);
-    if (progress && !progress(0.4 * share)) return Error{"speed ramp", "was interrupted", "", ""};
+    run->At(0.4 * share);
   }
   return {};
 }
@@ -187,7 +200,7 @@ void Bisect(const LimitCycleOptions& options, const Snapshots& alive, GuidedRun*
 }
 
 Status RampUp(const VibrationMode& mode, const LimitCycleOptions& options, GuidedRun* run,
-              LimitCycle* result, const vehicle::Progress& progress) {
+              LimitCycle* result) {
   const double begin =
       std::max(options.low_speed_m_s,
                result->down.empty() ? options.low_speed_m_s : result->down.back().speed - 2);
@@ -199,9 +212,7 @@ Status RampUp(const VibrationMode& mode, const LimitCycleOptions& options, Guide
     result->up.push_back({run->speed(), amplitude});
     if (amplitude < options.small_m / 4) run->Disturb(mode, options.small_m);
     const double share = (run->speed() - begin) / (options.high_speed_m_s - begin);
-    if (progress && !progress(0.7 + 0.3 * share)) {
-      return Error{"speed ramp", "was interrupted", "", ""};
-    }
+    run->At(0.7 + 0.3 * share);
   }
   return {};
 }
@@ -214,14 +225,15 @@ Result<LimitCycle> FindLimitCycle(vehicle::Simulation* simulation, const Vibrati
   if (Status s = CheckOptions(options); !s.ok()) return s.error();
   LimitCycle result;
   result.critical_speed = std::numeric_limits<double>::quiet_NaN();
-  GuidedRun run(simulation);
+  GuidedRun run(simulation, progress);
+  const Error interrupted{"speed ramp", "was interrupted", "", ""};
   Snapshots alive;
-  if (Status s = RampDown(mode, options, &run, &result, &alive, progress); !s.ok()) {
-    return s.error();
-  }
+  if (Status s = RampDown(mode, options, &run, &result, &alive); !s.ok()) return s.error();
+  if (run.stopped()) return interrupted;
   const bool died = !result.down.empty() && result.down.back().amplitude < options.alive_m;
   if (!alive.empty() && died) Bisect(options, alive, &run, &result);
-  if (Status s = RampUp(mode, options, &run, &result, progress); !s.ok()) return s.error();
+  if (Status s = RampUp(mode, options, &run, &result); !s.ok()) return s.error();
+  if (run.stopped()) return interrupted;
   return result;
 }
 

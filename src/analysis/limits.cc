@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/json_path.h"
@@ -23,8 +24,24 @@ Error UnknownQuantity(const Limit& limit, const Json& document, const std::strin
           DidYouMean(limit.quantity, known, "check the path")};
 }
 
+/// A limit of words is for words, one of bounds for numbers.
+bool Fits(const Limit& limit, const Json* found) {
+  if (found == nullptr) return false;
+  return limit.words.empty() ? found->is_number() || found->is_null() : found->is_string();
+}
+
+void AddWordCheck(const Limit& limit, const std::string& bogie, const std::string& word,
+                  std::vector<LimitCheck>* checks) {
+  const std::string claim = "one of " + JoinWords(limit.words);
+  const bool kept = std::find(limit.words.begin(), limit.words.end(), word) != limit.words.end();
+  checks->push_back(
+      {bogie, limit.quantity, claim, 0, 0,
+       kept ? "" : limit.quantity + " is " + Quoted(word) + ", " + claim + " allowed"});
+}
+
 void AddChecks(const Limit& limit, const std::string& bogie, const Json& found,
                std::vector<LimitCheck>* checks) {
+  if (!limit.words.empty()) return AddWordCheck(limit, bogie, found.get<std::string>(), checks);
   double value = found.is_number() ? found.get<double>() : std::nan("");
   if (limit.of_magnitude) value = std::abs(value);
   const std::string of = limit.of_magnitude ? "magnitude " : "";
@@ -48,10 +65,9 @@ Status CheckBogies(const Limit& limit, const std::vector<NamedSummary>& summarie
     if (!limit.bogie.empty() && limit.bogie != bogie) continue;
     found_bogie = true;
     const Json* found = FindPath(summary, limit.quantity);
-    const bool number = found != nullptr && (found->is_number() || found->is_null());
-    known = known || number;
+    known = known || Fits(limit, found);
     // Bogies differ in what they have: only those with this quantity are held to it.
-    if (number) AddChecks(limit, bogie, *found, checks);
+    if (Fits(limit, found)) AddChecks(limit, bogie, *found, checks);
   }
   if (!found_bogie) {
     return Error{limit.where, Quoted(limit.bogie) + " is no bogie of this run", JoinWords(names),
@@ -103,8 +119,11 @@ Result<std::vector<Limit>> LoadLimits(const std::string& path) {
     if (entry.Has("at_most")) limit.at_most = entry.Number("at_most", {});
     if (entry.Has("at_least")) limit.at_least = entry.Number("at_least", {});
     limit.of_magnitude = entry.Bool("magnitude", false);
-    if (!std::isfinite(limit.at_most) && !std::isfinite(limit.at_least)) {
-      entry.Fail("at_most", "is missing", "at_most, at_least or both", "add one");
+    limit.words = entry.Texts("is");
+    const bool bounds = std::isfinite(limit.at_most) || std::isfinite(limit.at_least);
+    if (bounds && !limit.words.empty()) entry.Fail("is", "stands beside a bound", "one of them");
+    if (limit.words.empty() && !std::isfinite(limit.at_most) && !std::isfinite(limit.at_least)) {
+      entry.Number("at_most", {});  // is missing, or mistyped
     }
     if (limit.at_least > limit.at_most) entry.Fail("at_least", "is above at_most");
     limits.push_back(std::move(limit));
@@ -144,7 +163,7 @@ Result<std::vector<LimitCheck>> CheckLimits(const std::vector<Limit>& limits,
       continue;
     }
     const Json* found = FindPath(ratios, limit.quantity.substr(sizeof kRatios - 1));
-    if (found == nullptr || !(found->is_number() || found->is_null())) {
+    if (!Fits(limit, found)) {
       return UnknownQuantity(limit, ratios, kRatios);
     }
     AddChecks(limit, "", *found, &checks);

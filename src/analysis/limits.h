@@ -3,6 +3,7 @@
 //   limits:
 //     - {quantity: run.max_Y_over_Q, at_most: 0.8}                     # every bogie
 //     - {quantity: steady_curve.wheels.lead_outer.Y_N, bogie: phs, at_most: 10e3}
+//     - {quantity: verdict, is: [sufficient, explained]}                # a word of a result
 //     - {quantity: ratios.phs_over_rigid_link.run.T_gamma_total_J, at_most: 0.2}
 //
 // A quantity is the path of a number in summary.json (of each bogie in compare.json): keys joined
@@ -24,8 +25,9 @@ struct Limit {
   std::string bogie = {};  ///< empty: every bogie
   double at_most = std::numeric_limits<double>::infinity();
   double at_least = -std::numeric_limits<double>::infinity();
-  bool of_magnitude = false;  ///< the bounds hold for the magnitude
-  std::string where = {};     ///< file:line: key, for messages
+  bool of_magnitude = false;            ///< the bounds hold for the magnitude
+  std::vector<std::string> words = {};  ///< not empty: the quantity is a word, one of these
+  std::string where = {};               ///< file:line: key, for messages
 };
 
 /// Errors name file:line and key.

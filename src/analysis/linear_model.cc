@@ -29,8 +29,11 @@ LinearModel Linearise(mjModel* m, const plugin::Binding& binding, const mjData* 
   const int size = vehicle::TangentSize(m);
   LinearModel model{m->nv, m->na, Eigen::MatrixXd::Zero(size, size)};
   model.matrix.block(0, m->nv, m->nv, m->nv).setIdentity();
+  const Eigen::VectorXd scale = vehicle::ActivationScale(m, binding);
   for (int k = 0; k < size; ++k) {
-    const double step = k < m->nv ? steps.position : k < 2 * m->nv ? steps.speed : steps.activation;
+    const double step = k < m->nv       ? steps.position
+                        : k < 2 * m->nv ? steps.speed
+                                        : steps.activation * scale[k - 2 * m->nv];
     Eigen::VectorXd delta = Eigen::VectorXd::Zero(size);
     delta[k] = step;
     const Eigen::VectorXd plus = Rates(m, running, delta, d.get());

@@ -136,7 +136,7 @@ void NoteOnce(const std::string& what, double load, std::vector<LimitReached>* r
   reached->push_back({what, load});
 }
 
-void NoteLimits(const hydraulics::PhsSystem& system, const LoadState& s, const LoadLimits& limits,
+void NoteLimits(const hydraulics::PhsSystem& system, const LoadState& s, const PartLimits& limits,
                 std::vector<LimitReached>* reached) {
   for (size_t i = 0; i < s.force_N.size(); ++i) {
     const std::string name = "cylinder " + system.cylinder_names()[i];
@@ -209,7 +209,7 @@ std::vector<LoadCase> StandardLoadCases() {
 
 Result<std::vector<LoadResult>> CalcLoadCases(const vehicle::Simulation& simulation,
                                               const std::vector<LoadCase>& cases,
-                                              const LoadLimits& limits) {
+                                              const PartLimits& limits) {
   const plugin::InstantForces instant = simulation.Instant();
   auto bogie = HeldBogie::Create(simulation);
   if (!bogie.ok()) return bogie.error();

@@ -32,7 +32,7 @@ struct LoadCase {
 /// Steering 30 kN, traction and electric braking 52 kN, braking 82 kN, unusual (5 g) 175 kN.
 std::vector<LoadCase> StandardLoadCases();
 
-struct LoadLimits {
+struct PartLimits {
   double cylinder_N = 60e3;          ///< largest working load of a cylinder (thesis, chapter 4)
   double blow_off_Pa = 15e6;         ///< accumulators on the cross lines open
   double pressure_floor_Pa = 0.1e6;  ///< below the atmosphere a chamber begins to draw a vacuum
@@ -64,7 +64,7 @@ struct LoadResult {
 /// Errors: no PHS, joints missing, no equilibrium.
 Result<std::vector<LoadResult>> CalcLoadCases(const vehicle::Simulation& simulation,
                                               const std::vector<LoadCase>& cases,
-                                              const LoadLimits& limits = {});
+                                              const PartLimits& limits = {});
 
 /// loads.json: each case with the state at its full load, and of that the largest shift of an axle,
 /// the largest force of a cylinder (magnitudes) and the least pressure of a line.

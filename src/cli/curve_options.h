@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/result_checks.h"
 #include "cli/verbs.h"
 #include "vehicle/scenario.h"
 
@@ -22,8 +23,7 @@ struct CurveOptions {
   bool verify = false;              ///< the half step beside every run
   std::vector<int> radii_m;         ///< several curves instead of the scenario's own
   bool stability = false;           ///< with radii: critical speeds on straight track too
-  std::string limits;               ///< file of limits to hold the result against
-  std::string junit;                ///< where to write them as JUnit XML
+  ResultChecks checks;              ///< limits to hold the result against
 };
 
 /// The scenario with the step and the PHS model asked for.

@@ -7,7 +7,9 @@
 #include <system_error>
 #include <vector>
 
+#include "base/origin.h"
 #include "base/words.h"
+#include "cli/completion.h"
 #include "cli/verb_table.h"
 
 namespace {
@@ -24,6 +26,24 @@ std::string UnknownVerb(int argc, char** argv) {
       .Line();
 }
 
+/// What is wrong with the first option that the verb does not have; empty if nothing is.
+std::string UnknownOption(const CLI::App& app, int argc, char** argv) {
+  const CLI::App* verb = argc < 2 ? nullptr : phs::cli::FindVerb(app, argv[1]);
+  if (verb == nullptr) return "";
+  const std::vector<std::string> names = phs::cli::OptionNames(*verb);
+  for (int i = 2; i < argc && std::string(argv[i]) != "--"; ++i) {
+    const std::string word = std::string(argv[i]).substr(0, std::string(argv[i]).find('='));
+    if (!word.starts_with("--") || std::find(names.begin(), names.end(), word) != names.end()) {
+      continue;
+    }
+    return phs::Error{"phs " + verb->get_name(), "no option " + phs::Quoted(word),
+                      phs::JoinWords(names),
+                      phs::DidYouMean(word, names, "see phs " + verb->get_name() + " --help")}
+        .Line();
+  }
+  return "";
+}
+
 int Main(int argc, char** argv) {
   CLI::App app{"Passive Hydraulic Steering of locomotive bogies on MuJoCo", "phs"};
   app.set_version_flag("--version", std::string("phs " PHS_VERSION));
@@ -35,7 +55,13 @@ int Main(int argc, char** argv) {
   for (const phs::cli::Verb& verb : phs::cli::kVerbs) {
     verb.add(app.add_subcommand(verb.name, verb.text), &action);
   }
-  if (const std::string unknown = UnknownVerb(argc, argv); !unknown.empty()) {
+  if (argc > 1 && std::string(argv[1]) == "--complete") {
+    phs::cli::PrintCandidates(phs::cli::Complete(app, {argv + 2, argv + argc}));
+    return phs::cli::kDone;
+  }
+  std::string unknown = UnknownVerb(argc, argv);
+  if (unknown.empty()) unknown = UnknownOption(app, argc, argv);
+  if (!unknown.empty()) {
     std::fprintf(stderr, "%s\n", unknown.c_str());
     return phs::cli::kUsage;
   }
@@ -45,6 +71,9 @@ int Main(int argc, char** argv) {
     const int code = app.exit(e);
     return code == 0 ? phs::cli::kDone : phs::cli::kUsage;
   }
+  std::vector<std::string> words = {"phs"};
+  words.insert(words.end(), argv + 1, argv + argc);
+  const phs::OriginNotes notes("phs " PHS_VERSION, phs::ShellLine(words));
   return action();
 }
 

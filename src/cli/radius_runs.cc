@@ -37,7 +37,7 @@ Result<Json> CriticalSpeedsOf(const CurveOptions& options, const Scenario& base)
 }  // namespace
 
 int RunOverRadii(const CurveOptions& options) {
-  if (!options.limits.empty() || !options.junit.empty()) {
+  if (options.checks.asked()) {
     return BadInput({"--check, --junit", "are for one curve", "compare without --radii", ""});
   }
   if (!options.track.empty()) {

@@ -91,7 +91,8 @@ std::string LeadingComment(const std::string& text) {
   size_t at = 0;
   while (at < text.size() && text[at] == '#') {
     const size_t end = std::min(text.find('\n', at), text.size());
-    comment += text.substr(at + 1, end - at - 1) + " ";
+    const std::string line = text.substr(at + 1, end - at - 1);
+    if (line.find("yaml-language-server:") == std::string::npos) comment += line + " ";
     at = end + 1;
   }
   return comment;

@@ -2,10 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <thread>
-
 #include "cli/verbs.h"
+#include "jobs/sweep_job.h"
 #include "sweep/slurm_engine.h"
 #include "sweep/slurm_task.h"
 
@@ -14,12 +12,6 @@ namespace {
 
 std::size_t CountDone(const sweep::Study& study, const sweep::WorkDir& work) {
   return static_cast<std::size_t>(study.num_runs()) - work.Missing(study, false).size();
-}
-
-int KeptButFailed(Error error) {
-  error.mend += (error.mend.empty() ? "" : "; ") +
-                std::string("what is finished is kept: mend it, then --resume");
-  return BadInput(error);
 }
 
 }  // namespace
@@ -55,26 +47,13 @@ void AddEngineOptions(CLI::App* verb, EngineOptions* options) {
   verb->add_option("--slurm-task", options->task, "")->group("");
 }
 
-std::optional<int> MakeRunsHere(const sweep::Study& study, int workers, sweep::WorkDir* work,
-                                bool quiet) {
-  if (workers <= 0) workers = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-  ProgressLine progress(study.name, quiet);
-  const auto all = sweep::RunLocally(study, workers, work, [&](int done, int of) {
-    return progress(static_cast<double>(done) / of);
-  });
-  if (!all.ok()) return KeptButFailed(all.error());
-  if (all.value()) return std::nullopt;
-  return Stopped(fmt::format("{} of {} runs are done; --resume continues", CountDone(study, *work),
-                             study.num_runs()));
-}
-
 std::optional<int> MakeRunsOnSlurm(const sweep::Study& study, const sweep::SlurmOptions& options,
                                    sweep::WorkDir* work, bool quiet) {
   ProgressLine progress(study.name, quiet);
   const auto outcome = sweep::RunOnSlurm(study, options, work, [&](int done, int of) {
     return progress(static_cast<double>(done) / of);
   });
-  if (!outcome.ok()) return KeptButFailed(outcome.error());
+  if (!outcome.ok()) return BadInput(jobs::KeptUnfinished(outcome.error()));
   if (outcome.value().all) return std::nullopt;
   const std::string jobs = fmt::format("{}", fmt::join(outcome.value().jobs, " "));
   fmt::print(stderr,

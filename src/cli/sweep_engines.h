@@ -1,4 +1,4 @@
-// Where the runs of a sweep are made: worker processes here, or tasks of Slurm.
+// The runs of a sweep as tasks of Slurm.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -28,8 +28,6 @@ struct EngineOptions {
 void AddEngineOptions(CLI::App* verb, EngineOptions* options);
 
 /// Makes all missing runs. Nothing: all are made; else the exit code, and the reason is printed.
-std::optional<int> MakeRunsHere(const sweep::Study& study, int workers, sweep::WorkDir* work,
-                                bool quiet);
 std::optional<int> MakeRunsOnSlurm(const sweep::Study& study, const sweep::SlurmOptions& options,
                                    sweep::WorkDir* work, bool quiet);
 

@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
-#include <thread>
 
+#include "base/origin.h"
+#include "jobs/sweep_job.h"
 #include "report/optimisation_report.h"
 #include "sweep/optimiser.h"
 
@@ -56,12 +56,11 @@ int FindBestDesign(Study study, int workers, const std::string& out, bool resume
                    const CommonOptions& common) {
   auto work = sweep::WorkDir::Open(out, study, resume, common.force);
   if (!work.ok()) return BadInput(work.error());
-  if (workers <= 0) workers = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   const auto found = [&] {
     ProgressLine progress(study.name, common.quiet);
-    return sweep::SearchOptimum(&study, workers, &work.value(), [&](int done, int of) {
-      return progress(static_cast<double>(done) / of);
-    });
+    return sweep::SearchOptimum(
+        &study, jobs::NumWorkers(workers), &work.value(),
+        [&](int done, int of) { return progress(static_cast<double>(done) / of); });
   }();
   if (!found.ok()) return BadInput(found.error());
   if (!found.value().all) {
@@ -72,8 +71,9 @@ int FindBestDesign(Study study, int workers, const std::string& out, bool resume
   auto opened = work.value().OpenResult();
   if (!opened.ok()) return BadInput(opened.error());
   ResultDir& dir = opened.value();
-  for (const Status& s : {sweep::WriteTables(study, records, work.value(), dir),
-                          sweep::WriteOptimum(study, found.value(), dir)}) {
+  for (const Status& s :
+       {sweep::WriteTables(study, records, work.value(), dir),
+        sweep::WriteOptimum(study, found.value(), dir), WriteOrigin(dir.File(""))}) {
     if (!s.ok()) return BadInput(s.error());
   }
   if (Status s = report::WriteOptimisationReport(dir.File(""), dir.File("report.html")); !s.ok()) {

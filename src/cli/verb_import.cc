@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "base/data_path.h"
+#include "base/origin.h"
 #include "base/result_dir.h"
 #include "cli/run_options.h"
 #include "cli/verb_table.h"
@@ -49,6 +50,7 @@ int RunImport(const ImportOptions& options) {
   const std::string file = dir.value().File(name);
   if (Status s = WriteFileAtomically(file, text.value()); !s.ok()) return BadInput(s.error());
   if (Status s = TryOut(file, mapping.value().track); !s.ok()) return BadInput(s.error());
+  if (Status s = WriteOrigin(dir.value().File("")); !s.ok()) return BadInput(s.error());
   if (Status s = dir.value().Commit(); !s.ok()) return BadInput(s.error());
   const std::string made = dir.value().final_path() + "/" + name;
   if (options.common.format == "json") {

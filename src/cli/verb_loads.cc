@@ -2,23 +2,20 @@
 #include <fmt/format.h>
 
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 
-#include "analysis/load_cases.h"
-#include "analysis/plain_track.h"
 #include "base/result_dir.h"
+#include "cli/result_checks.h"
 #include "cli/run_options.h"
 #include "cli/verb_table.h"
-#include "vehicle/simulation.h"
+#include "jobs/loads_job.h"
 
 namespace phs::cli {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 struct LoadsOptions {
   CommonOptions common;
+  ResultChecks checks;
   vehicle::Scenario scenario;
 };
 
@@ -32,7 +29,7 @@ void Print(const analysis::LoadResult& result, const hydraulics::PhsSystem& syst
   for (size_t i = 0; i < result.end.force_N.size(); ++i) {
     fmt::print("  {}: {:.1f}", system.cylinder_names()[i], result.end.force_N[i] / 1e3);
   }
-  fmt::print("\n  lines [MPa]:   ");
+  fmt::print("\n  lines [MPa absolute]:");
   for (size_t i = 0; i < result.end.pressure_Pa.size(); ++i) {
     fmt::print("  {}: {:.2f}", system.line_names()[i], result.end.pressure_Pa[i] / 1e6);
   }
@@ -43,33 +40,26 @@ void Print(const analysis::LoadResult& result, const hydraulics::PhsSystem& syst
   }
 }
 
-int RunLoads(const LoadsOptions& options) {
+int RunLoads(LoadsOptions options) {
+  if (Status s = options.checks.Read(); !s.ok()) return BadInput(s.error());
   auto asked = OpenAskedDir(options.common);
   if (!asked.ok()) return BadInput(asked.error());
   std::optional<ResultDir>& dir = asked.value();
-  vehicle::Scenario scenario = options.scenario;
-  const auto track = analysis::StraightTrack::For(scenario.bogie, scenario.track);
-  if (!track.ok()) return BadInput(track.error());
-  scenario.track = track.value().name();
-  auto simulation = vehicle::Simulation::Create(scenario);
-  if (!simulation.ok()) return BadInput(simulation.error());
-  auto results = analysis::CalcLoadCases(simulation.value(), analysis::StandardLoadCases());
-  if (!results.ok()) return BadInput(results.error());
-  const hydraulics::PhsSystem& system = *simulation.value().binding().phs()[0].system;
-  const Json json = analysis::LoadsJson(simulation.value(), results.value());
+  const auto loads = jobs::CalcLoads(options.scenario);
+  if (!loads.ok()) return BadInput(loads.error());
+  const hydraulics::PhsSystem& system = *loads.value().simulation.binding().phs()[0].system;
   if (options.common.format == "json") {
-    fmt::print("{}\n", json.dump(2));
+    fmt::print("{}\n", loads.value().json.dump(2));
   } else {
     fmt::print("{} with {}: longitudinal loads on every axle box, settled\n",
                options.scenario.bogie, system.name());
-    for (const auto& result : results.value()) Print(result, system);
+    for (const auto& result : loads.value().results) Print(result, system);
   }
-  if (!dir) return kDone;
-  if (Status s = WriteFileAtomically(dir->File("loads.json"), json.dump(2) + "\n"); !s.ok()) {
-    return BadInput(s.error());
+  if (dir) {
+    if (Status s = jobs::WriteLoads(loads.value(), &*dir); !s.ok()) return BadInput(s.error());
+    if (Status s = dir->Commit(); !s.ok()) return BadInput(s.error());
   }
-  const Status s = dir->Commit();
-  return s.ok() ? kDone : BadInput(s.error());
+  return options.checks.Conclude("loads", {{options.scenario.bogie, loads.value().json}}, kDone);
 }
 
 }  // namespace
@@ -78,6 +68,7 @@ void AddLoads(CLI::App* verb, Action* action) {
   auto options = std::make_shared<LoadsOptions>();
   options->scenario.speed_m_s = 20;
   AddCommonOptions(verb, &options->common);
+  options->checks.AddOptions(verb);
   verb->add_option("--bogie", options->scenario.bogie, "Bogie: a name or an MJCF file")
       ->capture_default_str();
   verb->add_option("--phs", options->scenario.phs, "PHS model, instead of the bogie's");

@@ -3,35 +3,25 @@
 
 #include <memory>
 #include <optional>
-#include <vector>
 
-#include "analysis/axle_modes_json.h"
-#include "analysis/plain_track.h"
 #include "base/result_dir.h"
+#include "cli/result_checks.h"
 #include "cli/run_options.h"
 #include "cli/verb_table.h"
-#include "report/analysis_report.h"
-#include "vehicle/simulation.h"
+#include "jobs/modes_job.h"
 
 namespace phs::cli {
 namespace {
 
 using analysis::AxleMode;
-using analysis::AxleModes;
 
 struct ModesOptions {
   CommonOptions common;
-  vehicle::Scenario scenario;
-  analysis::AxleModeOptions measure;
-  std::vector<std::string> beside;  ///< further bogies
+  ResultChecks checks;
+  jobs::ModesRequest request;
 };
 
-struct Measured {
-  std::string bogie;
-  AxleModes modes;
-};
-
-void PrintModes(const Measured& measured, const analysis::AxleModeOptions& options) {
+void PrintModes(const jobs::MeasuredModes& measured, const analysis::AxleModeOptions& options) {
   fmt::print("{}: axle modes at {:g} Hz, totals over both axles\n", measured.bogie,
              options.frequency_Hz);
   fmt::print("{:<9}{:<13}{:>13}{:>12}{:>13}{:>14}{:>12}\n", "mode", "unit", "stiff, large",
@@ -46,75 +36,55 @@ void PrintModes(const Measured& measured, const analysis::AxleModeOptions& optio
   }
 }
 
-Status WriteResults(const std::vector<Measured>& all, const ModesOptions& options, ResultDir* dir) {
-  std::vector<std::string> files;
-  for (const Measured& measured : all) {
-    files.push_back(
-        dir->File(files.empty() ? "modes.json" : fmt::format("modes_{}.json", files.size())));
-    const std::string text =
-        analysis::AxleModesJson(measured.bogie, measured.modes, options.measure).dump(2) + "\n";
-    if (Status s = WriteFileAtomically(files.back(), text); !s.ok()) return s;
+int Conclude(const ModesOptions& options, const std::vector<jobs::MeasuredModes>& all) {
+  std::vector<analysis::NamedSummary> results;
+  for (const jobs::MeasuredModes& measured : all) {
+    results.emplace_back(measured.bogie, jobs::ModesJson(measured, options.request));
   }
-  if (Status s = report::WriteModesReport(files, dir->File("report.html")); !s.ok()) return s;
-  return dir->Commit();
+  return options.checks.Conclude("modes", results, kDone);
 }
 
-Result<std::vector<Measured>> MeasureAll(const ModesOptions& options) {
-  std::vector<std::string> bogies = {options.scenario.bogie};
-  bogies.insert(bogies.end(), options.beside.begin(), options.beside.end());
-  std::vector<Measured> all;
-  for (const std::string& bogie : bogies) {
-    vehicle::Scenario scenario = options.scenario;
-    scenario.bogie = bogie;
-    if (!all.empty()) scenario.phs.clear();
-    const auto track = analysis::StraightTrack::For(bogie, options.scenario.track);
-    if (!track.ok()) return track.error();
-    scenario.track = track.value().name();
-    auto simulation = vehicle::Simulation::Create(scenario);
-    if (!simulation.ok()) return simulation.error();
-    auto modes = analysis::MeasureAxleModes(simulation.value(), options.measure);
-    if (!modes.ok()) return modes.error();
-    all.push_back({bogie, std::move(modes).value()});
-  }
-  return all;
-}
-
-int RunModes(const ModesOptions& options) {
+int RunModes(ModesOptions options) {
+  if (Status s = options.checks.Read(); !s.ok()) return BadInput(s.error());
   auto asked = OpenAskedDir(options.common);
   if (!asked.ok()) return BadInput(asked.error());
   std::optional<ResultDir>& dir = asked.value();
-  auto all = MeasureAll(options);
+  const analysis::AxleModeOptions& measure = options.request.measure;
+  auto all = jobs::MeasureModes(options.request);
   if (!all.ok()) return BadInput(all.error());
   if (options.common.format == "json") {
-    fmt::print("{}\n",
-               analysis::AxleModesJson(all.value()[0].bogie, all.value()[0].modes, options.measure)
-                   .dump(2));
+    fmt::print("{}\n", jobs::ModesJson(all.value()[0], options.request).dump(2));
   } else {
-    for (const Measured& measured : all.value()) PrintModes(measured, options.measure);
+    for (const jobs::MeasuredModes& measured : all.value()) PrintModes(measured, measure);
     fmt::print("amplitudes at the axle boxes: large {:g} mm, small {:g} mm (seals stick)\n",
-               options.measure.large_displacement_m * 1e3,
-               options.measure.small_displacement_m * 1e3);
+               measure.large_displacement_m * 1e3, measure.small_displacement_m * 1e3);
     if (dir) fmt::print("report: {}/report.html\n", options.common.out);
   }
-  if (!dir) return kDone;
-  const Status s = WriteResults(all.value(), options, &*dir);
-  return s.ok() ? kDone : BadInput(s.error());
+  if (dir) {
+    if (Status s = jobs::WriteModes(all.value(), options.request, &*dir); !s.ok()) {
+      return BadInput(s.error());
+    }
+    if (Status s = dir->Commit(); !s.ok()) return BadInput(s.error());
+  }
+  return Conclude(options, all.value());
 }
 
 }  // namespace
 
 void AddModes(CLI::App* verb, Action* action) {
   auto options = std::make_shared<ModesOptions>();
-  options->scenario.speed_m_s = 20;
+  options->request.scenario.speed_m_s = 20;
   AddCommonOptions(verb, &options->common);
-  verb->add_option("--bogie", options->scenario.bogie, "Bogie: a name or an MJCF file")->required();
-  verb->add_option("--beside", options->beside, "Further bogies, shown beside it: a,b")
+  options->checks.AddOptions(verb);
+  verb->add_option("--bogie", options->request.scenario.bogie, "Bogie: a name or an MJCF file")
+      ->required();
+  verb->add_option("--beside", options->request.beside, "Further bogies, shown beside it: a,b")
       ->delimiter(',');
-  verb->add_option("--phs", options->scenario.phs, "PHS model, instead of the bogie's");
-  AddTrackOption(verb, &options->scenario.track,
+  verb->add_option("--phs", options->request.scenario.phs, "PHS model, instead of the bogie's");
+  AddTrackOption(verb, &options->request.scenario.track,
                  "Track that gives the gauge; default straight track as wide as the bogie's own");
-  AddTimestepOption(verb, &options->scenario.timestep_s);
-  verb->add_option("--frequency", options->measure.frequency_Hz, "Hz")
+  AddTimestepOption(verb, &options->request.scenario.timestep_s);
+  verb->add_option("--frequency", options->request.measure.frequency_Hz, "Hz")
       ->check(CLI::Range(0.01, 20.0));
   verb->callback([=] { *action = [=] { return RunModes(*options); }; });
 }

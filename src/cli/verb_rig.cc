@@ -6,11 +6,9 @@
 #include <string>
 
 #include "base/result_dir.h"
+#include "cli/result_checks.h"
 #include "cli/verb_table.h"
-#include "identify/rig_run.h"
-#include "measurement/manifest.h"
-#include "report/identify_report.h"
-#include "report/rig_report.h"
+#include "jobs/rig_job.h"
 
 namespace phs::cli {
 namespace {
@@ -18,40 +16,23 @@ namespace {
 struct RigVerbOptions {
   std::string manifest;
   CommonOptions common;
+  ResultChecks checks;
 };
 
-/// A clocked measurement has the report of an identification without its findings.
-Status WriteReport(const ResultDir& dir, const measurement::Manifest& manifest) {
-  const std::string page = dir.File("report.html");
-  if (manifest.rig == "steps" || manifest.signal) {
-    return report::WriteRigReport({.result = dir.File("result.json"),
-                                   .predicted = dir.File("predicted.csv"),
-                                   .measured = dir.File("measured.csv")},
-                                  page);
-  }
-  return report::WriteIdentifyReport({.result = dir.File("result.json"),
-                                      .measured = dir.File("measured.csv"),
-                                      .predicted = dir.File("predicted.csv")},
-                                     page);
-}
-
-int RunRigVerb(const RigVerbOptions& options) {
-  Result<measurement::Manifest> manifest =
-      measurement::LoadManifest(options.manifest, measurement::WindowNeed::kNone);
-  if (!manifest.ok()) return BadInput(manifest.error());
+int RunRigVerb(RigVerbOptions options) {
+  if (Status s = options.checks.Read(); !s.ok()) return BadInput(s.error());
   const std::string out = options.common.out.empty() ? "rig" : options.common.out;
   Result<ResultDir> dir = ResultDir::Create(out, options.common.force);
   if (!dir.ok()) return BadInput(dir.error());
-  Result<identify::RigOutcome> outcome = identify::RunRig(manifest.value(), dir.value());
+  Result<identify::RigOutcome> outcome = jobs::RunRig(options.manifest, dir.value());
   if (!outcome.ok()) return BadInput(outcome.error());
-  if (Status s = WriteReport(dir.value(), manifest.value()); !s.ok()) return BadInput(s.error());
   if (Status s = dir.value().Commit(); !s.ok()) return BadInput(s.error());
   if (options.common.format == "json") {
     fmt::print("{}\n", outcome.value().result.dump(1));
   } else if (!options.common.quiet) {
     fmt::print("{}{}/report.html\n", outcome.value().summary, out);
   }
-  return kDone;
+  return options.checks.Conclude("rig", {{options.manifest, outcome.value().result}}, kDone);
 }
 
 }  // namespace
@@ -61,6 +42,7 @@ void AddRig(CLI::App* verb, Action* action) {
   verb->add_option("manifest", options->manifest, "Rig, model, data or signal (YAML; docs/rig.md)")
       ->required();
   AddCommonOptions(verb, &options->common);
+  options->checks.AddOptions(verb);
   verb->callback([=] { *action = [=] { return RunRigVerb(*options); }; });
 }
 

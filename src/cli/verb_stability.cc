@@ -7,26 +7,19 @@
 #include <numbers>
 #include <optional>
 
-#include "analysis/critical_speeds.h"
-#include "analysis/plain_track.h"
-#include "analysis/stability_json.h"
 #include "base/result_dir.h"
+#include "cli/result_checks.h"
 #include "cli/run_options.h"
 #include "cli/verb_table.h"
-#include "report/analysis_report.h"
+#include "jobs/stability_job.h"
 
 namespace phs::cli {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 struct StabilityVerb {
   CommonOptions common;
-  vehicle::Scenario scenario;
-  analysis::StabilityOptions scan;
-  analysis::LimitCycleOptions cycle;
-  bool ramp = false;
-  double timestep_s = 0;  ///< of the ramps; 0 = chosen
+  ResultChecks checks;
+  jobs::StabilityRequest request;
 };
 
 void PrintSpectra(const analysis::StabilityResult& result) {
@@ -49,9 +42,10 @@ void PrintSpectra(const analysis::StabilityResult& result) {
   }
 }
 
-void PrintText(const StabilityVerb& verb, const analysis::StabilityResult& result,
-               const std::optional<analysis::LimitCycle>& cycle) {
-  fmt::print("{}: linear stability on straight track\n\n", verb.scenario.bogie);
+void PrintText(const jobs::StabilityRequest& request, const jobs::Stability& stability) {
+  const analysis::StabilityResult& result = stability.linear;
+  const std::optional<analysis::LimitCycle>& cycle = stability.cycle;
+  fmt::print("{}: linear stability on straight track\n\n", request.scenario.bogie);
   PrintSpectra(result);
   const double hertz = std::abs(result.mode.eigenvalue.imag()) / (2 * std::numbers::pi);
   if (std::isfinite(result.critical_speed)) {
@@ -60,10 +54,10 @@ void PrintText(const StabilityVerb& verb, const analysis::StabilityResult& resul
         result.critical_speed, 3.6 * result.critical_speed, hertz, result.critical_speed / hertz);
   } else if (result.spectra[0].growth > 0) {
     fmt::print("\nunstable from the lowest speed on: no critical speed in {:g} … {:g} m/s\n",
-               verb.scan.min_speed_m_s, verb.scan.max_speed_m_s);
+               request.scan.min_speed_m_s, request.scan.max_speed_m_s);
   } else {
-    fmt::print("\nstable at all speeds {:g} … {:g} m/s\n", verb.scan.min_speed_m_s,
-               verb.scan.max_speed_m_s);
+    fmt::print("\nstable at all speeds {:g} … {:g} m/s\n", request.scan.min_speed_m_s,
+               request.scan.max_speed_m_s);
   }
   for (const analysis::Crossing& c : result.crossings) {
     if (c.speed == result.critical_speed) continue;
@@ -79,61 +73,67 @@ void PrintText(const StabilityVerb& verb, const analysis::StabilityResult& resul
     fmt::print("limit cycle: derailed at the start of the ramp; begin lower (--ramp-from)\n");
   } else if (cycle->down.size() > 1) {
     fmt::print("limit cycle: it lives down to the lowest speed of the ramp, {:g} m/s\n",
-               verb.cycle.low_speed_m_s);
+               stability.ramp.low_speed_m_s);
   } else {
-    fmt::print("limit cycle: none at {:g} m/s or below\n", verb.cycle.high_speed_m_s);
+    fmt::print("limit cycle: none at {:g} m/s or below\n", stability.ramp.high_speed_m_s);
   }
 }
 
-/// The vehicle for time runs, at a step given or chosen.
-Result<vehicle::Simulation> ForTimeRuns(const StabilityVerb& verb, double largest_step) {
-  if (!(verb.timestep_s > 0)) return analysis::CreateForRamps(verb.scenario, largest_step);
-  vehicle::Scenario scenario = verb.scenario;
-  scenario.timestep_s = verb.timestep_s;
-  return vehicle::Simulation::Create(scenario);
+/// Two lines of progress, one for each part.
+Result<jobs::Stability> Analyse(const StabilityVerb& verb) {
+  const auto stopped = [] { return StopSignal() != 0; };
+  ProgressLine scan("stability of " + verb.request.scenario.bogie, verb.common.quiet);
+  std::optional<ProgressLine> ramp;
+  return jobs::AnalyseStability(
+      verb.request, {.progress = [&](double share) { return scan(share); }, .stopped = stopped},
+      {.progress =
+           [&](double share) {
+             if (!ramp) {
+               ramp.emplace("limit cycle of " + verb.request.scenario.bogie, verb.common.quiet);
+             }
+             return (*ramp)(share);
+           },
+       .stopped = stopped});
+}
+
+/// What limits are held against: a vehicle that was stable at all speeds has a critical speed of at
+/// least the highest.
+nlohmann::ordered_json Checked(const jobs::StabilityRequest& request,
+                               const jobs::Stability& stability) {
+  nlohmann::ordered_json json = stability.json;
+  const analysis::StabilityResult& linear = stability.linear;
+  const std::optional<analysis::LimitCycle>& cycle = stability.cycle;
+  const bool stable = !std::isfinite(linear.critical_speed) && linear.spectra[0].growth <= 0;
+  if (stable) json["critical_speed_m_s"] = request.scan.max_speed_m_s;
+  const bool no_cycle =
+      cycle && !std::isfinite(cycle->critical_speed) && !cycle->derailed && cycle->down.size() <= 1;
+  if (no_cycle) {
+    json["limit_cycle"]["nonlinear_critical_speed_m_s"] = stability.ramp.high_speed_m_s;
+  }
+  return json;
 }
 
 int RunStability(StabilityVerb verb) {
+  if (Status s = verb.checks.Read(); !s.ok()) return BadInput(s.error());
   auto asked = OpenAskedDir(verb.common);
   if (!asked.ok()) return BadInput(asked.error());
   std::optional<ResultDir>& dir = asked.value();
-  verb.scenario.speed_m_s = 20;
-  const auto track = analysis::StraightTrack::For(verb.scenario.bogie, verb.scenario.track);
-  if (!track.ok()) return BadInput(track.error());
-  verb.scenario.track = track.value().name();
-  // The linear analysis takes no step; a small one passes the check of stiffness.
-  verb.scenario.timestep_s = 1e-4;
-  auto simulation = vehicle::Simulation::Create(verb.scenario);
-  if (!simulation.ok()) return BadInput(simulation.error());
-  std::optional<analysis::LimitCycle> cycle;
-  Json json;
-  auto result = [&] {
-    ProgressLine progress("stability of " + verb.scenario.bogie, verb.common.quiet);
-    return analysis::AnalyseStability(&simulation.value(), verb.scan,
-                                      [&](double share) { return progress(share); });
-  }();
-  if (!result.ok()) return BadInput(result.error());
-  json = analysis::StabilityJson(simulation.value(), result.value());
-  if (verb.ramp) {
-    verb.cycle = analysis::ChooseRamp(verb.scan, result.value(), verb.cycle);
-    auto runs = ForTimeRuns(verb, simulation.value().largest_stable_step());
-    if (!runs.ok()) return BadInput(runs.error());
-    ProgressLine progress("limit cycle of " + verb.scenario.bogie, verb.common.quiet);
-    auto found = analysis::FindLimitCycle(&runs.value(), result.value().mode, verb.cycle,
-                                          [&](double share) { return progress(share); });
-    if (!found.ok()) return BadInput(found.error());
-    cycle = std::move(found).value();
-    json["limit_cycle"] = analysis::LimitCycleJson(*cycle, verb.cycle);
-  }
+  const auto stability = Analyse(verb);
+  if (!stability.ok()) return BadInput(stability.error());
   if (verb.common.format == "json") {
-    fmt::print("{}\n", json.dump(2));
+    fmt::print("{}\n", stability.value().json.dump(2));
   } else {
-    PrintText(verb, result.value(), cycle);
+    PrintText(verb.request, stability.value());
   }
-  if (!dir) return kDone;
-  const Status s = Publish(verb.common, "stability.json", json.dump(2) + "\n",
-                           &report::WriteStabilityReport, &*dir);
-  return s.ok() ? kDone : BadInput(s.error());
+  if (dir) {
+    if (Status s = jobs::WriteStability(stability.value(), &*dir); !s.ok()) {
+      return BadInput(s.error());
+    }
+    if (Status s = CommitAndTell(verb.common, &*dir); !s.ok()) return BadInput(s.error());
+  }
+  return verb.checks.Conclude(
+      "stability", {{verb.request.scenario.bogie, Checked(verb.request, stability.value())}},
+      kDone);
 }
 
 }  // namespace
@@ -141,25 +141,31 @@ int RunStability(StabilityVerb verb) {
 void AddStability(CLI::App* verb, Action* action) {
   auto o = std::make_shared<StabilityVerb>();
   AddCommonOptions(verb, &o->common);
-  verb->add_option("--bogie", o->scenario.bogie, "Bogie: a name or an MJCF file")->required();
-  verb->add_option("--vehicle", o->scenario.vehicle, "bogie, or locomotive: two under a body")
+  o->checks.AddOptions(verb);
+  verb->add_option("--bogie", o->request.scenario.bogie, "Bogie: a name or an MJCF file")
+      ->required();
+  verb->add_option("--vehicle", o->request.scenario.vehicle,
+                   "bogie, or locomotive: two under a body")
       ->check(CLI::IsMember({"bogie", "locomotive"}));
-  verb->add_option("--phs", o->scenario.phs, "PHS model, instead of the bogie's");
-  verb->add_option("--wheel", o->scenario.wheel, "Wheel profile, instead of the bogie's");
-  verb->add_option("--rail", o->scenario.rail, "Rail profile, instead of the bogie's");
-  AddTrackOption(verb, &o->scenario.track,
+  verb->add_option("--phs", o->request.scenario.phs, "PHS model, instead of the bogie's");
+  verb->add_option("--wheel", o->request.scenario.wheel, "Wheel profile, instead of the bogie's");
+  verb->add_option("--rail", o->request.scenario.rail, "Rail profile, instead of the bogie's");
+  AddTrackOption(verb, &o->request.scenario.track,
                  "Straight track; default one as wide as the bogie's own");
-  AddFrictionOption(verb, &o->scenario.friction);
-  verb->add_option("--from", o->scan.min_speed_m_s, "Lowest speed, m/s")->capture_default_str();
-  verb->add_option("--to", o->scan.max_speed_m_s, "Highest speed, m/s")->capture_default_str();
-  verb->add_option("--speeds", o->scan.speeds, "Number of speeds")->capture_default_str();
-  verb->add_flag("--ramp", o->ramp, "Limit cycle and non-linear critical speed by speed ramps");
-  verb->add_option("--ramp-from", o->cycle.high_speed_m_s,
+  AddFrictionOption(verb, &o->request.scenario.friction);
+  verb->add_option("--from", o->request.scan.min_speed_m_s, "Lowest speed, m/s")
+      ->capture_default_str();
+  verb->add_option("--to", o->request.scan.max_speed_m_s, "Highest speed, m/s")
+      ->capture_default_str();
+  verb->add_option("--speeds", o->request.scan.speeds, "Number of speeds")->capture_default_str();
+  verb->add_flag("--ramp", o->request.ramp,
+                 "Limit cycle and non-linear critical speed by speed ramps");
+  verb->add_option("--ramp-from", o->request.cycle.high_speed_m_s,
                    "Start of the down ramp, m/s; default 1.2 times the critical speed");
-  verb->add_option("--ramp-to", o->cycle.low_speed_m_s,
+  verb->add_option("--ramp-to", o->request.cycle.low_speed_m_s,
                    "Its end at the latest, m/s; default a sixth of the critical speed");
-  AddTimestepOption(verb, &o->timestep_s, "Step of the ramps (default chosen)");
-  verb->add_option("--ramp-rate", o->cycle.rate_m_s2, "m/s^2")->capture_default_str();
+  AddTimestepOption(verb, &o->request.timestep_s, "Step of the ramps (default chosen)");
+  verb->add_option("--ramp-rate", o->request.cycle.rate_m_s2, "m/s^2")->capture_default_str();
   verb->callback([=] { *action = [=] { return RunStability(*o); }; });
 }
 

@@ -10,15 +10,16 @@
 #include "base/data_path.h"
 #include "base/result_dir.h"
 #include "base/table.h"
+#include "cli/result_checks.h"
+#include "cli/sweep_checks.h"
 #include "cli/sweep_engines.h"
 #include "cli/sweep_search.h"
 #include "cli/verb_table.h"
-#include "report/sweep_report.h"
+#include "jobs/sweep_job.h"
 #include "sweep/case_files.h"
 #include "sweep/output_check.h"
 #include "sweep/outputs.h"
 #include "sweep/result_store.h"
-#include "sweep/sensitivity.h"
 #include "sweep/study_file.h"
 #include "sweep/sweep.h"
 
@@ -30,6 +31,7 @@ using sweep::Study;
 
 struct SweepOptions {
   CommonOptions common;
+  ResultChecks checks;
   std::string study;
   int workers = 0;
   bool resume = false;
@@ -76,52 +78,6 @@ void PrintOutcome(const Study& study, const std::vector<RunRecord>& records,
       path, study.path);
 }
 
-/// Sobol indices of one output, where the design gives them.
-void AddIndices(const Study& study, const std::vector<RunRecord>& records, std::size_t output,
-                report::SweepReportInput* input) {
-  if (study.design != sweep::DesignKind::kSobolIndices) return;
-  std::vector<double> values;
-  for (const RunRecord& r : records) {
-    values.push_back(r.status == "ok" ? r.outputs[output] : std::nan(""));
-  }
-  const auto indices = sweep::SobolIndices(values, static_cast<int>(study.axes.size()));
-  if (indices.empty() || input->parameters.size() != study.axes.size()) return;
-  report::OutputIndices of{sweep::OutputColumns(study.outputs)[output], {}, {}, {}, {}};
-  for (const sweep::SobolIndex& index : indices) {
-    of.first.push_back(index.first);
-    of.total.push_back(index.total);
-    of.first_error.push_back(index.first_error);
-    of.total_error.push_back(index.total_error);
-  }
-  input->indices.push_back(std::move(of));
-}
-
-report::SweepReportInput ReportInput(const Study& study, const std::vector<RunRecord>& records,
-                                     const std::string& table) {
-  report::SweepReportInput input;
-  input.table = table;
-  input.study = study.path;
-  input.sampled =
-      study.design != sweep::DesignKind::kGrid && study.design != sweep::DesignKind::kList;
-  for (std::size_t axis = 0; axis < study.axes.size(); ++axis) {
-    bool numbers = true, varies = false;
-    for (const auto& run : study.runs) {
-      numbers &=
-          !run[axis].empty() && run[axis].find_first_not_of("+-.eE0123456789") == std::string::npos;
-      varies |= run[axis] != study.runs[0][axis];
-    }
-    if (numbers && varies) input.parameters.push_back(study.axes[axis].column);
-  }
-  for (std::size_t i = 0; i < study.outputs.size(); ++i) {
-    const bool any = std::any_of(records.begin(), records.end(),
-                                 [&](const auto& r) { return std::isfinite(r.outputs[i]); });
-    if (!any) continue;
-    input.outputs.push_back(sweep::OutputColumns(study.outputs)[i]);
-    AddIndices(study, records, i, &input);
-  }
-  return input;
-}
-
 /// The runs as files, and one of them simulated as `phs simulate` would.
 int RunOnly(const SweepOptions& options, const Study& study) {
   if (options.only >= study.num_runs()) {
@@ -152,42 +108,27 @@ void PrintJson(std::size_t runs, long ok, const std::string& path) {
   fmt::print("{}\n", json.dump());
 }
 
-int Conclude(const SweepOptions& options, const Study& study, sweep::WorkDir* work) {
-  const auto records = sweep::ReadRecords(study, *work);
-  auto opened = work->OpenResult();
-  if (!opened.ok()) return BadInput(opened.error());
-  ResultDir& dir = opened.value();
-  if (Status s = sweep::WriteTables(study, records, *work, dir); !s.ok()) {
-    return BadInput(s.error());
-  }
-  const auto input = ReportInput(study, records, dir.File("sweep.csv"));
-  if (Count(records, "ok") > 0 && !input.outputs.empty() && !input.parameters.empty()) {
-    if (Status s = report::WriteSweepReport(input, dir.File("report.html")); !s.ok()) {
-      return BadInput(s.error());
-    }
-  }
-  if (Status s = work->Finish(&dir); !s.ok()) return BadInput(s.error());
+int Tell(const SweepOptions& options, const Study& study, const std::vector<RunRecord>& records,
+         const std::string& out) {
+  const int ok = jobs::CountOk(records);
   if (options.common.format == "json") {
-    PrintJson(records.size(), Count(records, "ok"), work->final_path());
+    PrintJson(records.size(), ok, out);
   } else {
-    PrintOutcome(study, records, work->final_path());
+    PrintOutcome(study, records, out);
   }
-  return Count(records, "ok") == study.num_runs() ? kDone : kFailed;
+  return ok == study.num_runs() ? kDone : kFailed;
 }
 
 /// A sweep that was ended after its result stood, asked to go on: the exit code that it had.
 int TellFinished(const SweepOptions& options, const Study& study, const std::string& out) {
-  const auto table = ReadCsv(out + "/sweep.csv");
-  if (!table.ok()) return BadInput(table.error());
-  const int at = table.value().Find("status");
-  const auto& states = table.value().text[static_cast<std::size_t>(std::max(at, 0))];
-  const auto ok = std::count(states.begin(), states.end(), "ok");
+  const auto made = jobs::ReadFinished(out);
+  if (!made.ok()) return BadInput(made.error());
   if (options.common.format == "json") {
-    PrintJson(states.size(), ok, out);
+    PrintJson(static_cast<std::size_t>(made.value().done), made.value().ok, out);
   } else {
     fmt::print("{}: was finished already\n\nTable: {}/sweep.csv\n", study.name, out);
   }
-  if (!study.optimisation) return ok == static_cast<long>(states.size()) ? kDone : kFailed;
+  if (!study.optimisation) return made.value().ok == made.value().done ? kDone : kFailed;
   const auto optimum = ReadFile(out + "/optimum.json");
   if (!optimum.ok()) return BadInput(optimum.error());
   const auto json = nlohmann::json::parse(optimum.value(), nullptr, false);
@@ -195,37 +136,82 @@ int TellFinished(const SweepOptions& options, const Study& study, const std::str
   return best.is_object() && best.value("keeps_constraints", false) ? kDone : kFailed;
 }
 
+std::string OutOf(const SweepOptions& options, const Study& study) {
+  return options.common.out.empty() ? study.name : options.common.out;
+}
+
 int RunSearch(const SweepOptions& options, const Study& study) {
   if (options.engine != "local" || options.only >= 0 || options.slurm.plan) {
     return BadInput({options.study, "is a search for the best design", "--workers, --resume, --out",
                      "its runs depend on each other: leave --engine, --only and --plan away"});
   }
-  const std::string out = options.common.out.empty() ? study.name : options.common.out;
+  const std::string out = OutOf(options, study);
   if (options.resume && sweep::IsFinished(out, study)) return TellFinished(options, study, out);
   return FindBestDesign(study, options.workers, out, options.resume, options.common);
 }
 
-int RunSweep(const SweepOptions& options) {
-  const auto loaded = sweep::LoadStudy(options.study);
-  if (!loaded.ok()) return BadInput(loaded.error());
-  const Study& study = loaded.value();
-  if (study.optimisation) return RunSearch(options, loaded.value());
-  if (options.only >= 0) return RunOnly(options, study);
-  const std::string out = options.common.out.empty() ? study.name : options.common.out;
-  const sweep::SlurmOptions slurm = options.slurm.Over(study.slurm);
-  if (!options.slurm.task.empty()) return RunSlurmTask(study, out, options.slurm.task);
-  if (options.slurm.plan) return PrintSlurmPlan(study, slurm, out);
+int SweepHere(const SweepOptions& options, const Study& study, const std::string& out) {
+  const auto made = [&] {
+    ProgressLine progress(study.name, options.common.quiet);
+    return jobs::MakeSweep(study,
+                           {.out = out,
+                            .workers = options.workers,
+                            .resume = options.resume,
+                            .overwrite = options.common.force},
+                           {.progress = [&](double share) { return progress(share); }});
+  }();
+  if (!made.ok()) return BadInput(made.error());
+  if (made.value().was_finished) return TellFinished(options, study, out);
+  if (!made.value().all) {
+    return Stopped(fmt::format("{} of {} runs are done; --resume continues", made.value().done,
+                               study.num_runs()));
+  }
+  return Tell(options, study, made.value().records, out);
+}
+
+int SweepOnSlurm(const SweepOptions& options, const Study& study, const sweep::SlurmOptions& slurm,
+                 const std::string& out) {
   if (options.resume && sweep::IsFinished(out, study)) return TellFinished(options, study, out);
   if (!options.resume) {
     if (Status s = sweep::CheckOutputs(study); !s.ok()) return BadInput(s.error());
   }
   auto work = sweep::WorkDir::Open(out, study, options.resume, options.common.force);
   if (!work.ok()) return BadInput(work.error());
-  const auto code = options.engine == "slurm"
-                        ? MakeRunsOnSlurm(study, slurm, &work.value(), options.common.quiet)
-                        : MakeRunsHere(study, options.workers, &work.value(), options.common.quiet);
-  if (code) return *code;
-  return Conclude(options, study, &work.value());
+  if (const auto code = MakeRunsOnSlurm(study, slurm, &work.value(), options.common.quiet)) {
+    return *code;
+  }
+  const auto records = jobs::WriteSweep(study, &work.value());
+  if (!records.ok()) return BadInput(records.error());
+  return Tell(options, study, records.value(), out);
+}
+
+int MakeSweep(const SweepOptions& options, const Study& study) {
+  if (study.optimisation) return RunSearch(options, study);
+  if (options.only >= 0) return RunOnly(options, study);
+  const std::string out = OutOf(options, study);
+  const sweep::SlurmOptions slurm = options.slurm.Over(study.slurm);
+  if (!options.slurm.task.empty()) return RunSlurmTask(study, out, options.slurm.task);
+  if (options.slurm.plan) return PrintSlurmPlan(study, slurm, out);
+  return options.engine == "slurm" ? SweepOnSlurm(options, study, slurm, out)
+                                   : SweepHere(options, study, out);
+}
+
+int RunSweep(SweepOptions options) {
+  if (Status s = options.checks.Read(); !s.ok()) return BadInput(s.error());
+  const auto loaded = sweep::LoadStudy(options.study);
+  if (!loaded.ok()) return BadInput(loaded.error());
+  const Study& study = loaded.value();
+  const bool a_part = options.only >= 0 || options.slurm.plan || !options.slurm.task.empty();
+  if (options.checks.asked() && a_part) {
+    return BadInput({"--check, --junit", "are for a whole sweep", "without --only and --plan", ""});
+  }
+  const int code = MakeSweep(options, study);
+  const std::string out = OutOf(options, study);
+  const bool made = sweep::IsFinished(out, study);
+  if (!options.checks.asked() || !made || (code != kDone && code != kFailed)) return code;
+  auto numbers = NumbersOfSweep(study, out);
+  if (!numbers.ok()) return BadInput(numbers.error());
+  return options.checks.Conclude(study.name, std::move(numbers).value(), code);
 }
 
 }  // namespace
@@ -233,6 +219,7 @@ int RunSweep(const SweepOptions& options) {
 void AddSweep(CLI::App* verb, Action* action) {
   auto options = std::make_shared<SweepOptions>();
   AddCommonOptions(verb, &options->common);
+  options->checks.AddOptions(verb);
   verb->add_option("study", options->study, "Scenario, axes and design (YAML)")->required();
   verb->add_option("--engine", options->engine, "Where the runs are made")
       ->check(CLI::IsMember({"local", "slurm"}))

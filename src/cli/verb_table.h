@@ -15,7 +15,8 @@ struct Verb {
 };
 
 AddVerb AddSimulate, AddCompare, AddContact, AddModes, AddIdentify, AddImport, AddLoads,
-    AddStability, AddRig, AddCurving, AddReport, AddSweep, AddValidate, AddList, AddShow;
+    AddStability, AddRig, AddCurving, AddReport, AddSweep, AddValidate, AddList, AddShow, AddNew,
+    AddSchema, AddView, AddVideo;
 
 inline constexpr Verb kVerbs[] = {
     {"simulate", "One bogie on one track", &AddSimulate},
@@ -33,11 +34,16 @@ inline constexpr Verb kVerbs[] = {
      &AddRig},
     {"curving", "Steady state in curves of many radii, found without running through time",
      &AddCurving},
-    {"report", "Remake report.html of a simulate or compare result", &AddReport},
+    {"report", "Draw report.html of a result again, or a page of all results in a folder",
+     &AddReport},
     {"sweep", "Many runs of one scenario, resumable, on all cores or a cluster", &AddSweep},
     {"validate", "Every published check: ours, reference, difference, tolerance", &AddValidate},
+    {"view", "A run in a window, in three dimensions", &AddView},
+    {"video", "A run as a film or picture, without a display", &AddVideo},
     {"list", "What ships and can be asked for by name, with a line each", &AddList},
     {"show", "The file, or the numbers, behind a name that `list` prints", &AddShow},
+    {"new", "A commented start of one's own that runs as it is", &AddNew},
+    {"schema", "JSON schema of a kind of YAML file, for editors", &AddSchema},
 };
 
 }  // namespace phs::cli

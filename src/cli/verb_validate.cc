@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "base/origin.h"
 #include "base/result_dir.h"
 #include "cli/verb_table.h"
 #include "validate/check_groups.h"
@@ -171,6 +172,7 @@ int RunValidate(const ValidateOptions& options) {
     if (Status s = WriteFileAtomically(dir->File("validate.json"), json.dump(2) + "\n"); !s.ok()) {
       return BadInput(s.error());
     }
+    if (Status s = WriteOrigin(dir->File("")); !s.ok()) return BadInput(s.error());
     if (Status s = dir->Commit(); !s.ok()) return BadInput(s.error());
   }
   PrintFailures(judgement);

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "base/progress.h"
 #include "base/result.h"
 #include "base/result_dir.h"
 
@@ -40,35 +41,19 @@ std::string NotEmpty(const std::string& path);
 /// is full or fails; that of the signal where the user stopped the work.
 int BadInput(const Error& error);
 
-/// From now on Ctrl-C and SIGTERM ask for a stop; a second one ends the program at once. A
-/// ProgressLine listens, too.
-void ListenForStop();
-/// The signal with which the user has asked for a stop, 0 for none.
-int StopSignal();
 /// Says that the work was stopped and `what` became of it; returns the exit code.
 int Stopped(const std::string& what);
 
 /// The result directory asked for with --out; none without it.
 Result<std::optional<ResultDir>> OpenAskedDir(const CommonOptions& options);
 
+/// Commits a written result and, unless JSON goes to stdout, says where the report is.
+Status CommitAndTell(const CommonOptions& options, ResultDir* dir);
 /// Writes `text` as the file `name` and report.html made from it, commits the directory and, unless
 /// JSON goes to stdout, says where the report is.
 Status Publish(const CommonOptions& options, const std::string& name, const std::string& text,
                Status (*write_report)(const std::string& file, const std::string& html),
                ResultDir* dir);
-
-/// A line of progress on stderr: rewritten in place on a terminal, one per tenth elsewhere.
-class ProgressLine {
- public:
-  ProgressLine(std::string what, bool quiet);
-  ~ProgressLine();
-  /// `share` from 0 to 1; false once the user has pressed Ctrl-C.
-  bool operator()(double share);
-
- private:
-  struct Impl;
-  Impl* impl_;
-};
 
 /// What the chosen verb does; returns the exit code.
 using Action = std::function<int()>;

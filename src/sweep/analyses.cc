@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "analysis/axle_modes_json.h"
+#include "analysis/last_seconds.h"
 #include "analysis/load_cases.h"
 #include "analysis/stability.h"
 #include "analysis/steady_curve.h"
@@ -62,6 +63,27 @@ Result<Analysed> LayLoads(const vehicle::Scenario& scenario) {
   return Analysed{.numbers = analysis::LoadsJson(simulation.value(), results.value())};
 }
 
+Result<Analysed> RunToItsEnd(const vehicle::Scenario& scenario, double window_s) {
+  auto simulation = vehicle::Simulation::Create(scenario);
+  if (!simulation.ok()) return simulation.error();
+  const auto run = simulation.value().Run();
+  if (!run.ok()) return run.error();
+  return Analysed{run.value().status,
+                  run.value().reason,
+                  {{"last", analysis::LastSeconds(simulation.value(), run.value(), window_s)}}};
+}
+
+Result<Analysed> SeeWhatIsLeft(const vehicle::Scenario& scenario) {
+  return RunToItsEnd(scenario, analysis::kLastSeconds);
+}
+
+Result<Analysed> NamesOfWhatIsLeft(const vehicle::Scenario& scenario,
+                                   const std::vector<std::string>&) {
+  vehicle::Scenario own = scenario;
+  own.duration_s = 0.2;
+  return RunToItsEnd(own, 0.05);
+}
+
 std::vector<Analysis> MakeAnalyses() {
   const auto steady_and = [](std::initializer_list<const char*> more) {
     std::vector<std::string> outputs = {"steady_curve.wheelsets.lead.angle_of_attack_rad",
@@ -110,6 +132,14 @@ std::vector<Analysis> MakeAnalyses() {
        "",
        &LayLoads,
        nullptr},
+      {"last_seconds",
+       "the run in time, what is left of its motion in the last 10 s: `last.largest_rms_sum_Y_N`, "
+       "`last.largest_swing_m`, `last.wheelsets.NAME.…`",
+       {"last.largest_rms_sum_Y_N", "last.largest_swing_m", "last.rms_grows"},
+       {"wheelsets"},
+       "",
+       &SeeWhatIsLeft,
+       &NamesOfWhatIsLeft},
   };
 }
 

@@ -71,6 +71,13 @@ Status SetBelow(YAML::Node node, const std::vector<std::string>& parts, std::siz
     ++*places;
     return {};
   }
+  if (parts[i] == "*") {
+    for (auto item : node) {
+      if (!(item.second.IsMap() && item.second[parts[i + 1]])) continue;
+      if (Status s = SetBelow(item.second, parts, i + 1, value, places); !s.ok()) return s;
+    }
+    return {};
+  }
   if (!node[parts[i]]) return NoSuchKey(parts[i], node);
   return SetBelow(node[parts[i]], parts, i + 1, value, places);
 }
@@ -78,7 +85,7 @@ Status SetBelow(YAML::Node node, const std::vector<std::string>& parts, std::siz
 Status SetPath(YAML::Node root, const std::string& key, const std::string& value) {
   int places = 0;
   if (Status s = SetBelow(root, Parts(key), 0, value, &places); !s.ok()) return s;
-  if (places == 0) return Error{"", "is in no element of the list", "", ""};
+  if (places == 0) return Error{"", "is in no element of the list or map", "", ""};
   return {};
 }
 

@@ -23,11 +23,25 @@ bool NamesList(const std::string& part) {
   });
 }
 
+/// A part as it stands in a column's name: "traction, electric braking" is traction_electric_braking,
+/// since a comma would end the column.
+std::string ForColumn(const std::string& part) {
+  std::string out;
+  for (const char c : part) {
+    if (c != ',' && c != ' ' && c != '"') {
+      out += c;
+    } else if (out.empty() || out.back() != '_') {
+      out += '_';
+    }
+  }
+  return out;
+}
+
 std::string Joined(const std::vector<std::string>& parts, std::size_t first) {
   std::string column;
   for (std::size_t i = first; i < parts.size(); ++i) {
     if (NamesList(parts[i])) continue;
-    column += (column.empty() ? "" : "_") + parts[i];
+    column += (column.empty() ? "" : "_") + ForColumn(parts[i]);
   }
   return column;
 }

@@ -11,6 +11,7 @@
 
 #include "base/data_path.h"
 #include "base/numbers.h"
+#include "base/origin.h"
 #include "base/result_dir.h"
 #include "base/sha256.h"
 #include "base/yaml_document.h"
@@ -135,6 +136,7 @@ class Finder {
 /// "SHA256 PATH"; a file that cannot be read has no digest.
 std::string InputLine(const std::string& path) {
   const auto text = ReadFile(path);
+  if (text.ok()) NoteInput(path, text.value());
   return (text.ok() ? Sha256(text.value()) : "unreadable") + " " + path;
 }
 

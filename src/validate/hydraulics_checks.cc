@@ -6,6 +6,7 @@
 #include "phs_model/phs_model.h"
 #include "rigs/step_table.h"
 #include "validate/check_groups.h"
+#include "validate/table_b1_checks.h"
 
 namespace phs::validate {
 namespace {
@@ -154,36 +155,6 @@ Status AddStiffnessOrder(const Rows& rows, Checks* checks) {
   return {};
 }
 
-/// Settled pressures of the steps. Error: mean of |predicted - measured| / measured, each capped at
-/// 1. The declared model may be off by a tenth; a fit that is asked for the steps it has not seen
-/// by a twentieth, about what the thesis's own models reach (Table 6-3: 2 to 5 % of the force).
-Status AddTableB1(const Rows& rows, Checks* checks) {
-  for (int setup = 2; setup <= 4; ++setup) {
-    Result<PhsParams> p = phs_model::FindPhsParams("quarter_setup" + std::to_string(setup));
-    if (!p.ok()) return p.error();
-    Rows own;
-    for (const StepRow& r : rows) {
-      if (r.setup == setup) own.push_back(r);
-    }
-    Result<rigs::StepComparison> c = rigs::CompareSteps(p.value(), own, {.filling = true});
-    if (!c.ok()) return c.error();
-    const auto add = [&](const std::string& what, double error, double tolerance) {
-      checks->push_back({{},
-                         "Table B-1, setup " + std::to_string(setup) + ", settled: " + what,
-                         "-",
-                         error,
-                         0,
-                         tolerance,
-                         Claim::kNear,
-                         Thesis("Table B-1, settled pressures; mean relative error"),
-                         {}});
-    };
-    add("error as declared", c.value().error_declared, 0.10);
-    add("error of steps left out of the fit", c.value().error_left_out, 0.05);
-  }
-  return {};
-}
-
 void AddNitrogen(Checks* checks) {
   const char* source =
       "Span et al., J. Phys. Chem. Ref. Data 29 (2000) 1361, reference equation of nitrogen";
@@ -220,12 +191,11 @@ Status AddHydraulicsChecks(Checks* checks) {
   AddVolumes(setup2.value(), checks);
   AddPrecharge(setup2.value(), checks);
   AddNitrogen(checks);
-  for (const Status& s :
-       {AddBulkModulus(checks), AddBlowOff(setup2.value(), rows.value(), checks),
-        AddStiffnessOrder(rows.value(), checks), AddTableB1(rows.value(), checks)}) {
+  for (const Status& s : {AddBulkModulus(checks), AddBlowOff(setup2.value(), rows.value(), checks),
+                          AddStiffnessOrder(rows.value(), checks)}) {
     if (!s.ok()) return s;
   }
-  return {};
+  return AddTableB1Checks(checks);
 }
 
 }  // namespace phs::validate

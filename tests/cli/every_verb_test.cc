@@ -102,6 +102,17 @@ TEST_P(EveryVerb, Sweep) {
   EXPECT_TRUE(std::filesystem::exists(Path("out/sweep.csv")));
 }
 
+/// The options reach the program that draws as they were given, also those that look like others.
+TEST_P(EveryVerb, Video) {
+  if (!std::filesystem::exists(PHS_BINARY_DIR "/src/screen/phs-view")) {
+    GTEST_SKIP() << "phs-view is not built here";
+  }
+  const std::string picture = Path("a b.png");
+  Run("video " + Scenario(GetParam().straight) + " '" + picture +
+      "' --width 320 --height 180 --camera top --magnify-yaw 1e1 --no-forces --quiet");
+  EXPECT_GT(std::filesystem::file_size(picture), 5000u);
+}
+
 INSTANTIATE_TEST_SUITE_P(Bogies, EveryVerb,
                          testing::Values(BogieCase{"shipped", "phs", "straight", "curve_r300"},
                                          BogieCase{"standard_gauge", kTests + "standard_gauge.xml",
@@ -145,6 +156,15 @@ TEST(EveryVerbRefuses, ATrackOfAnotherGaugeWithBothNumbers) {
                            "compare --quiet curve_r300 --bogies "}) {
     ExpectRefused(verb + wide + " --track straight", says);
   }
+}
+
+TEST(EveryVerbRefuses, PicturesWhereTheProgramThatDrawsIsMissing) {
+  const ScratchDir dir;
+  std::filesystem::copy_file(PHS_BINARY_DIR "/src/cli/phs", dir.File("phs"));
+  const Output out = Execute(dir.File("phs") + " video straight " + dir.File("x.png"));
+  EXPECT_EQ(out.code, 3);
+  EXPECT_THAT(out.text, AllOf(HasSubstr("phs-view"), HasSubstr("scripts/install_packages")));
+  EXPECT_EQ(std::count(out.text.begin(), out.text.end(), '\n'), 1) << out.text;
 }
 
 TEST(EveryVerbRefuses, FrictionThatIsNeitherNumberNorCondition) {

@@ -50,7 +50,7 @@ TEST(ReadmeTest, ItsCommandsRunAsWritten) {
   const ScratchDir dir;
   fs::create_directories(dir.File("build"));
   fs::create_directory_symlink(PHS_BINARY_DIR, dir.File("build/release"));
-  for (const char* folder : {"models", "bogie_xml"}) {
+  for (const char* folder : {"models", "bogie_xml", "python"}) {
     fs::create_directory_symlink(std::string(PHS_SOURCE_DIR "/") + folder, dir.File(folder));
   }
   const bool all = std::getenv("PHS_LONG_TESTS") != nullptr;
@@ -61,6 +61,10 @@ TEST(ReadmeTest, ItsCommandsRunAsWritten) {
     if (preload) continue;  // a program without the sanitizer's runtime cannot load the library
 #endif
     if (preload && Execute("command -v mujoco-testspeed").code != 0) continue;
+    if (commands[i].starts_with("PYTHONPATH") &&
+        !fs::exists(PHS_BINARY_DIR "/python/phs/__init__.py")) {
+      continue;  // built without the Python package
+    }
     if (TakesLong(commands[i]) && !all) continue;
     const Output out = Execute("cd " + dir.path() + "; " + commands[0] + "; " + commands[i]);
     EXPECT_EQ(out.code, 0) << commands[i] << "\n" << out.text;

@@ -12,7 +12,7 @@ import re
 HERE = pathlib.Path(__file__).resolve().parent
 # Heading of CONTRIBUTING.md, files at most, examples at least.
 KINDS = {
-    "effect": ("An effect", 5, 3),
+    "effect": ("An effect", 4, 3),
     "creep_law": ("A creep law", 5, 3),
     "element": ("An element between bodies", 5, 3),
     "bogie": ("A bogie", 2, 3),

@@ -17,7 +17,7 @@ import examples  # noqa: E402
 
 ROOT = examples.HERE.parents[1]
 PARTS = ("CMakeLists.txt", "CMakePresets.json", "CONTRIBUTING.md", "README.md", "LICENSE", "NOTICE", "benchmarks",
-         "bogie_xml", "docs", "models", "plugin", "scripts", "src", "tests")
+         "bogie_xml", "docs", "models", "plugin", "python", "scripts", "src", "tests")
 # Of the folders whose tests are built: those that hold tables and pages together.
 TESTED = ("cli", "effects", "phs_model", "plugin", "rail", "vehicle")
 KEPT = ("catalogue_test.cc", "energy_test.cc", "creep_laws_test.cc", "channels_test.cc", "elements_test.cc",

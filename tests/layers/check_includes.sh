@@ -19,9 +19,14 @@ declare -A allowed=(
   [src/validate]="base hydraulics effects phs_model rigs rail plugin vehicle analysis measurement identify validate"
   [src/sweep]="base hydraulics effects phs_model rail plugin vehicle analysis report sweep"
   [src/report]="base report"
-  [src/cli]="base hydraulics effects phs_model rigs rail plugin vehicle analysis measurement identify validate sweep report cli"
+  [src/view]="base hydraulics effects phs_model rail plugin vehicle view"
+  [src/film]="base hydraulics effects phs_model rail plugin vehicle view report film"
+  [src/screen]="base hydraulics effects phs_model rail plugin vehicle view screen"
+  [src/jobs]="base hydraulics effects phs_model rigs rail plugin vehicle analysis measurement identify sweep report film jobs"
+  [python]="base rail plugin vehicle identify sweep jobs python"
+  [src/cli]="base hydraulics effects phs_model rigs rail plugin vehicle analysis measurement identify validate sweep report jobs view film cli"
 )
-own="base|hydraulics|effects|phs_model|rigs|rail|plugin|vehicle|analysis|measurement|identify|validate|sweep|report|cli"
+own="base|hydraulics|effects|phs_model|rigs|rail|plugin|vehicle|analysis|measurement|identify|validate|sweep|report|jobs|python|view|film|screen|cli"
 failed=0
 
 complain() { echo "$1"; failed=1; }
@@ -47,9 +52,20 @@ while IFS=: read -r file line _; do
 done < <(grep -rnE '#include "\.\./' --include='*.cc' --include='*.h' src plugin || true)
 
 while IFS=: read -r file line _; do
-  [[ "$file" == plugin/* || "$file" == src/vehicle/* ]] ||
-    complain "$file:$line: only plugin/ and src/vehicle/ see the engine"
+  [[ "$file" == plugin/* || "$file" == src/vehicle/* || "$file" == src/view/* ||
+     "$file" == src/screen/* ]] ||
+    complain "$file:$line: only plugin/, src/vehicle/, src/view/ and src/screen/ see the engine"
 done < <(grep -rnE '#include <mujoco/' --include='*.cc' --include='*.h' src plugin || true)
+
+# Pictures stay apart from what calculates: one verb starts them, and OpenGL is the program's alone.
+while IFS=: read -r file line _; do
+  [[ "$file" == src/view/* || "$file" == src/film/* || "$file" == src/screen/* ||
+     "$file" == src/cli/verb_view.cc ]] ||
+    complain "$file:$line: only src/film/, src/screen/ and verb_view.cc know of pictures"
+done < <(grep -rnE '#include "(view|screen)/' --include='*.cc' --include='*.h' src plugin || true)
+while IFS=: read -r file line _; do
+  [[ "$file" == src/screen/* ]] || complain "$file:$line: only src/screen/ sees OpenGL and libpng"
+done < <(grep -rnE '#include <(GL|GLFW|EGL)/|#include <png\.h>' --include='*.cc' --include='*.h' src plugin || true)
 
 urdf_files="$(grep -rlE '#include <urdf' --include='*.cc' --include='*.h' src plugin || true)"
 if [ "$(grep -c . <<<"$urdf_files")" -gt 1 ]; then

@@ -71,7 +71,7 @@ class Check:
                 self.faults.append(f"{name} loads {soname} (GPL), which has no row in NOTICE")
 
     def headers(self):
-        for folder in ("src", "plugin"):
+        for folder in ("src", "plugin", "python"):
             for file in sorted((self.root / folder).rglob("*")):
                 if file.suffix not in {".h", ".cc", ".c"}:
                     continue
@@ -85,6 +85,16 @@ class Check:
                                for known in self.found_as):
                         self.faults.append(f"{file.relative_to(self.root)} includes <{header}>, "
                                            "which has no row in NOTICE")
+
+    def imports(self):
+        """What the Python package imports beside the language's own library."""
+        for file in sorted((self.root / "python").rglob("*.py")):
+            for module in re.findall(r"^\s*(?:import|from) (\w+)", file.read_text(), re.M):
+                if module in sys.stdlib_module_names or module == "phs":
+                    continue
+                if f"import {module}" not in self.found_as:
+                    self.faults.append(f"{file.relative_to(self.root)} imports {module}, which has "
+                                       "no row in NOTICE")
 
     def eigen_is_mpl2(self, compiler, include):
         """Some of Eigen's modules have other licences; with EIGEN_MPL2_ONLY they do not compile."""
@@ -133,6 +143,7 @@ def main(arguments):
     check = Check(pathlib.Path(arguments[0]))
     check.licences()
     check.headers()
+    check.imports()
     check.packages()
     check.data()
     check.eigen_is_mpl2(*arguments[1:3])

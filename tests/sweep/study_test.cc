@@ -123,12 +123,32 @@ TEST(CaseFiles, WildcardSetsEveryElementThatHasTheKey) {
   EXPECT_EQ(lines, 4u);
 }
 
+TEST(CaseFiles, WildcardSetsEveryEntryOfAMapThatHasTheKey) {
+  const std::string head = "scenario: locomotive_yaw_dampers\naxes:\n  - {key: scenario.joints.*.";
+  const ScratchDir dir;
+  const auto file = WriteCaseFiles(Loaded(head + "damping, values: [4321]}\n"), 0, dir.path());
+  ASSERT_TRUE(file.ok()) << file.error().Line();
+  const std::string scenario = ReadFile(dir.File("scenario.yaml")).value();
+  EXPECT_EQ(scenario.find("3.0e+5"), std::string::npos) << scenario;
+  const std::size_t first = scenario.find("4321");
+  ASSERT_NE(first, std::string::npos);
+  EXPECT_NE(scenario.find("4321", first + 1), std::string::npos) << "both joints";
+  EXPECT_THAT(Fault(head + "stiffness, values: [1]}\n"), HasSubstr("in no element"))
+      << "no joint of the scenario has a stiffness";
+  EXPECT_THAT(Fault("scenario: locomotive_yaw_dampers\naxes:\n  - {key: scenario.joints.*.x.y, "
+                    "values: [1]}\n"),
+              HasSubstr("in no element"));
+}
+
 TEST(Outputs, AreFoundByPathAndNamedByColumn) {
   const nlohmann::ordered_json summary = {
       {"steady_curve", {{"wheelsets", {{{"name", "lead"}, {"lateral_m", 0.5}}}}}},
       {"run", {{"max_sum_Y_N", 7}}}};
   EXPECT_EQ(NumberAt(summary, "steady_curve.wheelsets.lead.lateral_m").value(), 0.5);
   EXPECT_EQ(OutputColumn("steady_curve.wheelsets.lead.lateral_m"), "lead_lateral_m");
+  EXPECT_EQ(OutputColumn("cases.traction, electric braking.largest_shift_m"),
+            "traction_electric_braking_largest_shift_m")
+      << "a comma would end the column";
   EXPECT_EQ(OutputColumns({"bending.damping", "run.T_gamma_total_J", "shear.damping"}),
             (std::vector<std::string>{"bending_damping", "T_gamma_total_J", "shear_damping"}));
   EXPECT_EQ(NumberAt(summary, "run.max_sum_Y_N").value(), 7);

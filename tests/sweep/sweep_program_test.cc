@@ -43,8 +43,8 @@ TEST_F(SweepProgram, SameTableForOneTwoAndFiveWorkers) {
   EXPECT_EQ(table, Table("two"));
   EXPECT_EQ(table, Table("five"));
   EXPECT_EQ(NamesIn(dir_.File("one")),
-            (std::vector<std::string>{".phs_result", "index.sqlite", "plan.txt", "report.html",
-                                      "study.yaml", "sweep.csv"}));
+            (std::vector<std::string>{".phs_result", "index.sqlite", "origin.json", "plan.txt",
+                                      "report.html", "study.yaml", "sweep.csv"}));
 }
 
 TEST_F(SweepProgram, KilledHalfWayAndResumedTheTableIsTheSame) {

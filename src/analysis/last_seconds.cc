@@ -1,0 +1,65 @@
+#include "analysis/last_seconds.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace phs::analysis {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Rows = std::span<const double>;
+
+/// Rows of a channel from `first` to the end.
+Rows Last(const vehicle::RunOutcome& run, const std::string& channel, size_t first) {
+  const std::vector<double>& all = run.columns[static_cast<size_t>(run.Find(channel))];
+  return Rows(all).subspan(first);
+}
+
+double RmsAboutMean(Rows x) {
+  double sum = 0, squares = 0;
+  for (const double value : x) sum += value;
+  const double mean = sum / static_cast<double>(x.size());
+  for (const double value : x) squares += (value - mean) * (value - mean);
+  return std::sqrt(squares / static_cast<double>(x.size()));
+}
+
+double HalfSwing(Rows x) {
+  const auto [least, greatest] = std::minmax_element(x.begin(), x.end());
+  return 0.5 * (*greatest - *least);
+}
+
+}  // namespace
+
+Json LastSeconds(const vehicle::Simulation& simulation, const vehicle::RunOutcome& run,
+                 double window_s) {
+  Json out = {{"window_s", window_s},
+              {"wheelsets", Json::array()},
+              {"largest_rms_sum_Y_N", nullptr},
+              {"largest_swing_m", nullptr},
+              {"rms_grows", nullptr}};
+  const std::vector<double>& t = run.columns[static_cast<size_t>(run.Find("t_s"))];
+  if (run.status != "ok" || t.size() < 4 || t.back() - t.front() < 2 * window_s) return out;
+  const auto from = std::lower_bound(t.begin(), t.end(), t.back() - window_s);
+  const size_t first = static_cast<size_t>(from - t.begin());
+  double largest = -1, swing = 0;
+  for (const plugin::WheelsetBinding& w : simulation.binding().wheelsets()) {
+    const Rows sum_Y = Last(run, w.name + "_sum_Y_N", first);
+    const double rms = RmsAboutMean(sum_Y),
+                 own = HalfSwing(Last(run, w.name + "_lateral_m", first));
+    out["wheelsets"].push_back({{"name", w.name}, {"rms_sum_Y_N", rms}, {"swing_m", own}});
+    swing = std::max(swing, own);
+    if (rms <= largest) continue;
+    largest = rms;
+    const size_t half = sum_Y.size() / 2;
+    const double before = RmsAboutMean(sum_Y.first(half));
+    out["rms_grows"] = before > 0 ? RmsAboutMean(sum_Y.subspan(half)) / before : 1;
+  }
+  out["largest_rms_sum_Y_N"] = largest;
+  out["largest_swing_m"] = swing;
+  return out;
+}
+
+}  // namespace phs::analysis

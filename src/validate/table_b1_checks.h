@@ -1,0 +1,19 @@
+// Rows of `phs validate`: Table B-1 jointly, each step left out of every fit, and what the thesis's
+// other tables say of the same hydraulics without having been fitted.
+#pragma once
+
+#include "hydraulics/phs_params.h"
+#include "validate/check.h"
+
+namespace phs::validate {
+
+/// Of models/rigs/steps_joint.yaml.
+Status AddTableB1Checks(Checks* checks);
+
+/// Mean relative error [%] of the hydraulic force against the load cell of a quarter rig that is
+/// driven over one period: friction as a share of the force, so it measures the force. `triangle`:
+/// constant speed, else a sine. Each sample's error is capped at 100 %.
+Result<double> CalcFrictionShare(const hydraulics::PhsParams& quarter, double amplitude_m,
+                                 double frequency_Hz, bool triangle);
+
+}  // namespace phs::validate
