@@ -14,7 +14,7 @@ def friction(steady, name):
 
 
 def figures(phs):
-    runs = phs("curving --bogies phs,rigid_link --radii 300,550 --check")["bogies"]
+    runs = phs("curving --bogies phs,rigid_link --radii 300,550 --time-run")["bogies"]
     rows = [[NAMES[name]] +
             [percent(row["time_run"]["largest_difference"], 2) for row in runs[name]]
             for name in BOGIES]

@@ -19,4 +19,4 @@ def figures(phs):
                      number(case["largest_cylinder_N"] / 1e3, 1) + " kN",
                      ", ".join(number(line["pressure_Pa"] / 1e6, 1) for line in case["lines"])])
     return {"loads": table(["case", "per box", "pattern", "axles move", "largest cylinder force",
-                            "lines L1 … L4 [MPa]"], rows)}
+                            "lines L1 … L4 [MPa absolute]"], rows)}

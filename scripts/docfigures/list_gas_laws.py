@@ -1,5 +1,6 @@
 """docs/gas_laws.md: the gas laws beside each other and beside what was measured."""
 import math
+import re
 
 from docfigures.form import number, table
 
@@ -70,8 +71,8 @@ def steps(phs, setup, law, balance="unified"):
 def fitted_steps(phs, setup, law):
     """Errors of the model that identify fits to the settled pressures, its gas by another law."""
     found = phs.result_text(f"identify models/rigs/steps_setup{setup}.yaml", "model.yaml")
-    found = found.replace("law: isothermal", "law: " + law)
-    found = found.replace("thermal_time_s: 5\n", f"thermal_time_s: {TAU[setup]}\n")
+    found = re.sub(r"law: \w+", "law: " + law, found)
+    found = re.sub(r"thermal_time_s: \S+", f"thermal_time_s: {TAU[setup]}", found)
     rig = {"rig": "steps", "model": phs.file(found),
            "data": str(phs.source / "models/rigs/lowe_table_b1.csv"), "setup": setup}
     return phs.result("rig " + phs.file(rig), "result.json")["channels"]

@@ -31,7 +31,7 @@ def seal(phs):
         "e-6 N/Pa",
         "slope_bar": number(
             effects["pressure_friction"]["parameters"]["bore_N_per_Pa"]["value"] * 1e5, 2),
-        "formula": f"`{effects['unlisted']['formula']}`",
+        "formula": f"`{effects['unlisted']['formula']}`" if "unlisted" in effects else "none",
         "left": number(r["unexplained"]["residual_over_noise"]),
         "noise": number(r["noise"]["force_N"], 3),
         "slope_again": interval(again, 1e6, 1) + "e-6 N/Pa",
