@@ -6,6 +6,7 @@
 #include <random>
 
 #include "identify/effect_search.h"
+#include "identify/rig_forward.h"
 #include "phs_model/phs_model.h"
 
 namespace phs::identify::search {
@@ -51,9 +52,16 @@ FitData Record(const hydraulics::PhsParams& truth) {
   return data;
 }
 
+/// `step_s` > 0: on a coarse clock.
+FitProblem ProblemOf(const FitData& data, double step_s = 0) {
+  std::shared_ptr<const ForwardModel> rig = RigForward::Create(data, Quarter("")).value();
+  if (step_s > 0) rig = rig->Coarse(step_s);
+  return FitProblem::Create(rig, Quarter("")).value();
+}
+
 void RunModel(benchmark::State& state, const std::string& effect, int stride) {
   const FitData data = Record(Quarter(""));
-  const FitProblem problem = FitProblem::Create(data, Quarter(""), stride).value();
+  const FitProblem problem = ProblemOf(data, stride > 1 ? stride * kStep : 0);
   const FreeModel model = DeclaredModel(Quarter(effect));
   std::vector<double> values;
   for (const FreeParameter& p : model.free) values.push_back(p.start);
@@ -63,7 +71,7 @@ void RunModel(benchmark::State& state, const std::string& effect, int stride) {
 void Search(benchmark::State& state, const std::string& hidden) {
   const FitData data = Record(Quarter(hidden));
   for (auto _ : state) {
-    FitProblem problem = FitProblem::Create(data, Quarter("")).value();
+    FitProblem problem = ProblemOf(data);
     benchmark::DoNotOptimize(Identify(&problem, Quarter(""), {}, nullptr));
   }
 }
