@@ -202,7 +202,8 @@ Status Binding::BindPhs(mjModel* m, const AttachOptions& options) {
     PhsBinding p;
     p.name = tuple.name;
     const std::string where = "MJCF tuple 'phs:" + tuple.name + "'";
-    const std::string model = Chosen(options.phs_model, m, "phs:" + tuple.name, "bo_bo");
+    const std::string model =
+        Chosen(options.phs_model, m, "phs:" + tuple.name, phs_model::kDefaultModel);
     auto path = FindData("PHS model", "models/phs", model, {".yaml"});
     if (!path.ok()) return path.error();
     p.model_path = path.value();

@@ -3,7 +3,7 @@ from docfigures.form import attack, attack_words, hand, number, percent, short, 
 
 DOCUMENT = "README.md"
 
-BOGIES = ("phs", "phs_measured", "rigid_link", "soft_link")
+BOGIES = ("phs", "phs_declared", "rigid_link", "soft_link")
 
 
 def budget(run, part, axle="lead"):
@@ -27,9 +27,9 @@ def figures(phs):
     out["own_pressure"] = budget(own, "phs_pressure_Nm")
     out["own_friction"] = budget(own, "phs_friction_Nm")
     out["own_primary"] = budget(own, "primary_Nm")
-    measured = c["ratios"]["rigid_link_over_phs_measured"]["run"]
-    out["T_measured"] = short(measured["T_gamma_total_J"])
-    out["W_measured"] = short(measured["lost_creep_J"])
+    declared = c["ratios"]["rigid_link_over_phs_declared"]["run"]
+    out["T_declared"] = short(declared["T_gamma_total_J"])
+    out["W_declared"] = short(declared["lost_creep_J"])
     for name, scenario in (("smooth", "curve_r550"), ("pull", "traction_r550")):
         ratio = phs(f"compare {scenario} --bogies phs,rigid_link")["ratios"]["rigid_link_over_phs"]
         out["T_" + name] = short(ratio["run"]["T_gamma_total_J"])

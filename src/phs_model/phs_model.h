@@ -14,6 +14,9 @@
 
 namespace phs::phs_model {
 
+/// Model of a bogie whose file, scenario and options name none: hydraulics as measured on the rig.
+inline constexpr char kDefaultModel[] = "bo_bo_measured";
+
 /// Reads the format of docs/phs_models.md. Effect names and their keys are checked later, against
 /// the catalogue (CreatePhsSystem).
 Result<hydraulics::PhsParams> ReadPhsParams(YamlMap& map);

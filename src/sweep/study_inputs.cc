@@ -15,6 +15,7 @@
 #include "base/result_dir.h"
 #include "base/sha256.h"
 #include "base/yaml_document.h"
+#include "phs_model/phs_model.h"
 
 namespace phs::sweep {
 namespace {
@@ -28,8 +29,8 @@ constexpr std::size_t kLongestName = 4096;
 
 /// What a run reads when its files name nothing else.
 const std::vector<std::string>& DefaultNames() {
-  static const std::vector<std::string> names = {"phs",   "straight", "S1002",          "UIC60",
-                                                 "bo_bo", "settings", "locomotive_body"};
+  static const std::vector<std::string> names = {
+      "phs", "straight", "S1002", "UIC60", phs_model::kDefaultModel, "settings", "locomotive_body"};
   return names;
 }
 

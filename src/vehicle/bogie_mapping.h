@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/result.h"
+#include "phs_model/phs_model.h"
 
 namespace phs::vehicle {
 
@@ -47,7 +48,7 @@ struct BogieMapping {
   std::vector<AxleMapping> axles;
   std::vector<SprungMapping> sprung;  ///< bodies on springs: half the car body
   std::vector<CylinderMapping> cylinders;
-  std::string phs = "bo_bo";
+  std::string phs = phs_model::kDefaultModel;
   std::string yardstick;
   double wheel_radius_m = 0.625;
   double flange_back_m = 0;  ///< between the flange backs; 0: gauge less 75 mm

@@ -151,7 +151,8 @@ Result<int> CountStates(const Scenario& scenario, const std::string& name, int a
   ForEach(root, "custom", "text", [&](XMLElement* text) {
     if (model.empty() && AttributeOf(*text, "name") == name) model = AttributeOf(*text, "data");
   });
-  auto path = FindData("PHS model", "models/phs", model.empty() ? "bo_bo" : model, {".yaml"});
+  auto path = FindData("PHS model", "models/phs", model.empty() ? phs_model::kDefaultModel : model,
+                       {".yaml"});
   if (!path.ok()) return path.error();
   auto system =
       phs_model::LoadPhsSystem(path.value(), scenario.phs_changes, name.substr(4), actuators);
