@@ -23,6 +23,25 @@ def over_radius(phs):
                   "ΣY leading axle, PHS / rigid [kN]"], rows)
 
 
+HYDRAULICS = {"smooth, single bogie": "curve_r550", "smooth, locomotive": "locomotive_r550",
+              "rough, single bogie": "curve_r550_rough", "rough, locomotive": "locomotive_r550_rough",
+              "traction 0.25, single bogie": "traction_r550",
+              "traction 0.25, locomotive": "locomotive_traction_r550"}
+
+
+def hydraulics(phs):
+    """Wear of the rigid bogie over that of the PHS, hydraulics as measured and as declared."""
+    rows = []
+    for words, scenario in HYDRAULICS.items():
+        runs = dict(phs(f"compare {scenario} --bogies phs,rigid_link")["bogies"])
+        runs.update(phs(f"compare {scenario} --bogies phs_declared")["bogies"])
+        rows.append([words] + [short(runs["rigid_link"]["run"][what] / runs[own]["run"][what])
+                               for what in ("T_gamma_total_J", "lost_creep_J")
+                               for own in ("phs", "phs_declared")])
+    return table(["R = 550 m, rigid / PHS", "T-gamma, as measured", "as declared",
+                  "creep work with spin, as measured", "as declared"], rows)
+
+
 def seal_friction(phs):
     rows = []
     for radius in WIDE:
@@ -50,7 +69,7 @@ def varied(phs):
             cells.append(angle(done["bogies"]["phs"]) + "; " + short(factor(done, "phs")))
         return [words] + cells
 
-    rows = [row("as declared", {})]
+    rows = [row("as it ships", {})]
     for k in (3, 6, 24):
         rows.append(row(f"lateral stiffness of the primary {k} instead of 12 MN/m per axle",
                         {"joints": joints("y", {"stiffness": k * 1e6})}))
@@ -82,5 +101,5 @@ def cones(phs):
 
 
 def figures(phs):
-    return {"over_radius": over_radius(phs), "seal_friction": seal_friction(phs),
-            "varied": varied(phs), "deficiency": deficiency(phs), "cones": cones(phs)}
+    return {"over_radius": over_radius(phs), "hydraulics": hydraulics(phs),
+            "seal_friction": seal_friction(phs), "varied": varied(phs), "deficiency": deficiency(phs), "cones": cones(phs)}

@@ -52,15 +52,24 @@ class HeldBogie {
       if (bogie.m_->jnt_type[j] == mjJNT_FREE) bogie.d_->qpos[bogie.m_->jnt_qposadr[j] + 2] += 1.0;
     }
     for (int i = 0; i < 4; ++i) bogie.rest_[i] = bogie.d_->qpos[bogie.qpos_[i]];
-    bogie.zero_ = bogie.InnerForce(Vector::Zero());
     return bogie;
   }
 
-  /// Springs, linkages and PHS at displacement u, less what they are at rest.
-  Vector Resistance(const Vector& u) { return InnerForce(u) - zero_; }
+  /// Springs, linkages and PHS at displacement u from rest.
+  Vector Resistance(const Vector& u) {
+    for (int i = 0; i < 4; ++i) d_->qpos[qpos_[i]] = rest_[i] + u[i];
+    mj_forward(m_, d_.get());
+    Vector force;
+    for (int i = 0; i < 4; ++i) force[i] = d_->qfrc_passive[dof_[i]] + d_->qfrc_actuator[dof_[i]];
+    return force;
+  }
+  /// From now on displacements count from here.
+  void RestAt(const Vector& u) {
+    for (int i = 0; i < 4; ++i) rest_[i] += u[i];
+  }
 
   LoadState Describe(double load, const Vector& u) {
-    InnerForce(u);
+    Resistance(u);
     const plugin::PhsState phs = binding_->CalcPhs(m_, d_.get(), 0);
     LoadState state;
     state.load_N = load;
@@ -77,21 +86,12 @@ class HeldBogie {
   const hydraulics::PhsSystem& system() const { return *binding_->phs()[0].system; }
 
  private:
-  Vector InnerForce(const Vector& u) {
-    for (int i = 0; i < 4; ++i) d_->qpos[qpos_[i]] = rest_[i] + u[i];
-    mj_forward(m_, d_.get());
-    Vector force;
-    for (int i = 0; i < 4; ++i) force[i] = d_->qfrc_passive[dof_[i]] + d_->qfrc_actuator[dof_[i]];
-    return force;
-  }
-
   const mjModel* m_ = nullptr;
   const plugin::Binding* binding_ = nullptr;
   vehicle::DataPtr d_;
   int qpos_[4] = {};
   int dof_[4] = {};
   double rest_[4] = {};
-  Vector zero_ = Vector::Zero();
 };
 
 /// Generalised load of a pattern per unit of P; boxes at +-`lever`.
@@ -153,7 +153,7 @@ void NoteLimits(const hydraulics::PhsSystem& system, const LoadState& s, const P
     if (s.pressure_Pa[i] <= limits.pressure_floor_Pa) {
       NoteOnce("line " + line.name + " empty", s.load_N, reached);
     }
-    if (line.accumulator.volume_m3 > 0 && s.pressure_Pa[i] >= limits.blow_off_Pa) {
+    if (line.accumulator.volume_m3 > 0 && s.pressure_Pa[i] >= line.accumulator.precharge_Pa) {
       NoteOnce("line " + line.name + " blows off", s.load_N, reached);
     }
   }
@@ -213,6 +213,11 @@ Result<std::vector<LoadResult>> CalcLoadCases(const vehicle::Simulation& simulat
   const plugin::InstantForces instant = simulation.Instant();
   auto bogie = HeldBogie::Create(simulation);
   if (!bogie.ok()) return bogie.error();
+  Vector rest = Vector::Zero();
+  if (!Balance(&bogie.value(), Vector::Zero(), &rest)) {
+    return Error{"load cases", "the bogie finds no equilibrium without load", "", ""};
+  }
+  bogie.value().RestAt(rest);
   const double lever = BoxLever(simulation.model());
   std::vector<LoadResult> results;
   for (const LoadCase& load_case : cases) {

@@ -5,7 +5,8 @@
 // The frame is held, every dof but x and yaw of the two steered axles stays at rest. Per box a
 // force P acts along the track on the axle in a pattern; x and yaw follow from equilibrium with
 // guidance springs, linkages and the PHS (seal friction and oil flow left out: it has had time to
-// settle, and friction could hang on to either side). Sign: extension and tension > 0, pressures
+// settle, and friction could hang on to either side). Lines that were filled out of balance with
+// their pistons held (bo_bo_measured) first move the axles to where they balance. Sign: extension and tension > 0, pressures
 // absolute.
 //
 //   traction   both axles pull the frame forward: +P on all four boxes
@@ -34,7 +35,6 @@ std::vector<LoadCase> StandardLoadCases();
 
 struct PartLimits {
   double cylinder_N = 60e3;          ///< largest working load of a cylinder (thesis, chapter 4)
-  double blow_off_Pa = 15e6;         ///< accumulators on the cross lines open
   double pressure_floor_Pa = 0.1e6;  ///< below the atmosphere a chamber begins to draw a vacuum
   double stroke_m = 0.030;
 };
@@ -42,7 +42,7 @@ struct PartLimits {
 /// State at one load.
 struct LoadState {
   double load_N = 0;
-  double x_m[2] = {0, 0};  ///< lead, trail against the frame
+  double x_m[2] = {0, 0};  ///< lead, trail in the frame, from where they stand without load
   double yaw_rad[2] = {0, 0};
   std::vector<double> force_N;  ///< per cylinder
   std::vector<double> piston_m;

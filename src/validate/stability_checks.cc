@@ -13,7 +13,7 @@ Status AddModeChecks(Checks* checks) {
   vehicle::Scenario scenario;
   scenario.name = "modes";
   scenario.track = "straight";
-  scenario.bogie = "phs";
+  scenario.bogie = "phs_declared";
   scenario.speed_m_s = 20;
   auto simulation = vehicle::Simulation::Create(scenario);
   if (!simulation.ok()) return simulation.error();
@@ -34,7 +34,7 @@ Status AddModeChecks(Checks* checks) {
   for (size_t i = 0; i < modes.value().small.size(); ++i) {
     const analysis::AxleMode& mode = modes.value().small[i];
     checks->push_back({.group = {},
-                       .what = "axle mode " + mode.name + " of the PHS bogie, 0.02 mm",
+                       .what = "axle mode " + mode.name + " of the declared PHS bogie, 0.02 mm",
                        .unit = mode.rotation ? "N m/rad" : "N/m",
                        .ours = mode.stiffness,
                        .reference = reference[i],

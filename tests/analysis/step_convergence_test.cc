@@ -40,6 +40,12 @@ Numbers RunAt(Scenario scenario, double step) {
   Numbers numbers;
   Collect(summary["steady_curve"], "", &numbers);
   Collect(summary["run"], "/run", &numbers);
+  // What a seal's force is measured in: its largest size in the run, which a steady curve may not show.
+  for (size_t i = 0; i < run.value().columns.size(); ++i) {
+    if (!run.value().channels[i].name.ends_with("_friction_N")) continue;
+    double& largest = numbers["/largest/friction_N"];
+    for (const double x : run.value().columns[i]) largest = std::max(largest, std::abs(x));
+  }
   return numbers;
 }
 
@@ -62,10 +68,18 @@ std::map<std::string, double> Scales(const Numbers& numbers) {
   return scales;
 }
 
+/// Below this a number is as good as nothing beside its kind: a thousandth of the wheel load for Y,
+/// 0.1 N for T-gamma (a steered axle has some N).
+double AsGoodAsNothing(const std::string& name) {
+  if (name.ends_with("/Y_N")) return 100;
+  if (name.ends_with("/Y_over_Q")) return 1e-3;
+  return name.find("T_gamma") != std::string::npos ? 0.1 : 1e-7;
+}
+
 /// Bookkeeping, not physics; and single maxima, which are listed by phs --verify instead.
 bool IsJudged(const std::string& name) {
-  for (const char* part :
-       {"steps", "end_time", "energy_error", "_s_m", "work_in", "lost_", "/run/m", "_energy"}) {
+  for (const char* part : {"steps", "end_time", "energy_error", "_s_m", "work_in", "lost_",
+                           "/run/m", "_energy", "/largest"}) {
     if (name.find(part) != std::string::npos) return false;
   }
   return true;
@@ -85,7 +99,7 @@ void ExpectConverged(const Scenario& scenario, double share, double share_of_sca
     if (ChangesSign(name)) {
       EXPECT_LE(change, share_of_scale * scales.at(name.substr(name.rfind('/')))) << name;
     } else {
-      EXPECT_LE(change, share * std::abs(fine.at(name)) + 1e-9) << name;
+      EXPECT_LE(change, share * std::max(std::abs(fine.at(name)), AsGoodAsNothing(name))) << name;
     }
   }
   EXPECT_GT(judged, 30);

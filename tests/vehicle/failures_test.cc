@@ -22,6 +22,7 @@ Scenario Straight(std::vector<phs_model::Failure> failures) {
   Scenario s;
   s.name = "failure";
   s.track = "straight";
+  s.bogie = "phs_declared";  // L2 and L3 at 1.8 MPa, in balance with the cross lines
   s.speed_m_s = 20;
   s.friction.tread = 0.35;
   s.duration_s = 3;
