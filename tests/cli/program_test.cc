@@ -355,8 +355,8 @@ TEST_F(ProgramTest, ModelOfAQuarterRigRunsInTheBogie) {
                               "  viscous_friction: {extension_Ns_per_m: 1.0e5}\n"
                               "  sensor_gain: {load: 1.02}\n");
   const std::string scenario = Scenario("track: curve_r300\nstart_s_m: 75\n");
-  const Output own =
-      ExecutePhs("simulate " + scenario + " --quiet --format json --out " + Path("own"));
+  const Output own = ExecutePhs("simulate " + scenario +
+                                " --bogie phs_declared --quiet --format json --out " + Path("own"));
   const Output same = ExecutePhs(
       "simulate " + scenario + " --phs quarter_setup2 --quiet --format json --out " + Path("same"));
   const Output with = ExecutePhs("simulate " + scenario + " --phs " + model +
@@ -364,7 +364,7 @@ TEST_F(ProgramTest, ModelOfAQuarterRigRunsInTheBogie) {
   ASSERT_EQ(own.code, 0) << own.text;
   ASSERT_EQ(same.code, 0) << same.text;
   ASSERT_EQ(with.code, 0) << with.text;
-  // The declared quarter rig spread over four cylinders is the bogie's own model.
+  // The declared quarter rig spread over four cylinders is the declared bogie's own model.
   const auto figure = [](const Output& out) {
     const size_t at = out.text.find("T_gamma_total_J");
     return out.text.substr(at, 40);

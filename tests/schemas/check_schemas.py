@@ -20,6 +20,7 @@ except ImportError as error:
     sys.exit(77)
 
 MODELINE = re.compile(r"# yaml-language-server: \$schema=(\S+)\n")
+NUMBER = re.compile(r"(?<![\w.])[-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?")
 # Which schema the files of a folder name.
 FOLDERS = {"scenarios": "scenario", "tracks": "track", "phs": "phs", "rigs": "rig", "sweeps": "study",
            "urdf": "mapping", "reference": "known_misses"}
@@ -81,6 +82,32 @@ class Check:
                 self.fault(f"{name}: the schema refuses what ships: {error}")
         return count
 
+    def scenario_page(self):
+        """docs/scenarios.md: every key that is read has its row; range and default there are those of the reader."""
+        rows = {}
+        for line in (self.root / "docs/scenarios.md").read_text().splitlines():
+            cells = [cell.strip() for cell in line.split(" | ")]
+            if line.startswith("| `") and len(cells) == 4:
+                for key in re.findall(r"`(\w+)", cells[0]):
+                    rows.setdefault(key, cells)
+        read = self.schemas["scenario"]["properties"]
+        for key in sorted(read.keys() - rows.keys()):
+            self.fault(f"docs/scenarios.md has no row for {key}")
+        for key in read.keys() & rows.keys():
+            _, unit, default, _ = rows[key]
+            # Keys of one row share its cell: speed_km_h and speed_m_s.
+            row = [read[other] for other in read if rows.get(other) is rows[key]]
+            alternatives = row + [one for other in row for one in other.get("anyOf", [])]
+            bounds = {float(one[name]) for one in alternatives for name in
+                      ("minimum", "maximum", "exclusiveMinimum", "exclusiveMaximum") if name in one}
+            said = {float(number) for number in NUMBER.findall(unit)}
+            if not said <= bounds:
+                self.fault(f"docs/scenarios.md, {key}: the page says {unit}, the reader {sorted(bounds)}")
+            value = read[key].get("default")
+            word = f"{value:g}" if isinstance(value, float) else str(value)
+            if value is not None and word not in default:
+                self.fault(f"docs/scenarios.md, {key}: the page says {default}, the reader {word}")
+
     def refused_alike(self):
         """(kind, what is read by, good text, changes that both must refuse)."""
         scenario = "track: straight\nspeed_km_h: 60\nduration_s: 0.02\n"
@@ -139,6 +166,7 @@ def main(root, phs):
     check = Check(pathlib.Path(root).resolve(), phs)
     check.made_by_program()
     count = check.shipped()
+    check.scenario_page()
     check.refused_alike()
     print("\n".join(check.faults) or f"{count} files, {len(check.schemas)} schemas: readers say the same")
     return 1 if check.faults else 0
