@@ -45,8 +45,10 @@ SignalParams ReadSignal(YamlMap& map) {
   if (s.kind == SignalKind::kRamp) {
     if (s.amplitude <= 0)
       map.Fail(amplitude, "of a ramp is not positive", "> 0", "its speed has the sign");
-    const char* rate = s.force ? "rate_N_s" : "speed_m_s";
+    const bool of_force = map.Has("rate_N_s");
+    const char* rate = of_force ? "rate_N_s" : "speed_m_s";
     s.rate = map.Number(rate, {});
+    if (of_force != s.force) map.Fail(rate, "has another unit than " + amplitude);
     if (s.rate == 0) map.Fail(rate, "is zero", "a speed other than 0");
     return s;
   }
