@@ -102,6 +102,8 @@ void AddPhsTexts(Json* schema) {
   }
 }
 
+void AddRigEffects(Json* schema) { AddEffects(effects::Catalogue().effects(), schema); }
+
 void AddScenarioEffects(Json* schema) {
   std::vector<EffectInfo> effects = effects::Catalogue().effects();
   for (const vehicle::RunningEffect& effect : vehicle::RunningEffects()) {
@@ -124,7 +126,7 @@ constexpr SchemaKind kKinds[] = {
      [](const std::string& path) {
        static_cast<void>(measurement::LoadManifest(path, measurement::WindowNeed::kNone));
      },
-     nullptr},
+     &AddRigEffects},
     {"study", "study of sweep (docs/sweep.md)",
      [](const std::string& path) { static_cast<void>(sweep::LoadStudy(path)); }, nullptr},
     {"mapping", "mapping of a URDF bogie for import (docs/import.md)",

@@ -36,6 +36,16 @@ std::vector<ShippedItem> Profiles() {
   return items;
 }
 
+/// Manifests, and those of the figures of the thesis: "lowe/fig_6_4_setup2".
+std::vector<ShippedItem> Rigs() {
+  std::vector<ShippedItem> items = ItemsOf("models/rigs", ".yaml");
+  for (ShippedItem& item : ItemsOf("models/rigs/lowe", ".yaml")) {
+    item.name = "lowe/" + item.name;
+    items.push_back(std::move(item));
+  }
+  return items;
+}
+
 /// Effects of the PHS and those of wheel and track.
 std::vector<hydraulics::EffectInfo> AllEffects() {
   std::vector<hydraulics::EffectInfo> all = effects::Catalogue().effects();
@@ -61,7 +71,7 @@ constexpr ShippedKind kKinds[] = {
     {"effects", "what a real PHS, wheel or track has beside, for `effects:`", &Effects},
     {"scenarios", "for simulate, compare, curving",
      [] { return ItemsOf("models/scenarios", ".yaml"); }},
-    {"rigs", "manifests, for rig and identify", [] { return ItemsOf("models/rigs", ".yaml"); }},
+    {"rigs", "manifests, for rig and identify", &Rigs},
     {"studies", "for sweep", [] { return ItemsOf("models/sweeps", ".yaml"); }},
 };
 

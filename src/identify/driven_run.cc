@@ -60,7 +60,7 @@ Result<Case> LoadCase(const Manifest& manifest) {
   if (Status s = CheckAsked(manifest.candidates, CandidateNames(), "a rig"); !s.ok()) {
     return s.error();
   }
-  Result<PhsParams> declared = phs_model::FindPhsParams(manifest.model);
+  Result<PhsParams> declared = measurement::DeclaredModel(manifest);
   if (!declared.ok()) return declared.error();
   if (Status s = CheckFree(declared.value(), manifest.free); !s.ok()) return s.error();
   Result<FitData> read = ReadFitData(manifest, declared.value());

@@ -168,7 +168,7 @@ Status WriteFiles(const ElementData& data, const Rows* before, const Rows& after
 
 Result<IdentifyOutcome> RunElementIdentify(const Manifest& manifest, const SearchOptions& options,
                                            const search::Progress& progress, const ResultDir& dir) {
-  Result<PhsParams> declared = phs_model::FindPhsParams(manifest.model);
+  Result<PhsParams> declared = measurement::DeclaredModel(manifest);
   if (!declared.ok()) return declared.error();
   Result<ElementData> data = ReadElementData(manifest);
   if (!data.ok()) return data.error();
@@ -239,7 +239,7 @@ Result<IdentifyOutcome> RunElementIdentify(const Manifest& manifest, const Searc
 }
 
 Result<IdentifyOutcome> RunElementRig(const Manifest& manifest, const ResultDir& dir) {
-  Result<PhsParams> declared = phs_model::FindPhsParams(manifest.model);
+  Result<PhsParams> declared = measurement::DeclaredModel(manifest);
   if (!declared.ok()) return declared.error();
   Result<ElementData> data = ReadElementData(manifest);
   if (!data.ok()) return data.error();

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "base/table.h"
+#include "base/words.h"
 #include "identify/bogie_run.h"
 #include "identify/element_run.h"
 #include "identify/steps_run.h"
@@ -143,6 +144,14 @@ void AddExtremes(const RigModel& model, const RigPrediction& predicted, bool pri
   outcome->result["extremes"] = extremes;
 }
 
+/// A bench whose force was measured, too.
+bool IsMeasuredBench(const Manifest& manifest) {
+  if (manifest.rig != "element" || manifest.signal) return false;
+  const auto run = measurement::ReadRigRun(manifest.runs.front(), manifest, {"x_m"}, {"force_N"},
+                                           measurement::OutputNeed::kNone);
+  return !run.ok() || run.value().outputs.front().present();
+}
+
 }  // namespace
 
 Result<RigOutcome> RunRig(const Manifest& manifest, const ResultDir& dir) {
@@ -156,14 +165,14 @@ Result<RigOutcome> RunRig(const Manifest& manifest, const ResultDir& dir) {
     if (!run.ok()) return run.error();
     return RigOutcome{run.value().result, run.value().summary, dir.File("measured.csv")};
   }
-  if (manifest.rig == "element" && !manifest.signal) {  // several records, band limit: its own rows
+  if (IsMeasuredBench(manifest)) {  // several records, band limit: its own rows
     Result<search::IdentifyOutcome> run = element::RunElementRig(manifest, dir);
     if (!run.ok()) return run.error();
     return RigOutcome{run.value().result, run.value().summary, dir.File("measured.csv")};
   }
   Result<rigs::RigKind> kind = rigs::ParseRigKind(manifest.rig);
   if (!kind.ok()) return kind.error();
-  Result<hydraulics::PhsParams> params = phs_model::FindPhsParams(manifest.model);
+  Result<hydraulics::PhsParams> params = measurement::DeclaredModel(manifest);
   if (!params.ok()) return params.error();
   Result<RigModel> made = RigModel::Create(kind.value(), params.value(), manifest.options);
   if (!made.ok()) return made.error();
@@ -188,12 +197,16 @@ Result<RigOutcome> RunRig(const Manifest& manifest, const ResultDir& dir) {
   RigOutcome outcome;
   outcome.result = {{"rig", manifest.rig}, {"declared", manifest.model}};
   outcome.result["data"] = c.measured() ? json(c.run.source) : json("generated signals");
-  if (c.measured()) {
+  if (c.measured() && !c.compared()) {
+    outcome.summary += "no output was measured: the model alone, driven by " +
+                       JoinWords(model.input_names()) + "\n";
+  }
+  if (c.compared()) {
     AddComparison(c, predicted, &outcome);
     outcome.measured = dir.File("measured.csv");
     if (Status s = WriteMeasured(c, outcome.measured); !s.ok()) return s.error();
   }
-  AddExtremes(model, predicted, !c.measured(), &outcome);
+  AddExtremes(model, predicted, !c.compared(), &outcome);
   for (const Status& s :
        {WritePredicted(model, c, predicted, dir.File("predicted.csv")),
         WriteFileAtomically(dir.File("result.json"), outcome.result.dump(1) + "\n")}) {

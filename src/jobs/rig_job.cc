@@ -19,15 +19,17 @@ using identify::search::IdentifyOutcome;
 /// The file behind the name of a manifest that ships; anything else is a path and stays one.
 Result<std::string> ManifestPath(const std::string& manifest) {
   const std::filesystem::path given(manifest);
-  if (given.has_parent_path() || given.has_extension()) return manifest;
+  if (given.has_extension()) return manifest;
+  if (given.has_parent_path() && std::filesystem::is_regular_file(given)) return manifest;
   return FindData("manifest", "models/rigs", manifest, {".yaml"});
 }
 
 /// A clocked measurement has the report of an identification without its findings.
-Status WriteRigPage(const ResultDir& dir, const measurement::Manifest& manifest) {
+Status WriteRigPage(const ResultDir& dir, const measurement::Manifest& manifest,
+                    const identify::RigOutcome& outcome) {
   const std::string page = dir.File("report.html");
   if (Status s = WriteOrigin(dir.File("")); !s.ok()) return s;
-  if (manifest.rig == "steps" || manifest.signal) {
+  if (manifest.rig == "steps" || outcome.measured.empty()) {
     return report::WriteRigReport({.result = dir.File("result.json"),
                                    .predicted = dir.File("predicted.csv"),
                                    .measured = dir.File("measured.csv")},
@@ -73,7 +75,7 @@ Result<identify::RigOutcome> RunRig(const std::string& name, const ResultDir& di
   if (!manifest.ok()) return manifest.error();
   Result<identify::RigOutcome> outcome = identify::RunRig(manifest.value(), dir);
   if (!outcome.ok()) return outcome.error();
-  if (Status s = WriteRigPage(dir, manifest.value()); !s.ok()) return s.error();
+  if (Status s = WriteRigPage(dir, manifest.value(), outcome.value()); !s.ok()) return s.error();
   return outcome;
 }
 

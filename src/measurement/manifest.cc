@@ -1,10 +1,14 @@
 #include "measurement/manifest.h"
 
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 
 #include "base/data_path.h"
 #include "base/yaml.h"
+#include "phs_model/bogie_spread.h"
+#include "phs_model/effects_yaml.h"
+#include "phs_model/model_changes.h"
 
 namespace phs::measurement {
 namespace {
@@ -75,6 +79,57 @@ RunSpec ReadOneOfRuns(YamlMap& map, const std::string& path, bool steps) {
     map.Fail("estimation", "steps have no windows", "each step is left out in turn");
   }
   return run;
+}
+
+/// What is driven, and by what.
+void ReadDriven(YamlMap& map, const std::string& rig, WindowNeed need, rigs::RigOptions* options) {
+  const std::vector<std::string> drives = {"position", "force", "pressure"};
+  const std::string word = map.Word("driven_by", drives, drives.front());
+  for (size_t i = 0; i < drives.size(); ++i) {
+    if (drives[i] == word) options->driven_by = static_cast<rigs::Drive>(i);
+  }
+  options->moving_mass_kg =
+      map.Number("moving_mass_kg", {.min = 0, .open_min = true}, options->moving_mass_kg);
+  options->actuators = map.Integer("actuators", 2, 4, options->actuators);
+  if (options->actuators == 3) map.Fail("actuators", "three are not driven", "2 or 4");
+  if (options->actuators == 4 && rig != "full") {
+    map.Fail("actuators", "are not four on rig: " + rig, "rig: full");
+  }
+  if (options->driven_by == rigs::Drive::kPosition) return;
+  if (rig != "cylinder" && rig != "quarter") {
+    map.Fail("driven_by", "is not for rig: " + rig, "cylinder, quarter");
+  }
+  if (need == WindowNeed::kEstimation) {
+    map.Fail("driven_by", "nothing is fitted to a rig driven by " + word, "position",
+             "phs rig runs it");
+  }
+}
+
+/// Changes of the declared model, as a scenario has them; a bogie's stand in its scenario.
+phs_model::PhsChanges ReadChanges(YamlMap& map, const std::string& rig) {
+  phs_model::PhsChanges changes;
+  if (map.Has("phs_parameters")) {
+    YamlMap parameters = map.Map("phs_parameters");
+    for (const std::string& name : parameters.Keys()) {
+      changes.parameters[name] = parameters.Number(name, {});
+    }
+  }
+  if (map.Has("effects")) changes.effects = phs_model::ReadEffects(map.Map("effects"));
+  changes.failures = phs_model::ReadFailures(&map, 0, 0);
+  for (const phs_model::Failure& failure : changes.failures) {
+    if (std::isfinite(failure.at_m) || !failure.system.empty()) {
+      map.Fail("failures", "a rig has one system and no track", "at_s");
+    }
+    if (rig == "steps" && HasTime(failure)) {
+      map.Fail("failures", failure.kind + " has a time and steps have no clock", "rig: quarter");
+    }
+  }
+  for (const char* key : {"phs_parameters", "effects", "failures"}) {
+    if (rig == "bogie" && map.Has(key)) {
+      map.Fail(key, "stands in the scenario of a bogie", "", "put it into the model's file");
+    }
+  }
+  return changes;
 }
 
 rigs::RigOptions ReadOptions(YamlMap& map) {
@@ -172,6 +227,8 @@ Result<Manifest> LoadManifest(const std::string& path, WindowNeed need) {
   }
   m.setup = map.Integer("setup", 1, 1000000, 0);
   m.options = ReadOptions(map);
+  ReadDriven(map, m.rig, need, &m.options);
+  m.changes = ReadChanges(map, m.rig);
   YamlMap columns = map.Map("columns"), extra = map.Map("extra"), factors = map.Map("factors");
   for (const std::string& key : columns.Keys()) m.columns[key] = columns.Text(key);
   ReadExtra(extra, &m);
@@ -192,6 +249,20 @@ Result<Manifest> LoadManifest(const std::string& path, WindowNeed need) {
   }
   if (Status s = map.Finish(); !s.ok()) return s.error();
   return m;
+}
+
+Result<hydraulics::PhsParams> DeclaredModel(const Manifest& manifest, const std::string& name) {
+  auto params = phs_model::FindPhsParams(name.empty() ? manifest.model : name);
+  if (!params.ok()) return params.error();
+  if (manifest.rig == "full" && phs_model::IsQuarter(params.value())) {
+    params = phs_model::SpreadOverBogie(params.value());
+  }
+  if (Status s = phs_model::ApplyChanges(manifest.changes, "", &params.value()); !s.ok()) {
+    Error error = s.error();
+    error.where = manifest.path + ": " + error.where;
+    return error;
+  }
+  return params;
 }
 
 }  // namespace phs::measurement

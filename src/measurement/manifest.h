@@ -27,6 +27,11 @@
 //   signal: {duration_s: 40, actuator_m: {kind: sine, …}}   generated motion instead of data
 //   setup: 2                              rows of a step table (default: by the model's name)
 //   beam: {lever_m: 1.0, …}, substeps: 1  how the rig is simulated (full rig, time step)
+//   actuators: 4                          full rig: all pistons driven, no beam
+//   driven_by: force, moving_mass_kg: 30  one cylinder: a force instead of a position; `pressure`:
+//                                         position and both pressures given, force predicted
+//   phs_parameters: {temperature_K: 253}  changes of the declared model, as in a scenario; with
+//   effects: {…}, failures: [{…}]         effects beside its own, and failures at their times
 #pragma once
 
 #include <map>
@@ -36,6 +41,7 @@
 
 #include "base/result.h"
 #include "measurement/own_candidate.h"
+#include "phs_model/phs_model.h"
 #include "rigs/rig_model.h"
 #include "rigs/rig_signal.h"
 
@@ -73,6 +79,7 @@ struct Manifest {
   std::optional<rigs::RigSignals> signal;  ///< then no run is read
   int setup = 0;                           ///< of a step table; 0: by the model's name
   rigs::RigOptions options;
+  phs_model::PhsChanges changes;  ///< of the declared model
 };
 
 enum class WindowNeed {
@@ -80,5 +87,9 @@ enum class WindowNeed {
   kNone,        ///< to run only
 };
 Result<Manifest> LoadManifest(const std::string& path, WindowNeed need = WindowNeed::kEstimation);
+
+/// The declared model of a manifest with its changes; a quarter model on the full rig is spread
+/// over its cylinders. `name`: that of one of its runs; empty: the manifest's.
+Result<hydraulics::PhsParams> DeclaredModel(const Manifest& manifest, const std::string& name = "");
 
 }  // namespace phs::measurement

@@ -243,7 +243,7 @@ int RigRun::Last(const Window& window) const {
 
 Result<RigRun> ReadRigRun(const RunSpec& spec, const Manifest& manifest,
                           const std::vector<std::string>& inputs,
-                          const std::vector<std::string>& outputs) {
+                          const std::vector<std::string>& outputs, OutputNeed need) {
   Result<Table> read = ReadTable(spec.data);
   if (!read.ok()) return read.error();
   const Table& table = read.value();
@@ -281,10 +281,10 @@ Result<RigRun> ReadRigRun(const RunSpec& spec, const Manifest& manifest,
     run.outputs.push_back(ReadChannel(table, manifest, clock, name, &run));
     measured += run.outputs.back().present();
   }
-  if (measured == 0) {
-    std::string names;
-    for (const std::string& name : outputs) names += (names.empty() ? "" : ", ") + name;
-    return Error{spec.data, "holds no channel to compare with", names, ""};
+  const bool windows = !spec.estimation.empty() || !spec.validation.empty();
+  if (measured == 0 && (need == OutputNeed::kSome || windows)) {
+    return Error{spec.data, "holds no channel to compare with", JoinWords(outputs),
+                 "without windows phs rig predicts them from the inputs alone"};
   }
   run.speed = ReadChannel(table, manifest, clock, "v_m_s", &run);
   run.pressure = ReadChannel(table, manifest, clock, "p_Pa", &run);

@@ -55,10 +55,15 @@ struct RigRun {
   int Last(const Window& window) const;
 };
 
+enum class OutputNeed {
+  kSome,  ///< something to compare with
+  kNone,  ///< a run without windows may hold inputs alone: the model is predicted only
+};
 /// Reads one run. `inputs`, `outputs`: channel names of the rig. Missing inputs, a clock that does
 /// not advance and empty windows are errors; everything else becomes a finding.
 Result<RigRun> ReadRigRun(const RunSpec& spec, const Manifest& manifest,
                           const std::vector<std::string>& inputs,
-                          const std::vector<std::string>& outputs);
+                          const std::vector<std::string>& outputs,
+                          OutputNeed need = OutputNeed::kSome);
 
 }  // namespace phs::measurement

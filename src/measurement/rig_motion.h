@@ -12,10 +12,13 @@ struct RigCase {
   rigs::RigMotion motion;
   measurement::RigRun run;  ///< measured channels; no sample when the motion is generated
   bool measured() const { return run.num_samples > 0; }
+  /// Some output was measured; else the model is shown alone.
+  bool compared() const;
 };
 
 /// Measured positions are smoothed without lag, as the identification does, so that a corrected
-/// model gives here what it gave there; generated ones are taken as they are.
+/// model gives here what it gave there; forces, pressures and generated motion are taken as they
+/// are.
 Result<RigCase> ReadRigCase(const measurement::Manifest& manifest, const rigs::RigModel& model);
 
 /// The driven cylinders stay inside their stroke: of the piston where something elastic lies

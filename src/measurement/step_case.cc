@@ -21,7 +21,7 @@ int TrailingNumber(const std::string& name) {
 Result<StepCase> ReadStepCase(const Manifest& manifest, const RunSpec& run) {
   StepCase out;
   out.model = run.model.empty() ? manifest.model : run.model;
-  Result<hydraulics::PhsParams> params = phs_model::FindPhsParams(out.model);
+  Result<hydraulics::PhsParams> params = DeclaredModel(manifest, out.model);
   if (!params.ok()) return params.error();
   out.declared = std::move(params.value());
   out.source = run.data;

@@ -19,7 +19,9 @@ std::vector<double> Scaled(const std::vector<double>& y, double factor) {
   return out;
 }
 
-bool IsInput(const std::string& name) { return name.starts_with("actuator") || name == "x_m"; }
+bool IsInput(const std::string& name) {
+  return name.starts_with("actuator") || name == "x_m" || name == "force_N";
+}
 
 /// Measured beside predicted pressure, row by row.
 void AddSteps(const json& result, ReportPage* page) {
@@ -137,7 +139,7 @@ Status WriteRigReport(const RigReportInput& input, const std::string& path) {
     AddSteps(result, &page);
     return page.Write(path);
   }
-  page.Paragraph("Generated motion: nothing was measured, the page shows the model alone.");
+  page.Paragraph("No output was measured: the page shows the model alone.");
   AddExtremes(result, &page);
   Result<Table> predicted = ReadTable(input.predicted);
   if (!predicted.ok()) return predicted.error();

@@ -1,7 +1,8 @@
 #include "rigs/hinged_beam.h"
 
 #include <algorithm>
-#include <cmath>
+
+#include "rigs/implicit_move.h"
 
 namespace phs::rigs {
 
@@ -43,38 +44,8 @@ void HingedBeam::Step(double t, double h, double x1, double x2, double v1, doubl
   const double y = params_.lever_m * angle_;
   const double x[4] = {x1, x2, y, -y};
   double v[4] = {v1, v2, 0, 0};
-  // Bracket around the free move, then Illinois.
-  double a = speed_ * h;
-  double fa = Imbalance(t, h, x, a, v);
-  double reach = std::abs(fa) * h * h / params_.inertia_kg_m2;
-  double b = fa > 0 ? a - reach : a + reach;
-  double fb = fa == 0 ? 0 : Imbalance(t, h, x, b, v);
-  for (int i = 0; i < 60 && fa * fb > 0; ++i) {
-    reach *= 2;
-    a = b;
-    fa = fb;
-    b = fa > 0 ? a - reach : a + reach;
-    fb = Imbalance(t, h, x, b, v);
-  }
-  double move = std::abs(fb) < std::abs(fa) ? b : a;
-  int stuck = 0;
-  for (int i = 0; i < 80 && fa != 0 && fb != 0; ++i) {
-    move = (a * fb - b * fa) / (fb - fa);
-    const double f = Imbalance(t, h, x, move, v);
-    if (f == 0 || std::abs(b - a) <= 1e-14 + 1e-11 * std::abs(move) || std::abs(f) < 1e-5) break;
-    if ((f > 0) == (fb > 0)) {
-      b = move;
-      fb = f;
-      if (++stuck > 1) fa *= 0.5;
-    } else {
-      a = b;
-      fa = fb;
-      b = move;
-      fb = f;
-      stuck = 0;
-    }
-  }
-  Imbalance(t, h, x, move, v);
+  const double move = FindMove(speed_ * h, params_.inertia_kg_m2 / (h * h),
+                               [&](double trial) { return Imbalance(t, h, x, trial, v); });
   state_ = next_;
   speed_ = move / h;
   std::copy(v, v + 4, before_);

@@ -22,7 +22,13 @@ struct BeamParams {
   double hinge_friction_Nm = 0;       ///< >= 0, regularised over 1e-4 rad/s
 };
 
+/// What is given of the driven cylinder. Force and pressure: rigs with one cylinder, for phs rig.
+enum class Drive { kPosition, kForce, kPressure };
+
 struct RigOptions {
+  Drive driven_by = Drive::kPosition;
+  double moving_mass_kg = 30;  ///< that a force drives, > 0: a piston with its rod and eye
+  int actuators = 2;           ///< of the full rig: 2 and a beam, or 4
   int substeps = 1;  ///< integration steps per sample (1 … 1000); more where a line rings
   /// Of a ringing line, unless more are asked for; none for one that needs three times as many.
   int most_substeps = 8;
@@ -34,9 +40,11 @@ struct RigOptions {
 /// What drives the rig: one row per driven actuator, samples at t0 + i step.
 struct RigMotion {
   double t0_s = 0;
-  double step_s = 0;                            ///< > 0
-  std::vector<std::vector<double>> position_m;  ///< [actuator][sample]
-  std::vector<std::vector<double>> speed_m_s;   ///< same shape; empty: central differences
+  double step_s = 0;  ///< > 0
+  /// [input][sample], as RigModel::input_names(): positions [m]; a driving force [N]; behind the
+  /// position given pressures [Pa].
+  std::vector<std::vector<double>> position_m;
+  std::vector<std::vector<double>> speed_m_s;  ///< same shape; empty: central differences
   /// Same shape [m/s2]; empty: central differences of the speed, which take sin(w T)/(w T) of it.
   std::vector<std::vector<double>> acceleration_m_s2;
   std::vector<double> pressure_Pa;    ///< element rig: side channel; else empty

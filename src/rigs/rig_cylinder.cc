@@ -252,4 +252,10 @@ void RunCylinder(const PhsSystem& system, const RigOptions& options, const RigMo
   RunRigid(system, finer, motion, speed, **pressures, out);
 }
 
+void RunAtPressures(const PhsSystem& system, const RigMotion& motion,
+                    const std::vector<double>& speed, const RigPressures& pressures,
+                    RigPrediction* out) {
+  RunRigid(system, 1, motion, speed, pressures, out);
+}
+
 }  // namespace phs::rigs

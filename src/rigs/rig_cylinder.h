@@ -18,4 +18,9 @@ void RunCylinder(const hydraulics::PhsSystem& system, const RigOptions& options,
                  const RigMotion& motion, const std::vector<double>& speed,
                  std::shared_ptr<const RigPressures>* pressures, RigPrediction* out);
 
+/// The same where the pressures of the samples are given [Pa]: forces alone; rigid mountings.
+void RunAtPressures(const hydraulics::PhsSystem& system, const RigMotion& motion,
+                    const std::vector<double>& speed, const RigPressures& pressures,
+                    RigPrediction* out);
+
 }  // namespace phs::rigs

@@ -8,6 +8,7 @@
 #include "effects/own_law.h"
 #include "effects/unlisted.h"
 #include "phs_model/phs_model.h"
+#include "rigs/driven_rigs.h"
 #include "rigs/element_bench.h"
 #include "rigs/hinged_beam.h"
 #include "rigs/rig_channels.h"
@@ -23,19 +24,24 @@ using hydraulics::PhsSystem;
 
 namespace {
 
-std::vector<std::string> InputNames(RigKind kind) {
-  switch (kind) {
-    case RigKind::kFull:
-      return {"actuator1_m", "actuator2_m"};
-    case RigKind::kElement:
-      return {"x_m"};
-    default:
-      return {"actuator_m"};
+std::vector<std::string> InputNames(RigKind kind, const RigOptions& options) {
+  if (kind == RigKind::kElement) return {"x_m"};
+  if (kind == RigKind::kFull) {
+    std::vector<std::string> names;
+    for (int i = 1; i <= options.actuators; ++i) {
+      names.push_back("actuator" + std::to_string(i) + "_m");
+    }
+    return names;
   }
+  if (options.driven_by == Drive::kForce) return {"force_N"};
+  if (options.driven_by == Drive::kPressure) return {"actuator_m", "p_bore_Pa", "p_rod_Pa"};
+  return {"actuator_m"};
 }
 
-std::vector<std::string> OutputNames(RigKind kind, const PhsParams& params) {
+std::vector<std::string> OutputNames(RigKind kind, const PhsParams& params,
+                                     const RigOptions& options) {
   if (kind == RigKind::kElement) return {"force_N"};
+  if (options.driven_by == Drive::kPressure) return {"piston_m", "load_cell_N"};
   if (kind != RigKind::kFull) return {"piston_m", "load_cell_N", "p_bore_Pa", "p_rod_Pa"};
   std::vector<std::string> names;
   for (const auto& c : params.cylinders) names.push_back("piston" + c.name + "_m");
@@ -44,7 +50,26 @@ std::vector<std::string> OutputNames(RigKind kind, const PhsParams& params) {
   return names;
 }
 
+Status CheckDrive(RigKind kind, const RigOptions& options) {
+  if (options.actuators != 2 && options.actuators != 4) {
+    return Error{"actuators", std::to_string(options.actuators) + " drive the full rig", "2 or 4",
+                 "2: cylinders 3 and 4 on the beam"};
+  }
+  if (options.actuators == 4 && kind != RigKind::kFull) {
+    return Error{"actuators", "this rig has one cylinder", "rig: full"};
+  }
+  if (options.driven_by == Drive::kPosition) return {};
+  if (kind != RigKind::kCylinder && kind != RigKind::kQuarter) {
+    return Error{"driven_by", "is for one cylinder with its lines", "rig: cylinder, quarter"};
+  }
+  if (!(options.moving_mass_kg > 0)) {
+    return Error{"moving_mass_kg", "is not positive", "> 0"};
+  }
+  return {};
+}
+
 Status CheckFits(RigKind kind, const PhsParams& params, const RigOptions& options) {
+  if (Status s = CheckDrive(kind, options); !s.ok()) return s;
   const size_t need = kind == RigKind::kFull ? 4 : 1;
   if (params.cylinders.size() != need) {
     return Error{
@@ -62,8 +87,7 @@ Status CheckFits(RigKind kind, const PhsParams& params, const RigOptions& option
   return {};
 }
 
-Status CheckMotion(RigKind kind, const RigMotion& motion) {
-  const size_t need = kind == RigKind::kFull ? 2 : 1;
+Status CheckMotion(size_t need, const RigMotion& motion) {
   const size_t n = static_cast<size_t>(motion.num_samples());
   if (motion.position_m.size() != need || n < 2) {
     return Error{"motion",
@@ -130,6 +154,8 @@ struct RigModel::Impl {
 
   void RunFull(const RigMotion& motion, const std::vector<std::vector<double>>& speed,
                RigPrediction* out) const;
+  void RunOne(const RigMotion& motion, const std::vector<double>& speed,
+              std::shared_ptr<const RigPressures>* pressures, RigPrediction* out) const;
 };
 
 RigModel::RigModel(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -146,9 +172,13 @@ Result<RigModel> RigModel::Create(RigKind kind, const PhsParams& params,
   if (Status s = CheckFits(kind, params, options); !s.ok()) return s.error();
   Result<PhsSystem> system = CreatePhsSystem(params, options.extra);
   if (!system.ok()) return system.error();
+  if (options.driven_by == Drive::kPressure && system.value().has_mounts()) {
+    return Error{"driven_by", "pressures are given and the mounting yields: they would not agree",
+                 "a model without play and compliance", "driven_by: position"};
+  }
   auto impl = std::unique_ptr<Impl>(
-      new Impl{kind, params, options, std::move(system.value()), InputNames(kind), {}});
-  impl->outputs = OutputNames(kind, params);
+      new Impl{kind, params, options, std::move(system.value()), InputNames(kind, options), {}});
+  impl->outputs = OutputNames(kind, params, options);
   return RigModel(std::move(impl));
 }
 
@@ -194,6 +224,20 @@ void AddLoads(const PhsSystem& system, const std::vector<double>& speed, const R
   }
 }
 
+/// A rig with one cylinder.
+void RigModel::Impl::RunOne(const RigMotion& motion, const std::vector<double>& speed,
+                            std::shared_ptr<const RigPressures>* pressures,
+                            RigPrediction* out) const {
+  if (options.driven_by == Drive::kForce) return RunForce(system, options, motion, out);
+  if (options.driven_by == Drive::kPressure) {
+    out->channels.resize(4, std::vector<double>(speed.size()));
+    RunAtPressures(system, motion, speed, {motion.position_m[1], motion.position_m[2]}, out);
+  } else {
+    RunCylinder(system, options, motion, speed, pressures, out);
+  }
+  AddLoads(system, speed, motion, &out->channels[1]);
+}
+
 Status RigModel::Run(const RigMotion& motion, RigPrediction* prediction) const {
   std::shared_ptr<const RigPressures> pressures;
   return Run(motion, prediction, &pressures);
@@ -201,7 +245,7 @@ Status RigModel::Run(const RigMotion& motion, RigPrediction* prediction) const {
 
 Status RigModel::Run(const RigMotion& motion, RigPrediction* prediction,
                      std::shared_ptr<const RigPressures>* pressures) const {
-  if (Status s = CheckMotion(impl_->kind, motion); !s.ok()) return s;
+  if (Status s = CheckMotion(impl_->inputs.size(), motion); !s.ok()) return s;
   const size_t n = static_cast<size_t>(motion.num_samples());
   prediction->channels.resize(impl_->outputs.size());
   for (auto& row : prediction->channels) row.resize(n);
@@ -214,17 +258,21 @@ Status RigModel::Run(const RigMotion& motion, RigPrediction* prediction,
   const auto& speed = motion.speed_m_s.empty() ? derived : motion.speed_m_s;
   switch (impl_->kind) {
     case RigKind::kFull:
-      impl_->RunFull(motion, speed, prediction);
+      if (impl_->options.actuators == 4) {
+        RunPistons(impl_->system, impl_->options, motion, speed, prediction);
+      } else {
+        impl_->RunFull(motion, speed, prediction);
+      }
       break;
     case RigKind::kElement:
       RunElementBench(impl_->system, motion, speed[0], &prediction->channels[0], nullptr);
       break;
     default:
-      RunCylinder(impl_->system, impl_->options, motion, speed[0], pressures, prediction);
-      AddLoads(impl_->system, speed[0], motion, &prediction->channels[1]);
+      impl_->RunOne(motion, speed[0], pressures, prediction);
       break;
   }
   ApplyInstruments(impl_->kind, impl_->system, motion.t0_s, motion.step_s, prediction);
+  prediction->channels.resize(impl_->outputs.size());  // given pressures are no prediction
   return {};
 }
 

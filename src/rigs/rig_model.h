@@ -4,14 +4,16 @@
 //   cylinder  one cylinder, bore chamber closed, driven
 //   quarter   cylinder "1", lines of its bore and rod side
 //   full      cylinders 1 and 2 driven by actuators, 3 and 4 on a beam hinged at the frame (bogie
-//             yaw of the trailing axle), with the beam's own inertia, friction and play
+//             yaw of the trailing axle), with the beam's own inertia, friction and play; or all
+//             four driven (RigOptions::actuators)
 //   steps     a quarter rig moved in steps and held (Table B-1), see steps_table.h
 //   element   any part moved by a prescribed motion (element_bench.h)
 //
 // Channel names are those of the measured data: quarter and cylinder
 // `piston_m,load_cell_N,p_bore_Pa,p_rod_Pa` from `actuator_m`; full `piston1_m…piston4_m,
 // load1_N…load4_N,pL1_Pa…pL4_Pa` from `actuator1_m,actuator2_m`; element `force_N` from `x_m`
-// (optionally `v_m_s`, `p_Pa`, `temperature_K`). Signs: extension > 0, tension > 0; pressures
+// (optionally `v_m_s`, `p_Pa`, `temperature_K`). One cylinder may be driven by `force_N` instead, or
+// its `p_bore_Pa, p_rod_Pa` given beside `actuator_m` (RigOptions::driven_by). Signs: extension > 0, tension > 0; pressures
 // absolute.
 #pragma once
 

@@ -8,7 +8,25 @@ namespace {
 
 const std::vector<std::string> kKinds = {"sine", "triangle", "step", "ramp", "multisine"};
 
-SignalParams ReadSignal(YamlMap map) {
+/// The key of a displacement or a force: the file says by it which of the two it means.
+std::string KeyOf(YamlMap& map, const std::string& name, const char* m, const char* n,
+                  SignalParams* s) {
+  s->force = map.Has(name + n);
+  return name + (s->force ? n : m);
+}
+
+void ReadWave(YamlMap& map, SignalParams* s) {
+  s->frequency_Hz = map.Number("frequency_Hz", {.min = 0, .open_min = true});
+  if (s->kind == SignalKind::kMultisine) {
+    s->high_frequency_Hz = map.Number("high_frequency_Hz", {.min = s->frequency_Hz});
+    s->tones = map.Integer("tones", 1, 200, 12);
+    return;
+  }
+  s->phase_deg = map.Number("phase_deg", {.min = -360, .max = 360}, 0.0);
+  s->periods = map.Integer("periods", 0, 1000000, 0);
+}
+
+SignalParams ReadSignal(YamlMap& map) {
   const Range positive{.min = 0, .open_min = true};
   SignalParams s;
   const std::string kind = map.Word("kind", kKinds);
@@ -17,23 +35,45 @@ SignalParams ReadSignal(YamlMap map) {
   }
   s.start_s = map.Number("start_s", {.min = 0}, 0.0);
   if (s.kind == SignalKind::kStep) {
-    s.levels_m = map.Numbers("levels_m", {});
+    s.levels = map.Numbers(KeyOf(map, "levels", "_m", "_N", &s), {});
     s.rise_s = map.Number("rise_s", positive, s.rise_s);
     s.hold_s = map.Number("hold_s", positive, s.hold_s);
     return s;
   }
-  s.amplitude_m = map.Number("amplitude_m", positive);
+  const std::string amplitude = KeyOf(map, "amplitude", "_m", "_N", &s);
+  s.amplitude = map.Number(amplitude, {});
   if (s.kind == SignalKind::kRamp) {
-    s.speed_m_s = map.Number("speed_m_s", {});
-    if (s.speed_m_s == 0) map.Fail("speed_m_s", "is zero", "a speed other than 0");
+    if (s.amplitude <= 0)
+      map.Fail(amplitude, "of a ramp is not positive", "> 0", "its speed has the sign");
+    const bool of_force = map.Has("rate_N_s");
+    const char* rate = of_force ? "rate_N_s" : "speed_m_s";
+    s.rate = map.Number(rate, {});
+    if (of_force != s.force) map.Fail(rate, "has another unit than " + amplitude);
+    if (s.rate == 0) map.Fail(rate, "is zero", "a speed other than 0");
     return s;
   }
-  s.frequency_Hz = map.Number("frequency_Hz", positive);
-  if (s.kind == SignalKind::kMultisine) {
-    s.high_frequency_Hz = map.Number("high_frequency_Hz", {.min = s.frequency_Hz});
-    s.tones = map.Integer("tones", 1, 200, 12);
-  }
+  if (s.amplitude == 0) map.Fail(amplitude, "is zero", "a number other than 0");
+  ReadWave(map, &s);
   return s;
+}
+
+/// One signal, or a list of them.
+std::vector<SignalParams> ReadParts(YamlMap& map, const std::string& channel) {
+  if (map.IsMap(channel)) {
+    YamlMap one = map.Map(channel);
+    return {ReadSignal(one)};
+  }
+  std::vector<YamlMap> list = map.Maps(channel);
+  if (list.empty()) map.Fail(channel, "has no signal", "a map, or a list of maps");
+  std::vector<SignalParams> parts;
+  for (size_t i = 0; i < list.size(); ++i) {
+    parts.push_back(ReadSignal(list[i]));
+    if (i + 1 < list.size() && parts.back().periods == 0) {
+      list[i].Fail("periods", "is missing: the next signal begins where this one ends",
+                   "a number of periods of a sine or triangle");
+    }
+  }
+  return parts;
 }
 
 double Triangle(double turns) {
@@ -41,9 +81,16 @@ double Triangle(double turns) {
   return u < 0.25 ? 4 * u : (u < 0.75 ? 2 - 4 * u : 4 * u - 4);
 }
 
+/// The wave at `t` after start_s.
+double Wave(const SignalParams& s, double t) {
+  if (t <= s.Wait() || (s.periods > 0 && s.start_s + t >= s.End())) return 0;
+  const double turns = s.frequency_Hz * t + s.phase_deg / 360;
+  return s.amplitude * (s.kind == SignalKind::kSine ? std::sin(2 * M_PI * turns) : Triangle(turns));
+}
+
 double Steps(const SignalParams& s, double t) {
   double from = 0;
-  for (const double to : s.levels_m) {
+  for (const double to : s.levels) {
     if (t < s.rise_s) return from + (to - from) * t / s.rise_s;
     if (t < s.rise_s + s.hold_s) return to;
     t -= s.rise_s + s.hold_s;
@@ -64,6 +111,11 @@ double Multisine(const SignalParams& s, double t) {
 
 }  // namespace
 
+double SignalParams::Wait() const {
+  const double halves = phase_deg / 180;  // a wave passes through 0 at every half turn
+  return (std::ceil(halves) - halves) / (2 * frequency_Hz);
+}
+
 int RigSignals::num_samples() const {
   return sample_s > 0 ? static_cast<int>(std::floor(duration_s / sample_s + 0.5)) + 1 : 0;
 }
@@ -75,7 +127,7 @@ RigSignals ReadRigSignals(YamlMap map) {
   for (const std::string& key : map.Keys()) {
     if (key == "duration_s" || key == "sample_s") continue;
     out.channels.push_back(key);
-    out.signals.push_back(ReadSignal(map.Map(key)));
+    out.signals.push_back(ReadParts(map, key));
   }
   if (out.channels.empty()) {
     map.Fail("actuator_m", "no channel has a signal", "a map of the driven channel, e.g.",
@@ -96,16 +148,14 @@ std::vector<double> GenerateSignal(const SignalParams& s, int num_samples, doubl
     if (t <= 0) continue;
     switch (s.kind) {
       case SignalKind::kSine:
-        x[i] = s.amplitude_m * std::sin(2 * M_PI * s.frequency_Hz * t);
-        break;
       case SignalKind::kTriangle:
-        x[i] = s.amplitude_m * Triangle(s.frequency_Hz * t);
+        x[i] = Wave(s, t);
         break;
       case SignalKind::kStep:
         x[i] = Steps(s, t);
         break;
       case SignalKind::kRamp:
-        x[i] = std::clamp(s.speed_m_s * t, -s.amplitude_m, s.amplitude_m);
+        x[i] = std::clamp(s.rate * t, -s.amplitude, s.amplitude);
         break;
       case SignalKind::kMultisine:
         x[i] = Multisine(s, t) - Multisine(s, 0);
@@ -114,7 +164,20 @@ std::vector<double> GenerateSignal(const SignalParams& s, int num_samples, doubl
     peak = std::max(peak, std::abs(x[i]));
   }
   if (s.kind == SignalKind::kMultisine && peak > 0) {
-    for (double& value : x) value *= s.amplitude_m / peak;
+    for (double& value : x) value *= s.amplitude / peak;
+  }
+  return x;
+}
+
+std::vector<double> GenerateSignals(const std::vector<SignalParams>& parts, int num_samples,
+                                    double step_s) {
+  std::vector<double> x(static_cast<size_t>(num_samples), 0.0);
+  double begin_s = 0;
+  for (SignalParams part : parts) {
+    part.start_s += begin_s;
+    const std::vector<double> y = GenerateSignal(part, num_samples, step_s);
+    for (size_t i = 0; i < x.size(); ++i) x[i] += y[i];
+    if (part.periods > 0) begin_s = part.End();
   }
   return x;
 }

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "base/data_path.h"
-#include "identify/steps_search.h"
 #include "phs_model/phs_model.h"
 
 namespace phs::validate {
@@ -16,18 +15,6 @@ using identify::StepSearch;
 using rigs::StepRow;
 
 constexpr char kThesis[] = "Löwe, M.Eng. thesis, Univ. of Pretoria, ";
-
-Result<StepSearch> Search() {
-  Result<std::string> path = FindData("rig", "models/rigs", "steps_joint", {".yaml"});
-  if (!path.ok()) return path.error();
-  Result<measurement::Manifest> manifest = measurement::LoadManifest(path.value());
-  if (!manifest.ok()) return manifest.error();
-  Result<std::vector<measurement::StepCase>> cases = measurement::ReadStepCases(manifest.value());
-  if (!cases.ok()) return cases.error();
-  Result<rigs::StepProblem> problem = identify::MakeStepProblem(manifest.value(), cases.value());
-  if (!problem.ok()) return problem.error();
-  return identify::SearchSteps(problem.value(), manifest.value().shared);
-}
 
 class Rows {
  public:
@@ -99,6 +86,18 @@ Status AddFrictionShares(const StepSearch& s, Rows* rows) {
 
 }  // namespace
 
+Result<StepSearch> SearchTableB1() {
+  Result<std::string> path = FindData("rig", "models/rigs", "steps_joint", {".yaml"});
+  if (!path.ok()) return path.error();
+  Result<measurement::Manifest> manifest = measurement::LoadManifest(path.value());
+  if (!manifest.ok()) return manifest.error();
+  Result<std::vector<measurement::StepCase>> cases = measurement::ReadStepCases(manifest.value());
+  if (!cases.ok()) return cases.error();
+  Result<rigs::StepProblem> problem = identify::MakeStepProblem(manifest.value(), cases.value());
+  if (!problem.ok()) return problem.error();
+  return identify::SearchSteps(problem.value(), manifest.value().shared);
+}
+
 Result<double> CalcFrictionShare(const PhsParams& quarter, double amplitude_m, double frequency_Hz,
                                  bool triangle) {
   Result<hydraulics::PhsSystem> made = phs_model::CreatePhsSystem(quarter);
@@ -128,7 +127,7 @@ Result<double> CalcFrictionShare(const PhsParams& quarter, double amplitude_m, d
 }
 
 Status AddTableB1Checks(Checks* checks) {
-  Result<StepSearch> searched = Search();
+  Result<StepSearch> searched = SearchTableB1();
   if (!searched.ok()) return searched.error();
   const StepSearch& s = searched.value();
   Rows rows(s, checks);

@@ -3,11 +3,13 @@
 #pragma once
 
 #include "hydraulics/phs_params.h"
+#include "identify/steps_search.h"
 #include "validate/check.h"
 
 namespace phs::validate {
 
-/// Of models/rigs/steps_joint.yaml.
+/// Of models/rigs/steps_joint.yaml: the search, and the checks of what it found.
+Result<identify::StepSearch> SearchTableB1();
 Status AddTableB1Checks(Checks* checks);
 
 /// Mean relative error [%] of the hydraulic force against the load cell of a quarter rig that is

@@ -75,8 +75,9 @@ class RigRunTest : public testing::Test {
 };
 
 TEST_F(RigRunTest, EveryExampleRunsAndHoldsNumbersOnly) {
-  for (const char* name : {"cylinder_ramp", "quarter_sine", "quarter_triangle", "full_multisine",
-                           "element_seal", "steps_setup2", "steps_setup3", "steps_setup4"}) {
+  for (const char* name :
+       {"cylinder_ramp", "quarter_sine", "quarter_triangle", "full_multisine", "element_seal",
+        "steps_setup1", "steps_setup2", "steps_setup3", "steps_setup4"}) {
     const std::string path = std::string(PHS_TEST_DATA "/../rigs/") + name + ".yaml";
     Result<measurement::Manifest> manifest =
         measurement::LoadManifest(path, measurement::WindowNeed::kNone);
@@ -165,7 +166,7 @@ TEST_F(RigRunTest, StepTablesByTheThesisNames) {
 TEST(RigSignal, ShapesAreAsDefined) {
   using rigs::SignalKind;
   rigs::SignalParams s;
-  s.amplitude_m = 2e-3;
+  s.amplitude = 2e-3;
   s.frequency_Hz = 0.5;
   s.kind = SignalKind::kTriangle;
   const std::vector<double> triangle = rigs::GenerateSignal(s, 201, 0.01);
@@ -182,7 +183,7 @@ TEST(RigSignal, ShapesAreAsDefined) {
   EXPECT_DOUBLE_EQ(peak, 2e-3);
   EXPECT_EQ(multisine[0], 0);
   s.kind = SignalKind::kStep;
-  s.levels_m = {1e-3, -2e-3};
+  s.levels = {1e-3, -2e-3};
   s.rise_s = 0.2;
   s.hold_s = 1;
   const std::vector<double> steps = rigs::GenerateSignal(s, 301, 0.01);
@@ -191,7 +192,7 @@ TEST(RigSignal, ShapesAreAsDefined) {
   EXPECT_NEAR(steps[130], -0.5e-3, 1e-12);
   EXPECT_NEAR(steps[300], -2e-3, 1e-12);
   s.kind = SignalKind::kRamp;
-  s.speed_m_s = -1e-3;
+  s.rate = -1e-3;
   s.start_s = 0.5;
   const std::vector<double> ramp = rigs::GenerateSignal(s, 401, 0.01);
   EXPECT_EQ(ramp[50], 0);

@@ -49,12 +49,12 @@ TEST(FullRig, HingedBeamAndEngineBodyAgree) {
   const double h = 1e-4;
   const int n = 40001;
   rigs::SignalParams signal;
-  signal.amplitude_m = 2e-3;
+  signal.amplitude = 2e-3;
   signal.frequency_Hz = 0.5;
   rigs::RigMotion motion;
   motion.step_s = h;
   motion.position_m = {rigs::GenerateSignal(signal, n, h)};
-  signal.amplitude_m = 1.5e-3;
+  signal.amplitude = 1.5e-3;
   signal.frequency_Hz = 0.8;
   motion.position_m.push_back(rigs::GenerateSignal(signal, n, h));
   const rigs::RigModel rig = std::move(
