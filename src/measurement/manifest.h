@@ -26,6 +26,9 @@
 //   low_pass_Hz: 20                       all channels, forwards and backwards (no lag)
 //   signal: {duration_s: 40, actuator_m: {kind: sine, …}}   generated motion instead of data
 //   setup: 2                              rows of a step table (default: by the model's name)
+//   limits: {stroke_m: [-2e-3, 3e-3], speed_m_s: 0.02, force_N: 8e4, duration_s: 60}
+//                                         what the rig can do in a next test; as far as the record
+//                                         went where not said, and 60 s
 //   beam: {lever_m: 1.0, …}, substeps: 1  how the rig is simulated (full rig, time step)
 #pragma once
 
@@ -56,6 +59,12 @@ struct RunSpec {
   int setup = 0;      ///< step tables: of this run; 0: the manifest's
 };
 
+/// What a rig can do, as far as the manifest says so; 0: not said.
+struct TestLimits {
+  Window stroke_m;  ///< of the driven position
+  double speed_m_s = 0, force_N = 0, duration_s = 0;
+};
+
 struct Manifest {
   std::string path;
   std::string rig;
@@ -73,6 +82,7 @@ struct Manifest {
   std::optional<rigs::RigSignals> signal;  ///< then no run is read
   int setup = 0;                           ///< of a step table; 0: by the model's name
   rigs::RigOptions options;
+  TestLimits limits;
 };
 
 enum class WindowNeed {
