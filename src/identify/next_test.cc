@@ -122,25 +122,25 @@ double Least(const std::array<TestEvidence, 2>& answers) {
   return std::min(answers[0].probability(), answers[1].probability());
 }
 
-/// Motion that is in the validation window alone.
-void AddOtherMotion(const nlohmann::ordered_json& unexplained, nlohmann::ordered_json* tests) {
+}  // namespace
+
+std::string OtherMotion(const nlohmann::ordered_json& unexplained) {
   constexpr double kMuch = 2;  // times as much as in estimation, and as noise
   const double left = unexplained.value("residual_over_noise", 0.0);
   const double before = unexplained.value("estimation_over_noise", left);
-  if (!(left > kMuch) || !(left > kMuch * before)) return;
-  tests->push_back(fmt::format(
+  if (!(left > kMuch) || !(left > kMuch * before)) return {};
+  return fmt::format(
       "the validation window excites what the estimation window does not: {} is {:.1f} times its "
       "noise there and {:.1f} times in estimation; identify again with such motion in both",
-      unexplained["channel"].get<std::string>(), left, before));
+      unexplained["channel"].get<std::string>(), left, before);
 }
-
-}  // namespace
 
 Status PutNextTest(const FitProblem& problem, const Identification& found, const TestRig& rig,
                    int threads, const std::function<bool()>& go_on, const ResultDir& dir,
                    nlohmann::ordered_json* result) {
   nlohmann::ordered_json tests = nlohmann::ordered_json::array();
-  AddOtherMotion((*result)["unexplained"], &tests);
+  const std::string other = OtherMotion((*result)["unexplained"]);
+  if (!other.empty()) tests.push_back(other);
   const std::optional<NextTest> test = DesignTest(problem, found, rig, threads, go_on);
   if (test) {
     for (const std::string& text : Sentences(*test, rig)) tests.push_back(text);

@@ -56,9 +56,12 @@ std::optional<NextTest> DesignTest(const FitProblem& problem, const Identificati
                                    const TestRig& rig, int threads,
                                    const std::function<bool()>& go_on);
 
+/// A sentence where the validation window (`unexplained` of result.json) excites what the estimation
+/// window does not, else empty.
+std::string OtherMotion(const nlohmann::ordered_json& unexplained);
+
 /// Designs a test; `next_test` of `result` gets what it says, `test_design` its numbers, the result
-/// folder next_test.csv. `next_test` says too where the validation window (`unexplained` of
-/// `result`) excites what the estimation window does not.
+/// folder next_test.csv. OtherMotion is said there too.
 Status PutNextTest(const FitProblem& problem, const Identification& found, const TestRig& rig,
                    int threads, const std::function<bool()>& go_on, const ResultDir& dir,
                    nlohmann::ordered_json* result);

@@ -96,14 +96,13 @@ rigs::RigOptions ReadOptions(YamlMap& map) {
 
 TestLimits ReadLimits(YamlMap map) {
   TestLimits limits;
-  const Range positive{.min = 0, .open_min = true};
   limits.stroke_m = ReadWindow(map, "stroke_m", "[low, high] in metres, low < 0 < high");
-  if (map.Has("stroke_m") && !limits.stroke_m.Contains(0)) {
-    map.Fail("stroke_m", "does not hold the place where a test begins", "low <= 0 < high");
+  if (!limits.stroke_m.empty() && !limits.stroke_m.Contains(0)) {
+    map.Fail("stroke_m", "does not hold 0, where a test begins", "low <= 0 < high");
   }
-  if (map.Has("speed_m_s")) limits.speed_m_s = map.Number("speed_m_s", positive);
-  if (map.Has("force_N")) limits.force_N = map.Number("force_N", positive);
-  if (map.Has("duration_s")) limits.duration_s = map.Number("duration_s", {.min = 10, .max = 3600});
+  limits.speed_m_s = map.Number("speed_m_s", {.min = 0}, 0.0);
+  limits.force_N = map.Number("force_N", {.min = 0}, 0.0);
+  limits.duration_s = map.Number("duration_s", {.min = 10, .max = 3600}, 60.0);
   return limits;
 }
 

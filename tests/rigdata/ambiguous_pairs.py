@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Effects that a poor record cannot tell apart, and the test that `phs identify` designs for them.
 
-    ambiguous_pairs.py GENERATOR PHS FOLDER [--seeds N] [--only A/B] [--table docs/next_test.md]
+    ambiguous_pairs.py GENERATOR PHS FOLDER [--seeds N] [--only A/B]
 
 Of each pair and seed, either effect is hidden in a rig that makes one small motion. `phs identify` of
 that record designs the next test; the same rig makes it, and a random motion of the same length and
@@ -14,7 +14,6 @@ import json
 import math
 import os
 import random
-import re
 import subprocess
 import sys
 
@@ -148,7 +147,6 @@ def main():
     parser.add_argument("--grade", default="strong")
     parser.add_argument("--only", default="")
     parser.add_argument("--least", type=float, default=0.0, help="share that must be right")
-    parser.add_argument("--table", default="", help="page whose table is replaced")
     args = parser.parse_args()
     rows = []
     for pair in PAIRS:
@@ -159,15 +157,10 @@ def main():
                 rows.append(run_case(args, pair, truth, seed))
     text = table(rows)
     print(text)
-    if args.table:
-        with open(args.table) as file:
-            page = file.read()
-        mark = re.compile(r"(<!-- pairs -->\n).*?(<!-- end of pairs -->)", re.S)
-        with open(args.table, "w") as file:
-            file.write(mark.sub(lambda m: m.group(1) + text + m.group(2), page))
     asked = [r for r in rows if r["question"]]
     right = sum(r["designed_right"] for r in asked)
-    print(f"{right} of {len(asked)} designed tests name the right one")
+    print(f"{right} of {len(asked)} designed tests name the right one; {len(rows) - len(asked)} of "
+          f"{len(rows)} small motions left no question")
     return 0 if asked and right >= args.least * len(asked) else 1
 
 
