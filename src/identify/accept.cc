@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "effects/catalogue.h"
+
 namespace phs::identify::search {
 namespace {
 
@@ -53,6 +55,19 @@ bool IsThere(const Candidate& form, const FitResult& fit) {
     there |= ExcludesNone(p, form.none[k], value, fit.half_95[base + k]);
   }
   return there;
+}
+
+bool IsOfInstrument(const Candidate& form) {
+  const hydraulics::EffectInfo* info = effects::Catalogue().FindFor(form.params);
+  return info != nullptr && info->family == "instrument";
+}
+
+bool Beats(const FitProblem& problem, const Candidate& form, const FitResult& fit,
+           const Candidate& other, const FitResult& other_fit) {
+  const double ahead = Criterion(problem, other_fit.score, other_fit.values.size()) -
+                       Criterion(problem, fit.score, fit.values.size());
+  if (IsOfInstrument(form) == IsOfInstrument(other)) return ahead > 0;
+  return IsOfInstrument(form) ? IsBeyondChance(ahead, 1) : !IsBeyondChance(-ahead, 1);
 }
 
 std::string Refusal(const Evidence& evidence, const Candidate& form, const FitResult& fit) {

@@ -26,6 +26,14 @@ bool AreTold(const std::vector<FreeParameter>& free, const FitResult& fit, size_
 /// far end of what is plausible.
 bool IsThere(const Candidate& form, const FitResult& fit);
 
+/// True of what a sensor says beyond the truth, not the rig.
+bool IsOfInstrument(const Candidate& form);
+
+/// True if the first explains more than the second, as the criterion counts; a physical cause gives
+/// way to an instrument's fault only where that is ahead beyond chance.
+bool Beats(const FitProblem& problem, const Candidate& form, const FitResult& fit,
+           const Candidate& other, const FitResult& other_fit);
+
 /// Empty if the candidate may be accepted, else why not. `fit` ends with its numbers.
 std::string Refusal(const Evidence& evidence, const Candidate& form, const FitResult& fit);
 

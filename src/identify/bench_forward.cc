@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 #include "identify/element_places.h"
 
@@ -39,6 +40,17 @@ BenchForward::BenchForward(const ElementData& data, FreeModel declared, Sizes si
     }
   }
 }
+
+namespace {
+
+/// A side channel at rest at its mean; empty stays empty.
+std::vector<double> Settled(const std::vector<double>& channel, size_t count) {
+  if (channel.empty()) return {};
+  const double sum = std::accumulate(channel.begin(), channel.end(), 0.0);
+  return std::vector<double>(count, sum / static_cast<double>(channel.size()));
+}
+
+}  // namespace
 
 Channels BenchForward::OnFitted(const Channels& full) const {
   Channels out;
@@ -119,6 +131,35 @@ std::vector<Candidate> BenchForward::Candidates(const PhsParams& params) const {
   FreeModel model = declared_;
   model.params = params;
   return ListElementCandidates(model, data_, sizes);
+}
+
+std::shared_ptr<const search::ForwardModel> BenchForward::Driven(const rigs::RigMotion& motion,
+                                                                 double until_s) const {
+  const ElementRecord& made = data_.records.front();
+  if (made.extra != nullptr) return nullptr;
+  struct Own {
+    ElementData data;
+    std::shared_ptr<const search::ForwardModel> forward;
+  };
+  const auto own = std::make_shared<Own>();
+  own->data.noise_N = data_.noise_N, own->data.position_noise_m = data_.position_noise_m;
+  own->data.has_pressure = data_.has_pressure, own->data.has_temperature = data_.has_temperature;
+  own->data.compare_below_Hz = data_.compare_below_Hz;
+  ElementRecord& r = own->data.records.emplace_back();
+  r.motion = motion, r.estimation = {0, until_s};
+  const auto count = static_cast<size_t>(motion.num_samples());
+  r.motion.pressure_Pa = Settled(made.motion.pressure_Pa, count);
+  r.motion.temperature_K = Settled(made.motion.temperature_K, count);
+  r.speed_deviation.assign(count, 0.0), r.force_N.assign(count, 0.0);
+  r.band = measurement::BandLimit(motion.step_s, data_.compare_below_Hz);
+  for (size_t i = 0; i < count; i += static_cast<size_t>(r.band.stride())) {
+    r.row_sample.push_back(static_cast<int>(i)), r.row_force_N.push_back(0);
+    r.fitted.push_back(r.estimation.Contains(r.Time(static_cast<int>(i))));
+  }
+  r.scored.assign(r.fitted.size(), 0);
+  own->forward =
+      std::shared_ptr<const BenchForward>(new BenchForward(own->data, declared_, sizes_));
+  return {own, own->forward.get()};
 }
 
 std::shared_ptr<const search::ForwardModel> BenchForward::Coarse(double) const {

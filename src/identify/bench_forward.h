@@ -30,6 +30,8 @@ class BenchForward final : public search::ForwardModel {
                                      const std::string& channel) const override;
   search::FreeModel Declared(const hydraulics::PhsParams& declared) const override;
   std::vector<search::Candidate> Candidates(const hydraulics::PhsParams& params) const override;
+  std::shared_ptr<const search::ForwardModel> Driven(const rigs::RigMotion& motion,
+                                                     double until_s) const override;
   std::shared_ptr<const search::ForwardModel> Coarse(double step_s) const override;
 
   /// Force on every row of every record, in the band.

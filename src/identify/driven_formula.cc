@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "effects/unlisted.h"
+#include "identify/accept.h"
 #include "identify/fit_intervals.h"
 #include "identify/line_formula.h"
 #include "identify/near_fit.h"
@@ -164,7 +165,10 @@ FormulaTrial TryFormula(const FitProblem& problem, const FitProblem& coarse, con
   const std::function<void()> searches[] = {try_line, try_force, try_reading};
   problem.ForEach(3, [&](int k) { searches[k](); });
   FormulaTrial& best = Better(problem, line, force) ? line : force;
-  return Better(problem, reading, best) ? reading : best;
+  // What a sensor says beyond the truth gives way to a physical cause that explains as much.
+  const bool ahead = !best.fit.ok || (Better(problem, reading, best) &&
+                                      IsBeyondChance(best.fit.score - reading.fit.score, 1));
+  return reading.fit.ok && ahead ? reading : best;
 }
 
 Candidate FormulaCandidate(const FoundFormula& found, double most) {

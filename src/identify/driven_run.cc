@@ -7,7 +7,9 @@
 
 #include "base/table.h"
 #include "effects/unlisted.h"
+#include "identify/next_test.h"
 #include "identify/own_candidates.h"
+#include "identify/passivity.h"
 #include "identify/result_json.h"
 #include "identify/rig_forward.h"
 #include "measurement/data_checks.h"
@@ -171,6 +173,31 @@ Json Head(const Manifest& manifest, const FitData& data) {
           {"data_findings", FindingList(data.findings)}};
 }
 
+namespace {
+
+constexpr double kLast = 0.99;  // of the work
+
+TestRig TestRigOf(const Manifest& manifest, const FitData& data, const PhsParams& declared,
+                  const SearchOptions& options) {
+  std::vector<std::string> inputs;
+  Channels positions, speeds;
+  for (size_t a = 0; a < data.motion.size(); ++a) {
+    inputs.push_back(data.inputs[a].name);
+    positions.push_back(data.motion[a].position), speeds.push_back(data.motion[a].speed);
+  }
+  std::vector<double> forces;
+  for (const MeasuredChannel& c : data.outputs) {
+    if (c.name.ends_with("_N")) forces.insert(forces.end(), c.values.begin(), c.values.end());
+  }
+  const double stop =
+      declared.cylinders.empty() ? 0 : declared.cylinders.front().end_stop.clearance_m;
+  TestRig rig = MakeTestRig(manifest.limits, inputs, data.step_s, positions, speeds, forces, stop);
+  rig.coarse_step_s = std::max(data.step_s, options.effort.coarse_step_s);
+  return rig;
+}
+
+}  // namespace
+
 Result<IdentifyOutcome> SearchAndWrite(const Manifest& manifest, const FitData& data,
                                        const PhsParams& declared, FitProblem* problem,
                                        const SearchOptions& options, const Progress& progress,
@@ -202,7 +229,8 @@ Result<IdentifyOutcome> SearchAndWrite(const Manifest& manifest, const FitData& 
   result["fitted"] = Parameters(found.corrected, found.after, 0, found.declared.free.size(), true);
   result["localised"] = Localise(data, before, found.before);
   result["unexplained"] = Unexplained(data, after, over_noise.value(), found);
-  VerdictFacts facts{{}, NamedEffects(found), FittedNumbers(found), {}};
+  result["drives"] = WhatDrives(*problem, found);
+  VerdictFacts facts{{}, NamedEffects(found), FittedNumbers(found), result["drives"]};
   for (size_t c = 0; c < data.outputs.size(); ++c) {
     const std::string& name = data.outputs[c].name;
     const LeftOver& left = over_noise.value()[c];
@@ -211,7 +239,11 @@ Result<IdentifyOutcome> SearchAndWrite(const Manifest& manifest, const FitData& 
                               left.following});
   }
   PutVerdict(facts, &result);
-  result["next_test"] = NextTests(found, result["unexplained"]);
+  const Status tested = PutNextTest(
+      *problem, found, TestRigOf(manifest, data, declared, options), options.effort.threads,
+      [&] { return !progress || progress(kLast); }, dir, &result);
+  if (!tested.ok()) return tested.error();
+  if (outcome.cancelled = progress && !progress(kLast); outcome.cancelled) return outcome;
   result["candidates"] = CandidateList(found);
   result["model"] = "model.yaml";
   for (const Status& s :

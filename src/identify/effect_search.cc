@@ -49,8 +49,9 @@ class Search {
     DropSuperfluous();
     Stage(0.85, 0.1);
     if (!cancelled_ && options_.formula) {
-      ChallengeByFormula(problem_, coarse_, &out_);
-      if (AddFormula(problem_, coarse_, &out_)) DropSuperfluous();
+      const auto go_on = [this](double part) { return GoOn(part); };
+      ChallengeByFormula(problem_, coarse_, options_.effort, go_on, &out_);
+      if (AddFormula(problem_, coarse_, options_.effort, go_on, &out_)) DropSuperfluous();
     }
     UpdateRecords();
     return {};
@@ -140,10 +141,10 @@ class Search {
       }
       if (record.verdict.empty()) {
         record.verdict = kBeaten;
-        const int k = static_cast<int>(out_.candidates.size() - first);
-        if (best < 0 || record.evidence.delta_bic >
-                            out_.candidates[first + static_cast<size_t>(best)].evidence.delta_bic) {
-          best = k;
+        if (best < 0 ||
+            Beats(problem_, trial.form, trial.fit, trials[static_cast<size_t>(best)].form,
+                  trials[static_cast<size_t>(best)].fit)) {
+          best = static_cast<int>(out_.candidates.size() - first);
         }
       }
       out_.candidates.push_back(std::move(record));
@@ -163,7 +164,12 @@ class Search {
       if (!other.fit.ok || other.candidate->effect == trial.candidate->effect) continue;
       const double behind = Criterion(problem_, other.fit.score, other.fit.values.size()) -
                             Criterion(problem_, trial.fit.score, trial.fit.values.size());
-      if (!IsBeyondChance(behind, 1)) accepted.confusable_with.push_back(other.candidate->effect);
+      if (IsBeyondChance(behind, 1)) continue;
+      accepted.confusable_with.push_back(other.candidate->effect);
+      accepted.rivals.push_back(
+          {other.form,
+           {other.fit.values.end() - static_cast<long>(other.form.free.size()),
+            other.fit.values.end()}});
     }
     out_.corrected = WithCandidate(model, trial.form);
     out_.after = trial.fit;
@@ -190,8 +196,7 @@ class Search {
         if (!trial.fit.ok) continue;
         const Evidence e = Compare(problem_, rest, trial.fit, static_cast<double>(list.size()));
         if (!Refusal(e, trial.form, trial.fit).empty()) continue;
-        if (best == nullptr || Criterion(problem_, trial.fit.score, trial.fit.values.size()) <
-                                   Criterion(problem_, best->fit.score, best->fit.values.size())) {
+        if (best == nullptr || Beats(problem_, trial.form, trial.fit, best->form, best->fit)) {
           best = &trial;
         }
       }
@@ -246,6 +251,10 @@ class Search {
       std::erase_if(effect.confusable_with, [&](const std::string& name) {
         return std::any_of(out_.effects.begin(), out_.effects.end(),
                            [&](const auto& other) { return other.candidate.effect == name; });
+      });
+      std::erase_if(effect.rivals, [&](const Rival& rival) {
+        return std::find(effect.confusable_with.begin(), effect.confusable_with.end(),
+                         rival.form.effect) == effect.confusable_with.end();
       });
       for (CandidateRecord& record : out_.candidates) {
         if (record.effect != effect.candidate.effect || record.verdict != kAccepted) continue;

@@ -4,13 +4,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/words.h"
 #include "effects/unlisted.h"
 #include "identify/bench_checks.h"
 #include "identify/bench_forward.h"
 #include "identify/element_result.h"
+#include "identify/next_test.h"
 #include "identify/own_candidates.h"
+#include "identify/passivity.h"
 #include "identify/result_json.h"
 #include "phs_model/phs_model.h"
 
@@ -28,6 +31,8 @@ using search::Identification;
 using search::SearchOptions;
 using json = nlohmann::ordered_json;
 using search::IdentifyOutcome;
+
+constexpr double kLast = 0.99;  // of the work
 
 json Head(const Manifest& manifest, const ElementData& data) {
   json sources = json::array();
@@ -90,21 +95,25 @@ std::vector<ChannelLeft> BenchChannels(const json& result, const ElementData& da
            std::pow(left["following_over_noise"].get<double>(), 2)}};
 }
 
-std::vector<std::string> TestsAfter(const Identification& found, const json& asks) {
-  std::vector<std::string> out;
-  for (const search::AcceptedEffect& effect : found.effects) {
-    if (effect.confusable_with.empty()) continue;
-    out.push_back(effect.candidate.effect + " against " + JoinWords(effect.confusable_with) +
-                  ": slow reversals after rests of different length, at two speeds and pressures");
+search::TestRig TestRigOf(const Manifest& manifest, const ElementData& data) {
+  search::Channels positions, speeds;
+  std::vector<double> forces;
+  for (const ElementRecord& r : data.records) {
+    positions.push_back(r.motion.position_m[0]), speeds.push_back(r.motion.speed_m_s[0]);
+    forces.insert(forces.end(), r.force_N.begin(), r.force_N.end());
   }
-  if (asks.is_object()) {
-    for (const json& e : asks["effects"]) {
-      out.push_back(e["name"].get<std::string>() +
-                    ": only the validation record asks for it; take a record of that kind into the "
-                    "estimation");
-    }
+  return search::MakeTestRig(manifest.limits, {"x_m"}, data.records.front().motion.step_s,
+                             positions, speeds, forces, std::numeric_limits<double>::infinity());
+}
+
+/// What the validation record alone asks for.
+void AddAsked(const json& asks, json* tests) {
+  if (!asks.is_object()) return;
+  for (const json& e : asks["effects"]) {
+    tests->push_back(e["name"].get<std::string>() +
+                     ": only the validation record asks for it; take a record of that kind into "
+                     "the estimation");
   }
-  return out;
 }
 
 std::string Summary(const json& result) {
@@ -133,6 +142,7 @@ std::string Summary(const json& result) {
                        s["before"]["relative_percent"].get<double>(),
                        s["after"]["relative_percent"].get<double>());
   }
+  out += search::NextTestLines(result);
   const json& left = result["unexplained"];
   out +=
       fmt::format("unexplained: {:.2f} times the noise", left["residual_over_noise"].get<double>());
@@ -162,6 +172,33 @@ Status WriteFiles(const ElementData& data, const Rows* before, const Rows& after
     if (!s.ok()) return s;
   }
   return WriteFileAtomically(dir.File("result.json"), result.dump(1) + "\n");
+}
+
+/// result.json up to the verdict. `faults`: of the data.
+json Describe(const Manifest& manifest, const ElementData& data, const FitProblem& problem,
+              const Identification& found, const Rows& before, const Rows& after,
+              std::vector<std::string> faults) {
+  json result = Head(manifest, data);
+  for (const bool fitted : {false, true}) {
+    result[fitted ? "channels_estimation" : "channels"]["force_N"] = {
+        {"before", ScoreRows(data, before, fitted)}, {"after", ScoreRows(data, after, fitted)}};
+  }
+  const size_t declared = found.declared.free.size();
+  result["effects"] = search::EffectList(found);
+  result["fitted"] = search::Parameters(found.corrected, found.after, 0, declared, true);
+  result["fitted_before"] = search::Parameters(found.declared, found.before, 0, declared, true);
+  result["localised"] = MapRows(data, before, true);
+  result["unexplained"] = MapRows(data, after, false);
+  result["unexplained"]["nrmse"] = result["channels"]["force_N"]["after"]["nrmse"];
+  result["unexplained"]["following_over_noise"] = std::sqrt(LeftOfRows(data, after).following);
+  result["unexplained"]["formula"] = FormulaJson(found);
+  const std::vector<std::string> drives = search::WhatDrives(problem, found);
+  result["drives"] = drives;
+  faults.insert(faults.end(), drives.begin(), drives.end());
+  search::PutVerdict({BenchChannels(result, data, before), search::NamedEffects(found),
+                      search::FittedNumbers(found), faults},
+                     &result);
+  return result;
 }
 
 }  // namespace
@@ -202,29 +239,15 @@ Result<IdentifyOutcome> RunElementIdentify(const Manifest& manifest, const Searc
   if (!before.ok()) return before.error();
   if (!after.ok()) return after.error();
   json& result = outcome.result;
-  result = Head(manifest, data.value());
-  for (const bool fitted : {false, true}) {
-    result[fitted ? "channels_estimation" : "channels"]["force_N"] = {
-        {"before", ScoreRows(data.value(), before.value(), fitted)},
-        {"after", ScoreRows(data.value(), after.value(), fitted)}};
-  }
-  result["effects"] = search::EffectList(found);
-  result["fitted"] =
-      search::Parameters(found.corrected, found.after, 0, found.declared.free.size(), true);
-  result["fitted_before"] =
-      search::Parameters(found.declared, found.before, 0, found.declared.free.size(), true);
-  result["localised"] = MapRows(data.value(), before.value(), true);
-  result["unexplained"] = MapRows(data.value(), after.value(), false);
-  result["unexplained"]["nrmse"] = result["channels"]["force_N"]["after"]["nrmse"];
-  result["unexplained"]["following_over_noise"] =
-      std::sqrt(LeftOfRows(data.value(), after.value()).following);
-  result["unexplained"]["formula"] = FormulaJson(found);
-  const VerdictFacts facts{BenchChannels(result, data.value(), before.value()),
-                           search::NamedEffects(found), search::FittedNumbers(found), faults};
-  search::PutVerdict(facts, &result);
+  result = Describe(manifest, data.value(), problem, found, before.value(), after.value(), faults);
   result["validation_asks_for"] =
       AskValidation(data.value(), found.corrected, found.after, corrected, options);
-  result["next_test"] = TestsAfter(found, result["validation_asks_for"]);
+  const Status tested = search::PutNextTest(
+      problem, found, TestRigOf(manifest, data.value()), options.effort.threads,
+      [&] { return !progress || progress(kLast); }, dir, &result);
+  if (!tested.ok()) return tested.error();
+  if (outcome.cancelled = progress && !progress(kLast); outcome.cancelled) return outcome;
+  AddAsked(result["validation_asks_for"], &result["next_test"]);
   result["candidates"] = search::CandidateList(found);
   result["model"] = "model.yaml";
   corrected.name += "_identified";

@@ -5,6 +5,7 @@
 #include "effects/unlisted.h"
 #include "identify/accept.h"
 #include "identify/driven_formula.h"
+#include "identify/listed_name.h"
 
 namespace phs::identify::search {
 namespace {
@@ -20,40 +21,52 @@ void Take(const FormulaTrial& trial, Identification* found) {
   found->corrected = trial.model, found->after = trial.fit, found->formula = trial.found;
 }
 
+/// A listed effect in the place of the formula, on top of `model`.
+void Take(const FreeModel& model, const ListedName& name, const FormulaTrial& formula,
+          Identification* found) {
+  Record(formula, "is a listed effect: " + name.form.effect, found);
+  found->candidates.push_back(
+      {name.form.effect, VariantName(name.form), 0, 0, true, name.evidence, kAccepted});
+  found->effects.push_back({name.form, name.evidence, {}});
+  found->corrected = WithCandidate(model, name.form), found->after = name.fit;
+}
+
 /// What chance alone does to the criterion: that of each term, as of an effect.
 double Threshold() { return -2 * std::log(Acceptance().false_alarms); }
 
 }  // namespace
 
-void ChallengeByFormula(const FitProblem& problem, const FitProblem& coarse,
-                        Identification* found) {
+void ChallengeByFormula(const FitProblem& problem, const FitProblem& coarse, const Effort& effort,
+                        const std::function<bool(double)>& go_on, Identification* found) {
   if (found->effects.empty()) return;
   const FormulaTrial trial = TryFormula(problem, coarse, found->declared, found->base,
                                         {.max_terms = 1, .threshold = Threshold()});
   if (!trial.fit.ok) return;
-  const double ahead = Criterion(problem, found->after.score, found->after.values.size()) -
-                       Criterion(problem, trial.fit.score, trial.fit.values.size());
   const bool alone = Refusal(trial.evidence, trial.candidate, trial.fit).empty();
-  if (!alone || !IsBeyondChance(ahead, kTermsTried)) return Record(trial, kBeaten, found);
+  if (!alone || !SaysMore(problem, found->after, trial)) return Record(trial, kBeaten, found);
   for (const AcceptedEffect& effect : found->effects) {
     Withdraw(effect.candidate.effect, "a formula on no list explains more", &found->candidates);
   }
   found->effects.clear();
-  Take(trial, found);
+  const auto name =
+      FindListedName(problem, coarse, found->declared, found->base, trial, effort, go_on);
+  name ? Take(found->declared, *name, trial, found) : Take(trial, found);
 }
 
-bool AddFormula(const FitProblem& problem, const FitProblem& coarse, Identification* found) {
+bool AddFormula(const FitProblem& problem, const FitProblem& coarse, const Effort& effort,
+                const std::function<bool(double)>& go_on, Identification* found) {
   if (!found->formula.empty()) return false;
   const FormulaTrial trial =
       TryFormula(problem, coarse, found->corrected, found->after, {.threshold = Threshold()});
   if (!trial.fit.ok) return false;
-  const std::string no = Refusal(trial.evidence, trial.candidate, trial.fit);
-  if (no.empty()) {
-    Take(trial, found);
-  } else {
+  if (const std::string no = Refusal(trial.evidence, trial.candidate, trial.fit); !no.empty()) {
     Record(trial, no, found);
+    return false;
   }
-  return no.empty();
+  const auto name =
+      FindListedName(problem, coarse, found->corrected, found->after, trial, effort, go_on);
+  name ? Take(found->corrected, *name, trial, found) : Take(trial, found);
+  return true;
 }
 
 }  // namespace phs::identify::search

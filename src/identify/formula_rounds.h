@@ -2,15 +2,22 @@
 // place, one for what these leave stands beside them.
 #pragma once
 
+#include <functional>
+
 #include "identify/identification.h"
+#include "identify/screening.h"
 
 namespace phs::identify::search {
 
 /// No listed effect is bent to stand for what is on no list: where a formula of one term says more
-/// than all the effects accepted, they go.
-void ChallengeByFormula(const FitProblem& problem, const FitProblem& coarse, Identification* found);
+/// than all the effects accepted, by the rule of acceptance, they go. It gets a name where a listed
+/// effect explains as much (listed_name.h).
+void ChallengeByFormula(const FitProblem& problem, const FitProblem& coarse, const Effort& effort,
+                        const std::function<bool(double)>& go_on, Identification* found);
 
-/// A formula for what the accepted model still leaves. True if it was added.
-bool AddFormula(const FitProblem& problem, const FitProblem& coarse, Identification* found);
+/// A formula for what the accepted model still leaves, or the listed effect that it is. True if one
+/// was added.
+bool AddFormula(const FitProblem& problem, const FitProblem& coarse, const Effort& effort,
+                const std::function<bool(double)>& go_on, Identification* found);
 
 }  // namespace phs::identify::search

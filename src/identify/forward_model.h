@@ -11,6 +11,7 @@
 #include "base/result.h"
 #include "hydraulics/extension.h"
 #include "hydraulics/phs_params.h"
+#include "rigs/rig.h"
 
 namespace phs::identify::search {
 
@@ -61,6 +62,12 @@ class ForwardModel {
   virtual FreeModel Declared(const hydraulics::PhsParams& declared) const = 0;
   /// Every effect that may be missing, leaving out those already there.
   virtual std::vector<Candidate> Candidates(const hydraulics::PhsParams& params) const = 0;
+  /// The same channels driven by another motion, nothing measured in them; fitted are the rows
+  /// before `until_s`. Null: what drives it cannot be chosen.
+  virtual std::shared_ptr<const ForwardModel> Driven(const rigs::RigMotion& /*motion*/,
+                                                     double /*until_s*/) const {
+    return nullptr;
+  }
   /// The same over the record on a clock of about `step_s`; a model that is fast may give itself.
   virtual std::shared_ptr<const ForwardModel> Coarse(double step_s) const = 0;
 };

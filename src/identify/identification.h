@@ -21,10 +21,17 @@ struct CandidateRecord {
   std::string verdict;  ///< "accepted", or why not
 };
 
+/// What explains as much as an accepted effect, with the numbers that it was fitted with.
+struct Rival {
+  Candidate form;
+  std::vector<double> values;
+};
+
 struct AcceptedEffect {
   Candidate candidate;
   Evidence evidence;
   std::vector<std::string> confusable_with;
+  std::vector<Rival> rivals = {};  ///< the same
 };
 
 struct Identification {

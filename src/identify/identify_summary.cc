@@ -50,7 +50,15 @@ std::string Summary(const Json& result) {
   if (!left["depends_on"].empty()) {
     out += ", depends on " + JoinWords(left["depends_on"].get<std::vector<std::string>>());
   }
-  return out + "\n";
+  return out + "\n" + NextTestLines(result);
+}
+
+std::string NextTestLines(const Json& result) {
+  std::string out;
+  for (const Json& test : result["next_test"]) {
+    out += "next test: " + test.get<std::string>() + "\n";
+  }
+  return out;
 }
 
 }  // namespace phs::identify::search

@@ -71,6 +71,8 @@ class Likelihood {
   std::vector<double> Excess(const BandPowers& powers) const;
   /// Sum of m over all bands: what the record is worth in independent samples.
   double Count() const;
+  /// m of a band: what it is worth in independent samples.
+  double Worth(size_t block, int band) const;
   /// Part 0 … parts-1 of the record that each coefficient lies in.
   std::vector<int> Parts(int parts) const;
 
@@ -79,8 +81,6 @@ class Likelihood {
   std::vector<OctaveBands> bands_;
   std::vector<int> first_;  ///< coefficient of each block
   int size_ = 0;
-  /// m of a band.
-  double Worth(size_t block, int band) const;
   double floor_;       ///< power that is noise
   double most_worth_;  ///< 2/e²
 };

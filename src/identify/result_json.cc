@@ -6,8 +6,6 @@
 #include <cmath>
 #include <limits>
 
-#include "base/words.h"
-#include "effects/catalogue.h"
 #include "effects/unlisted.h"
 #include "identify/residual_map.h"
 #include "measurement/channel_scores.h"
@@ -163,33 +161,6 @@ Json CandidateList(const Identification& found) {
       entry["cross_validation_gain"] = r.evidence.cross_validation_gain;
     }
     out.push_back(std::move(entry));
-  }
-  return out;
-}
-
-/// What would separate effects that this record cannot.
-std::vector<std::string> NextTests(const Identification& found, const Json& unexplained) {
-  constexpr double kMuch = 2;  // times as much as in estimation, and as noise
-  std::vector<std::string> out;
-  const double left = unexplained["residual_over_noise"].get<double>();
-  const double before = unexplained["estimation_over_noise"].get<double>();
-  if (left > kMuch && left > kMuch * before) {
-    out.push_back(fmt::format(
-        "the validation window excites what the estimation window does not: {} is {:.1f} times its "
-        "noise there and {:.1f} times in estimation; identify again with such motion in both",
-        unexplained["channel"].get<std::string>(), left, before));
-  }
-  for (const AcceptedEffect& effect : found.effects) {
-    if (effect.confusable_with.empty()) continue;
-    const auto* info = effects::Catalogue().Find(effect.candidate.effect);
-    const std::string family = info != nullptr ? info->family : "";
-    std::string test = "steps with long holds at several pressures and speeds";
-    if (family == "friction")
-      test = "slow reversals after rests of different length, at two pressures";
-    if (family == "mounting") test = "small slow reversals about zero force with the piston locked";
-    if (family == "instrument") test = "a record at rest and one at a second, known load";
-    out.push_back(effect.candidate.effect + " against " + JoinWords(effect.confusable_with) + ": " +
-                  test);
   }
   return out;
 }

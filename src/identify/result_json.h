@@ -39,12 +39,12 @@ void PutVerdict(const VerdictFacts& facts, Json* result);
 /// The same for the terminal.
 std::string VerdictLines(const Json& result);
 
-/// What would separate effects that this record cannot.
-std::vector<std::string> NextTests(const Identification& found, const Json& unexplained);
 /// Noise of each channel.
 Json NoiseLevels(const measurement::FitData& data);
 Json FindingList(const std::vector<measurement::DataFinding>& findings);
 
+/// What to measure next, for the terminal.
+std::string NextTestLines(const Json& result);
 /// The ten lines for the terminal.
 std::string Summary(const Json& result);
 

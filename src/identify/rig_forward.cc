@@ -19,6 +19,13 @@ using rigs::RigModel;
 using rigs::RigMotion;
 using rigs::RigPrediction;
 
+namespace {
+
+/// Steps per sample: a thinned record shows nothing of a line that rings faster than its samples.
+constexpr int kMostOfThinned = 5;
+
+}  // namespace
+
 Result<std::shared_ptr<const ForwardModel>> RigForward::Create(const FitData& data,
                                                                const PhsParams& declared,
                                                                int stride) {
@@ -43,8 +50,6 @@ RigForward::RigForward(const FitData& data, std::shared_ptr<RedrawnMotion> redra
       stride_(stride),
       redrawn_(std::move(redrawn)),
       output_index_(std::move(output_index)) {
-  // A thinned record shows nothing of a line that rings faster than its samples.
-  constexpr int kMostOfThinned = 5;
   if (stride > 1) options_.most_substeps = kMostOfThinned;
   full_ = MotionOf(data.motion, Span::kWhole);
   short_ = MotionOf(data.motion, Span::kEstimation);
@@ -273,6 +278,35 @@ std::vector<Candidate> RigForward::Candidates(const PhsParams& params) const {
   });
   AddOwnCandidates(data_.own, params, &out);
   return out;
+}
+
+std::shared_ptr<const ForwardModel> RigForward::Driven(const RigMotion& motion,
+                                                       double until_s) const {
+  if (data_.options.extra != nullptr) return nullptr;
+  struct Own {
+    FitData data;
+    std::shared_ptr<const ForwardModel> forward;
+  };
+  const auto own = std::make_shared<Own>();
+  FitData& d = own->data;
+  d.kind = data_.kind, d.options = data_.options, d.step_s = motion.step_s;
+  d.estimation = {0, until_s};
+  const auto count = static_cast<size_t>(motion.num_samples());
+  for (size_t i = 0; i < count; ++i) {
+    d.time_s.push_back(motion.t0_s + static_cast<double>(i) * motion.step_s);
+  }
+  const std::vector<double> none(count, 0.0);
+  for (size_t a = 0; a < motion.position_m.size(); ++a) {
+    d.motion.push_back(
+        {motion.position_m[a], motion.speed_m_s[a], motion.acceleration_m_s2[a], none, none});
+    d.inputs.push_back({data_.inputs[a].name, motion.position_m[a], data_.inputs[a].noise});
+  }
+  for (const MeasuredChannel& c : data_.outputs) d.outputs.push_back({c.name, none, c.noise});
+  auto made = std::shared_ptr<RigForward>(
+      new RigForward(d, std::make_shared<RedrawnMotion>(d), output_index_, 1));
+  if (motion.step_s > data_.step_s) made->options_.most_substeps = kMostOfThinned;
+  own->forward = std::move(made);
+  return {own, own->forward.get()};
 }
 
 std::shared_ptr<const ForwardModel> RigForward::Coarse(double step_s) const {

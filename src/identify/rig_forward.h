@@ -41,6 +41,8 @@ class RigForward final : public RecordForward {
   bool TellsLines() const override { return data_.kind != rigs::RigKind::kFull; }
   FreeModel Declared(const hydraulics::PhsParams& declared) const override;
   std::vector<Candidate> Candidates(const hydraulics::PhsParams& params) const override;
+  std::shared_ptr<const ForwardModel> Driven(const rigs::RigMotion& motion,
+                                             double until_s) const override;
   std::shared_ptr<const ForwardModel> Coarse(double step_s) const override;
 
  private:

@@ -122,7 +122,7 @@ Eigen::VectorXd FitProblem::Weighted(const std::string& channel, const Channels&
   return out;
 }
 
-PhsParams FitProblem::Params(const FreeModel& model, const std::vector<double>& values) const {
+PhsParams ParamsOf(const FreeModel& model, const std::vector<double>& values) {
   PhsParams params = model.params;
   for (size_t i = 0; i < model.free.size(); ++i) {
     PHS_CHECK(phs_model::SetParameter(&params, model.free[i].name, values[i]).ok());

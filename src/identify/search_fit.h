@@ -45,6 +45,9 @@ FreeModel DeclaredModel(const hydraulics::PhsParams& declared, std::vector<std::
 /// An error where one of `names` is not of the model, or not positive there.
 Status CheckFree(const hydraulics::PhsParams& declared, const std::vector<std::string>& names);
 
+/// The model with these values of its free numbers.
+hydraulics::PhsParams ParamsOf(const FreeModel& model, const std::vector<double>& values);
+
 struct FitResult {
   std::vector<double> values;      ///< of the free parameters
   std::vector<double> half_95;     ///< half width of the 95 % interval, in coordinates
@@ -78,7 +81,9 @@ class FitProblem {
   /// First block of a measured channel; -1 if it was not measured.
   int FindOutput(const std::string& name) const;
 
-  hydraulics::PhsParams Params(const FreeModel& model, const std::vector<double>& values) const;
+  hydraulics::PhsParams Params(const FreeModel& model, const std::vector<double>& values) const {
+    return ParamsOf(model, values);
+  }
   /// Weighted residual; empty if the model refuses the values.
   Eigen::VectorXd Residual(const FreeModel& model, const std::vector<double>& values) const;
   /// Residual and its derivative over the coordinates from `first` on.

@@ -42,7 +42,9 @@ struct VerdictFacts {
   std::vector<ChannelLeft> channels;
   std::vector<NamedEffect> effects;
   std::vector<FittedNumber> numbers;
-  std::vector<std::string> faults;  ///< of the data, not mended: a turned sign, swapped columns
+  /// Of the data, not mended: a turned sign, swapped columns; of the model found: a formula that
+  /// drives where it must dissipate.
+  std::vector<std::string> faults;
 };
 
 struct Verdict {

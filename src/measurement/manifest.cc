@@ -15,11 +15,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Window ReadWindow(YamlMap& map, const std::string& key) {
+Window ReadWindow(YamlMap& map, const std::string& key,
+                  const char* allowed = "[begin, end] in seconds, begin < end") {
   if (!map.Has(key)) return {};
   const std::vector<double> ends = map.Numbers(key, {});
   if (ends.size() != 2 || !(ends[1] > ends[0])) {
-    map.Fail(key, "is no window", "[begin, end] in seconds, begin < end");
+    map.Fail(key, "is no window", allowed);
     return {};
   }
   return {ends[0], ends[1]};
@@ -148,6 +149,18 @@ rigs::RigOptions ReadOptions(YamlMap& map) {
   return options;
 }
 
+TestLimits ReadLimits(YamlMap map) {
+  TestLimits limits;
+  limits.stroke_m = ReadWindow(map, "stroke_m", "[low, high] in metres, low < 0 < high");
+  if (!limits.stroke_m.empty() && !limits.stroke_m.Contains(0)) {
+    map.Fail("stroke_m", "does not hold 0, where a test begins", "low <= 0 < high");
+  }
+  limits.speed_m_s = map.Number("speed_m_s", {.min = 0}, 0.0);
+  limits.force_N = map.Number("force_N", {.min = 0}, 0.0);
+  limits.duration_s = map.Number("duration_s", {.min = 10, .max = 3600}, 60.0);
+  return limits;
+}
+
 /// What a run is driven by: signals, or measured runs.
 void ReadDrive(YamlMap& map, WindowNeed need, Manifest* m) {
   if (map.Has("signal")) {
@@ -240,6 +253,7 @@ Result<Manifest> LoadManifest(const std::string& path, WindowNeed need) {
              "rig: steps with runs:", "runs: [{model: …, data: …}, …]");
   }
   ReadCandidates(map, &m);
+  if (map.Has("limits")) m.limits = ReadLimits(map.Map("limits"));
   m.compare_below_Hz = map.Number("compare_below_Hz", {.min = 0}, 0.0);
   m.low_pass_Hz = map.Number("low_pass_Hz", {.min = 0}, 0.0);
   bool any_estimation = false;

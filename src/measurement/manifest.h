@@ -26,6 +26,9 @@
 //   low_pass_Hz: 20                       all channels, forwards and backwards (no lag)
 //   signal: {duration_s: 40, actuator_m: {kind: sine, …}}   generated motion instead of data
 //   setup: 2                              rows of a step table (default: by the model's name)
+//   limits: {stroke_m: [-2e-3, 3e-3], speed_m_s: 0.02, force_N: 8e4, duration_s: 60}
+//                                         what the rig can do in a next test; as far as the record
+//                                         went where not said, and 60 s
 //   beam: {lever_m: 1.0, …}, substeps: 1  how the rig is simulated (full rig, time step)
 //   actuators: 4                          full rig: all pistons driven, no beam
 //   driven_by: force, moving_mass_kg: 30  one cylinder: a force instead of a position; `pressure`:
@@ -62,6 +65,12 @@ struct RunSpec {
   int setup = 0;      ///< step tables: of this run; 0: the manifest's
 };
 
+/// What a rig can do, as far as the manifest says so; 0: not said.
+struct TestLimits {
+  Window stroke_m;  ///< of the driven position
+  double speed_m_s = 0, force_N = 0, duration_s = 0;
+};
+
 struct Manifest {
   std::string path;
   std::string rig;
@@ -80,6 +89,7 @@ struct Manifest {
   int setup = 0;                           ///< of a step table; 0: by the model's name
   rigs::RigOptions options;
   phs_model::PhsChanges changes;  ///< of the declared model
+  TestLimits limits;
 };
 
 enum class WindowNeed {

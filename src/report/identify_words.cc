@@ -181,14 +181,17 @@ std::vector<std::string> NextTests(const IdentifyResults& results) {
       if (test.is_string()) tests.push_back(test.get<std::string>());
     }
   }
+  const bool designed = results.all.contains("test_design");
   const json left = results.all.value("unexplained", json::object());
   for (const json& variable : left.value("depends_on", json::array())) {
+    if (designed) break;
     if (variable.is_string()) AddTestOnce(TestFor(variable.get<std::string>()), &tests);
   }
   const json where = results.all.value("localised", json::object());
-  bool confusable = false;
+  bool confusable = false;  // and no test was designed for it
   for (const json& effect : results.all.value("effects", json::array())) {
-    confusable = confusable || !effect.value("confusable_with", json::array()).empty();
+    confusable =
+        confusable || (!designed && !effect.value("confusable_with", json::array()).empty());
   }
   if (confusable) {
     for (const json& variable : where.value("depends_on", json::array())) {

@@ -37,6 +37,15 @@ TEST(Verdict, NotDescribedWhereMuchIsLeftAndNothingFound) {
   EXPECT_THAT(v.reasons, Contains(HasSubstr("5.0 times its noise")));
 }
 
+TEST(Verdict, NotDescribedWhereWhatWasFoundDrives) {
+  VerdictFacts facts = Facts(5, 1.05);
+  facts.effects = {{"unlisted", {}}};
+  EXPECT_EQ(Judge(facts).word, "explained");
+  facts.faults = {"the formula c1*s drives: with it the friction gives out 3 J"};
+  EXPECT_EQ(Judge(facts).word, "not_described");
+  EXPECT_THAT(Judge(facts).reasons, Contains(HasSubstr("drives")));
+}
+
 TEST(Verdict, ExplainedWhereTheEffectsTakeMoreThanHalfBeyondTheNoise) {
   VerdictFacts facts = Facts(10, 1.1);
   facts.effects = {{"backlash", {}}};

@@ -22,10 +22,12 @@ namespace {
 
 constexpr const char* kUsage =
     "generate_rig_data --effect NAME[+NAME]|none [--grade strong|weak[+strong|weak]]\n"
-    "                  [--seed N] --out DIR\n"
+    "                  [--seed N] [--motion FILE.csv] [--then FILE.csv] --out DIR\n"
     "generate_rig_data --suite tune|score|holdout --out DIR\n"
     "                  [--only clean|single|pair|off_list] [--jobs N]\n"
     "generate_rig_data --list\n"
+    "--motion: t_s,actuator_m on a uniform clock, in place of a drawn motion; --then: the effect\n"
+    "is scaled on the motion, the record made on this one (the same rig in another test).\n"
     "Writes MANIFEST.yaml and run.csv (200 Hz, about 126 s), and truth.json; a suite writes\n"
     "DIR/set_NNN/ and keeps the truth apart in DIR/truth/ (sets that are there already are "
     "kept).\n";
@@ -43,8 +45,8 @@ std::map<std::string, std::string> ParseOptions(int argc, char** argv) {
       continue;
     }
     bool known = false;
-    for (const char* name :
-         {"--effect", "--grade", "--seed", "--out", "--suite", "--only", "--jobs"}) {
+    for (const char* name : {"--effect", "--grade", "--seed", "--out", "--suite", "--only",
+                             "--jobs", "--motion", "--then"}) {
       known = known || key == name;
     }
     if (!known) throw Usage{"unknown option " + key};
@@ -80,8 +82,31 @@ Grade ParseGrade(const std::string& text) {
   throw Usage{"--grade must be strong or weak, not '" + text + "'"};
 }
 
+SampledMotion ReadMotion(const std::string& path) {
+  std::ifstream file(path);
+  std::string line;
+  std::getline(file, line);
+  if (!line.starts_with("t_s,actuator_m")) {
+    throw Usage{path + " is no motion: the first line must be t_s,actuator_m"};
+  }
+  SampledMotion motion;
+  double first = 0, last = 0;
+  while (std::getline(file, line)) {
+    double t = 0, x = 0;
+    if (std::sscanf(line.c_str(), "%lf,%lf", &t, &x) != 2) throw Usage{path + ": " + line};
+    if (motion.position.empty()) first = t;
+    last = t;
+    motion.position.push_back(x);
+  }
+  if (motion.position.size() < 1000) throw Usage{path + " has fewer than 1000 samples"};
+  motion.step = (last - first) / static_cast<double>(motion.position.size() - 1);
+  return motion;
+}
+
 SetWish WishFrom(std::map<std::string, std::string>& options) {
   SetWish wish;
+  if (options.count("--motion") > 0) wish.motion = ReadMotion(options["--motion"]);
+  if (options.count("--then") > 0) wish.then = ReadMotion(options["--then"]);
   if (options.count("--seed") > 0) wish.seed = ParseCount(options["--seed"], "--seed");
   if (options["--effect"] == "none") return wish;
   const std::vector<std::string> names = SplitAtPlus(options["--effect"]);

@@ -210,6 +210,12 @@ void ComposePart(Composer& composer, RandomSource& random, double until) {
 
 }  // namespace
 
+double SampledMotion::Position(double t) const {
+  const double at = std::clamp(t / step, 0.0, static_cast<double>(position.size() - 1));
+  const auto k = std::min(static_cast<size_t>(at), position.size() - 2);
+  return position[k] + (at - static_cast<double>(k)) * (position[k + 1] - position[k]);
+}
+
 double SmoothStep(double u) {
   if (u <= 0) return 0;
   if (u >= 1) return 1;

@@ -64,6 +64,14 @@ struct DrawnMotion {
 };
 DrawnMotion DrawMotion(const MotionRange& range, RandomSource random);
 
+// A motion given by samples from t = 0 on, linear between them, at rest after the last.
+struct SampledMotion {
+  double step = 0;               // s
+  std::vector<double> position;  // m; empty: none
+  double Position(double t) const;
+  double Duration() const { return step * static_cast<double>(position.size()); }
+};
+
 // 10 u³ − 15 u⁴ + 6 u⁵ between 0 and 1, constant outside.
 double SmoothStep(double u);
 

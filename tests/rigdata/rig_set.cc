@@ -45,6 +45,7 @@ class SetBuilder {
   double SizeOverNoise(const TrueRig& rig, double step) const;
   double Calibrate(const HiddenEffect& effect, double target) const;
   void EstimateLevels();
+  void MoveBy(const SampledMotion& motion);
   Record Readings(const TrueRig& rig, const ActuatorInput& input, double step, double rate) const;
   ChannelNumbers Rmse(const Record& a, const Record& b) const;
   void MeasureFloors(const TrueRig& rig, const Record& readings);
@@ -78,6 +79,15 @@ SetBuilder::SetBuilder(const SetWish& wish) {
       DrawRange(sized.rig, deep, wish.duration, RandomSource(wish.seed, "range"));
   drawn_ = DrawMotion(range, RandomSource(wish.seed, "motion"));
   input_.position = [this](double t) { return drawn_.motion.Position(t); };
+  set_.estimation = {0, drawn_.split};
+  set_.validation = {drawn_.split, drawn_.duration};
+  if (!wish.motion.position.empty()) MoveBy(wish.motion);
+}
+
+void SetBuilder::MoveBy(const SampledMotion& motion) {
+  input_.position = [motion](double t) { return motion.Position(t); };
+  drawn_.duration = motion.Duration();
+  drawn_.split = 0.75 * drawn_.duration;
   set_.estimation = {0, drawn_.split};
   set_.validation = {drawn_.split, drawn_.duration};
 }
@@ -195,6 +205,7 @@ RigSet SetBuilder::Build() {
     truth.numbers = effect.apply(size, &rig);
     set_.hidden.push_back(truth);
   }
+  if (!set_.wish.then.position.empty()) MoveBy(set_.wish.then);
   const Record readings = Readings(rig, input_, set_.wish.final_step, kRecordRate);
   set_.record = AddNoise(readings, set_.noise, RandomSource(set_.wish.seed, "noise"));
   MeasureFloors(rig, readings);

@@ -25,6 +25,10 @@ struct SetWish {
   uint64_t seed = 1;
   double duration = 126;     // s
   double final_step = 5e-5;  // s
+  // Where given, the effects are scaled on this motion in place of a drawn one, …
+  SampledMotion motion;
+  // … and the record is made on this one.
+  SampledMotion then;
 };
 
 struct HiddenTruth {

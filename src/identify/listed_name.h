@@ -1,0 +1,34 @@
+// A term found as a formula that is a listed effect becomes it.
+//
+// A missing law bends the declared numbers, and about a bent fit its effect may look like nothing.
+// With a formula in its place the declared numbers come right: from there every listed effect is
+// fitted once more. One that explains as much gives the formula its name, and what "as much" means
+// is the rule of acceptance itself: the formula, looked at as an exchange for the effect, would be
+// refused (accept.h). Of two names a physical cause goes before an instrument.
+#pragma once
+
+#include <optional>
+
+#include "identify/driven_formula.h"
+#include "identify/screening.h"
+#include "identify/trials.h"
+
+namespace phs::identify::search {
+
+struct ListedName {
+  Candidate form;
+  FitResult fit;
+  Evidence evidence;  ///< over the model without it
+};
+
+/// True if a formula says more than a model fitted without it, by the rule of acceptance.
+bool SaysMore(const FitProblem& problem, const FitResult& listed, const FormulaTrial& formula);
+
+/// The effect that explains as much as `formula`, both on top of `model` with its fit `without`;
+/// nothing: it is on no list.
+std::optional<ListedName> FindListedName(const FitProblem& problem, const FitProblem& coarse,
+                                         const FreeModel& model, const FitResult& without,
+                                         const FormulaTrial& formula, const Effort& effort,
+                                         const std::function<bool(double)>& go_on);
+
+}  // namespace phs::identify::search

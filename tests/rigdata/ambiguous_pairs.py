@@ -1,0 +1,168 @@
+#!/usr/bin/env python3
+"""Effects that a poor record cannot tell apart, and the test that `phs identify` designs for them.
+
+    ambiguous_pairs.py GENERATOR PHS FOLDER [--seeds N] [--only A/B]
+
+Of each pair and seed, either effect is hidden in a rig that makes one small motion. `phs identify` of
+that record designs the next test; the same rig makes it, and a random motion of the same length and
+within the same limits, both by the equations of the independent generator. Each is identified anew,
+with the whole catalogue. Right: the effect that is there is named first, and the other is not said to
+explain as much.
+"""
+import argparse
+import json
+import math
+import os
+import random
+import subprocess
+import sys
+
+STEP = 0.005
+SECONDS = 60
+LIMITS = {"low": -2.2e-3, "high": 3.2e-3, "speed": 0.03, "force": 9e4}
+# One, other, amplitude [mm] and frequency [Hz] of the poor motion.
+PAIRS = [
+    ("external_leakage", "hose_expansion", 0.6, 0.1),
+    ("backlash", "mount_compliance", 0.3, 0.25),
+    ("line_resistance", "check_restriction", 0.8, 0.5),
+    ("stribeck", "viscous_friction", 0.5, 0.25),
+    ("mount_compliance", "bush_viscoelastic", 0.6, 0.25),
+    ("entrained_air", "hose_expansion", 0.6, 0.25),
+    ("piston_leakage", "external_leakage", 0.6, 0.1),
+]
+
+
+def fade(u):
+    u = min(max(u, 0.0), 1.0)
+    return u * u * u * (10 + u * (6 * u - 15))
+
+
+def write_motion(path, x):
+    with open(path, "w") as file:
+        file.write("t_s,actuator_m\n")
+        for i, value in enumerate(x):
+            file.write(f"{i * STEP:.3f},{value:.9f}\n")
+
+
+def poor_motion(path, amplitude_mm, frequency):
+    count = int(SECONDS / STEP)
+    write_motion(path, [1e-3 * amplitude_mm * math.sin(2 * math.pi * frequency * i * STEP) *
+                        fade(i * STEP - 3) * fade(SECONDS - 3 - i * STEP) for i in range(count)])
+
+
+def random_motion(path, seed):
+    draw = random.Random(seed)
+    terms = [(10 ** draw.uniform(-1.3, 0.5), draw.uniform(0, 2 * math.pi)) for _ in range(30)]
+    raw = [sum(math.sin(2 * math.pi * f * i * STEP + p) / math.sqrt(f) for f, p in terms)
+           for i in range(int(SECONDS / STEP))]
+    peak = max(map(abs, raw))
+    middle, half = (LIMITS["low"] + LIMITS["high"]) / 2, (LIMITS["high"] - LIMITS["low"]) / 2
+    x = [(middle + half * r / peak) * fade((i * STEP - 3) / 2) * fade((SECONDS - 3 - i * STEP) / 2)
+         for i, r in enumerate(raw)]
+    top = max(abs(b - a) for a, b in zip(x, x[1:])) / STEP
+    factor = min(1.0, LIMITS["speed"] / top)
+    write_motion(path, [factor * v for v in x])
+
+
+def generate(args, effect, seed, motion, then, folder, grade):
+    if os.path.exists(folder + "/truth.json"):
+        return
+    command = [args.generator, "--effect", effect, "--grade", grade, "--seed", str(seed),
+               "--motion", motion, "--out", folder]
+    subprocess.run(command + (["--then", then] if then else []), check=True)
+    with open(folder + "/MANIFEST.yaml", "a") as file:
+        file.write("limits: {{stroke_m: [{low}, {high}], speed_m_s: {speed}, force_N: {force}}}\n"
+                   .format(**LIMITS))
+
+
+def identify(args, folder):
+    out = folder + "/result"
+    if not os.path.exists(out + "/result.json"):
+        subprocess.run([args.phs, "identify", folder + "/MANIFEST.yaml", "--out", out, "--force",
+                        "--quiet"], check=True, stdout=subprocess.DEVNULL)
+    with open(out + "/result.json") as file:
+        return json.load(file)
+
+
+def named(result):
+    return [(e["name"], e["confusable_with"]) for e in result["effects"]]
+
+
+def is_right(result, truth, other):
+    effects = named(result)
+    return bool(effects) and effects[0][0] == truth and other not in effects[0][1]
+
+
+def question(result, pair):
+    for q in result.get("test_design", {}).get("questions", []):
+        if set(q["between"]) == set(pair):
+            return q
+    return None
+
+
+def run_case(args, pair, truth, seed):
+    one, other, amplitude, frequency = pair
+    rival = other if truth == one else one
+    base = f"{args.folder}/{one}-{other}/{truth}-{seed}"
+    os.makedirs(base, exist_ok=True)
+    poor_motion(base + "/poor.csv", amplitude, frequency)
+    random_motion(base + "/random.csv", seed)
+    generate(args, truth, seed, base + "/poor.csv", None, base + "/poor", args.grade)
+    first = identify(args, base + "/poor")
+    q = question(first, (one, other))
+    row = {"pair": f"{one} / {other}", "truth": truth, "seed": seed, "poor": named(first),
+           "verdict": first["verdict"], "question": q,
+           "motion": first.get("test_design", {}).get("motion")}
+    if q:
+        for kind, then in (("designed", base + "/poor/result/next_test.csv"),
+                           ("random", base + "/random.csv")):
+            generate(args, truth, seed, base + "/poor.csv", then, f"{base}/{kind}", args.grade)
+            result = identify(args, f"{base}/{kind}")
+            row[kind] = named(result)
+            row[kind + "_right"] = is_right(result, truth, rival)
+    print(json.dumps(row), flush=True)
+    return row
+
+
+def table(rows):
+    lines = ["| pair | ambiguous records | designed test right | random test right | expected |",
+             "|---|---|---|---|---|"]
+    for one, other, _, _ in PAIRS:
+        of = [r for r in rows if r["pair"] == f"{one} / {other}" and r["question"]]
+        if not of:
+            continue
+        sure = [p["probability_right"] for r in of for p in r["question"]["if_true"]]
+        lines.append(f"| {one} / {other} | {len(of)} | {sum(r['designed_right'] for r in of)} | "
+                     f"{sum(r['random_right'] for r in of)} | {100 * sum(sure) / len(sure):.0f} % |")
+    return "\n".join(lines) + "\n"
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("generator")
+    parser.add_argument("phs")
+    parser.add_argument("folder")
+    parser.add_argument("--seeds", type=int, default=2)
+    parser.add_argument("--first-seed", type=int, default=501)
+    parser.add_argument("--grade", default="strong")
+    parser.add_argument("--only", default="")
+    parser.add_argument("--least", type=float, default=0.0, help="share that must be right")
+    args = parser.parse_args()
+    rows = []
+    for pair in PAIRS:
+        if args.only and args.only != f"{pair[0]}/{pair[1]}":
+            continue
+        for seed in range(args.first_seed, args.first_seed + args.seeds):
+            for truth in pair[:2]:
+                rows.append(run_case(args, pair, truth, seed))
+    text = table(rows)
+    print(text)
+    asked = [r for r in rows if r["question"]]
+    right = sum(r["designed_right"] for r in asked)
+    print(f"{right} of {len(asked)} designed tests name the right one; {len(rows) - len(asked)} of "
+          f"{len(rows)} small motions left no question")
+    return 0 if asked and right >= args.least * len(asked) else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
