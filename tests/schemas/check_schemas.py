@@ -22,6 +22,7 @@ except ImportError as error:
 MODELINE = re.compile(r"# yaml-language-server: \$schema=(\S+)\n")
 # Which schema the files of a folder name.
 FOLDERS = {"scenarios": "scenario", "tracks": "track", "phs": "phs", "rigs": "rig", "sweeps": "study",
+           "studies": "design_study",
            "urdf": "mapping", "reference": "known_misses"}
 
 
