@@ -1,0 +1,106 @@
+// The alarm for a lost hose: signals by closed form, Gumbel's law and its error against drawn
+// samples, Poisson's bound against its published values.
+#include "analysis/line_alarm.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace phs::analysis {
+namespace {
+
+const PairSignal& Named(const std::vector<PairSignal>& all, int first, int second,
+                        const std::string& form, bool above) {
+  for (const PairSignal& s : all) {
+    if (s.first == first && s.second == second && s.form->name == form && s.above == above)
+      return s;
+  }
+  throw std::runtime_error("no such signal");
+}
+
+TEST(LineAlarmTest, FourLinesHaveSixPairsInThreeFormsAndTwoSides) {
+  EXPECT_EQ(PairSignals(4).size(), 6u * 3 * 2);
+}
+
+TEST(LineAlarmTest, ASignalIsItsPairBehindALagOfFirstOrder) {
+  const double h = 0.01, tau = 0.4;
+  std::vector<std::vector<double>> p(2, std::vector<double>(200, 2e6));
+  for (size_t i = 100; i < 200; ++i) p[1][i] = 0.1e6;
+  const auto all = PairSignals(2);
+  const auto difference = CalcSignal(Named(all, 0, 1, "difference", true), p, h, tau);
+  const auto sum = CalcSignal(Named(all, 0, 1, "sum", false), p, h, tau);
+  const auto ratio = CalcSignal(Named(all, 0, 1, "ratio", true), p, h, 0);
+  EXPECT_DOUBLE_EQ(difference[99], 0);
+  EXPECT_DOUBLE_EQ(sum[99], -4e6) << "turned: it alarms above";
+  for (const size_t i : {100u, 120u, 199u}) {
+    const double share = 1 - std::exp(-static_cast<double>(i - 99) * h / tau);
+    EXPECT_NEAR(difference[i], 1.9e6 * share, 1e-3) << i;
+    EXPECT_NEAR(sum[i], -4e6 + 1.9e6 * share, 1e-3) << i;
+    EXPECT_NEAR(ratio[i], std::log(20.0), 1e-12) << i;
+  }
+}
+
+TEST(LineAlarmTest, BlocksAreWholeAndKnowTheirLargest) {
+  std::vector<double> place, signal;
+  for (int i = 0; i <= 35; ++i) {
+    place.push_back(100 + i);
+    signal.push_back(i % 10 == 3 ? i : -1);
+  }
+  const auto maxima = BlockMaxima(place, signal, 10);
+  EXPECT_EQ(maxima, (std::vector<double>{3, 13, 23}));
+}
+
+/// Drawn from a law of extremes by its quantile function, written out here once more.
+std::vector<double> Drawn(double m, double s, double k, int n, std::mt19937_64* draw) {
+  std::uniform_real_distribution<double> uniform(1e-12, 1);
+  std::vector<double> x;
+  for (int i = 0; i < n; ++i) {
+    const double e = -std::log(uniform(*draw));
+    x.push_back(k == 0 ? m - s * std::log(e) : m + s * (1 - std::pow(e, k)) / k);
+  }
+  return x;
+}
+
+TEST(LineAlarmTest, TheLawOfExtremesIsFoundAgain) {
+  std::mt19937_64 draw(7);
+  for (const double k : {0.0, -0.15}) {
+    const Extremes law = FitExtremes(Drawn(3, 0.5, k, 200000, &draw));
+    EXPECT_NEAR(law.location, 3, 0.01) << k;
+    EXPECT_NEAR(law.scale, 0.5, 0.01) << k;
+    EXPECT_NEAR(law.shape, k, 0.01) << k;
+    const double r = 1e-3, e = -std::log(1 - r);
+    const double level = k == 0 ? 3 - 0.5 * std::log(e) : 3 + 0.5 * (1 - std::pow(e, k)) / k;
+    EXPECT_NEAR(law.Level(r), level, 0.1) << k;
+  }
+  EXPECT_EQ(FitExtremes(Drawn(3, 0.5, 0.3, 1000, &draw)).shape, 0) << "no lighter than Gumbel's";
+}
+
+// The true level lies below the upper end in 95 of 100 repetitions.
+TEST(LineAlarmTest, TheUpperEndCoversTheTrueLevel) {
+  std::mt19937_64 draw(11);
+  const double r = 1e-3, level = 3 - 0.5 * std::log(-std::log(1 - r));
+  int below = 0;
+  const int repeats = 200;
+  for (int i = 0; i < repeats; ++i) {
+    below += FitExtremes(Drawn(3, 0.5, 0, 80, &draw)).UpperLevel(r) > level ? 1 : 0;
+  }
+  EXPECT_GT(below, 0.9 * repeats);
+}
+
+TEST(LineAlarmTest, AlarmsThatComeAgainAtOnceAreOne) {
+  const std::vector<double> x = {0, 2, 0, 2, 0, 0, 0, 0, 2, 2, 0};
+  EXPECT_EQ(CountAlarms(x, 1, 1, 2), 2);
+  EXPECT_EQ(CountAlarms(x, 1, 1, 10), 1);
+  EXPECT_EQ(CountAlarms(x, 3, 1, 2), 0);
+}
+
+// Garwood (1936), one-sided 95 %: 3.00, 4.74, 6.30 for 0, 1, 2 counts.
+TEST(LineAlarmTest, PoissonBoundIsGarwoods) {
+  EXPECT_NEAR(PoissonUpper(0), 2.996, 5e-4);
+  EXPECT_NEAR(PoissonUpper(1), 4.744, 5e-4);
+  EXPECT_NEAR(PoissonUpper(2), 6.296, 5e-4);
+}
+
+}  // namespace
+}  // namespace phs::analysis
