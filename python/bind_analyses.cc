@@ -29,6 +29,10 @@ vehicle::Scenario ReadScenario(const py::dict& options) {
   return scenario;
 }
 
+OriginNotes NotesFrom(const py::dict& options) {
+  return NotesOf(options["call"].cast<std::string>(), options["given"].cast<std::string>());
+}
+
 std::optional<ResultDir> OpenDir(const py::dict& options) {
   std::string out;
   bool overwrite = false;
@@ -48,6 +52,7 @@ void Finish(std::optional<ResultDir>* dir, const Write& write) {
 }
 
 std::string Modes(const py::dict& options, const py::object& progress) {
+  const OriginNotes notes = NotesFrom(options);
   jobs::ModesRequest request;
   request.scenario = ReadScenario(options);
   Read(options, "beside", &request.beside);
@@ -64,6 +69,7 @@ std::string Modes(const py::dict& options, const py::object& progress) {
 }
 
 std::string Loads(const py::dict& options, const py::object& progress) {
+  const OriginNotes notes = NotesFrom(options);
   const vehicle::Scenario scenario = ReadScenario(options);
   auto dir = OpenDir(options);
   const auto loads =
@@ -73,6 +79,7 @@ std::string Loads(const py::dict& options, const py::object& progress) {
 }
 
 std::string Stability(const py::dict& options, const py::object& progress) {
+  const OriginNotes notes = NotesFrom(options);
   jobs::StabilityRequest request;
   request.scenario = ReadScenario(options);
   request.timestep_s = request.scenario.timestep_s;
@@ -91,6 +98,7 @@ std::string Stability(const py::dict& options, const py::object& progress) {
 }
 
 std::string Curving(const py::dict& options, const py::object& progress) {
+  const OriginNotes notes = NotesFrom(options);
   jobs::CurvingRequest request;
   request.scenario = ReadScenario(options);
   request.scenario.name = "curving";

@@ -51,6 +51,8 @@ Result<bool> Work(const Asked& asked, jobs::Curve* curve, const jobs::Watch& wat
 
 Finished Run(const py::dict& given, const py::object& begin, const py::object& progress) {
   const Asked asked = ReadAsked(given);
+  const OriginNotes notes =
+      NotesOf(given["call"].cast<std::string>(), given["given"].cast<std::string>());
   auto scenario = asked.changes.empty() ? vehicle::LoadScenario(asked.scenario)
                                         : vehicle::ScenarioWith(asked.scenario, asked.changes);
   jobs::CurveRequest request{

@@ -10,7 +10,9 @@ namespace phs::python {
 namespace {
 
 /// (text of result.json, summary in words)
-py::tuple Rig(const std::string& manifest, const std::string& out, bool overwrite) {
+py::tuple Rig(const std::string& manifest, const std::string& out, bool overwrite,
+              const std::string& call, const std::string& given) {
+  const OriginNotes notes = NotesOf(call, given);
   ResultDir dir = Take(ResultDir::Create(out, overwrite));
   const auto outcome = Take(
       LongWork(py::none()).Do([&](const jobs::Watch&) { return jobs::RunRig(manifest, dir); }));
@@ -19,7 +21,9 @@ py::tuple Rig(const std::string& manifest, const std::string& out, bool overwrit
 }
 
 py::tuple Identify(const std::string& manifest, const std::string& out, bool overwrite, int threads,
-                   int max_effects, const py::object& progress) {
+                   int max_effects, const py::object& progress, const std::string& call,
+                   const std::string& given) {
+  const OriginNotes notes = NotesOf(call, given);
   ResultDir dir = Take(ResultDir::Create(out, overwrite));
   identify::search::SearchOptions options;
   options.effort.threads = threads;

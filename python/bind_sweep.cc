@@ -17,7 +17,9 @@ std::string Failed(const Error& error) {
 /// `progress` hears the share done and answers whether to go on. What was made or went wrong comes
 /// back as JSON.
 std::string Sweep(const std::string& study_file, const std::string& out, int workers, bool resume,
-                  bool overwrite, const py::function& progress) {
+                  bool overwrite, const py::function& progress, const std::string& call,
+                  const std::string& given) {
+  const OriginNotes notes = NotesOf(call, given);
   const auto study = sweep::LoadStudy(study_file);
   if (!study.ok()) return Failed(study.error());
   const auto made = jobs::MakeSweep(

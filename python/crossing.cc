@@ -73,6 +73,10 @@ Table FromPython(const py::dict& columns, const std::string& source) {
   return table;
 }
 
+OriginNotes NotesOf(const std::string& call, const std::string& given_folder) {
+  return OriginNotes("phs " PHS_VERSION " in Python", call, given_folder);
+}
+
 void LongWork::Look() {
   const py::gil_scoped_acquire held;
   if (fault_) return;

@@ -11,6 +11,7 @@
 #include <string>
 #include <utility>
 
+#include "base/origin.h"
 #include "base/result.h"
 #include "base/table.h"
 #include "jobs/watch.h"
@@ -37,6 +38,10 @@ py::dict ToPython(const Table& table);
 /// A table from {name: numbers or texts}; `source` is for messages.
 Table FromPython(const py::dict& columns, const std::string& source);
 
+/// Notes of where a result comes from, while they live: the call as it stood in Python, and the
+/// folder of the files that were made from its dicts.
+OriginNotes NotesOf(const std::string& call, const std::string& given_folder);
+
 /// Does `work(watch)` on a thread of its own with the GIL released; meanwhile Ctrl-C is heard and
 /// `progress` (None or a function of the share done) is called. Either's exception stops the work
 /// and is raised when it has ended.
@@ -54,7 +59,11 @@ class LongWork {
                             .stopped = [this] { return stopped_.load(); }};
     auto done = [&] {
       const py::gil_scoped_release released;
-      auto future = std::async(std::launch::async, [&] { return work(watch); });
+      const OriginShare share;
+      auto future = std::async(std::launch::async, [&] {
+        const OriginShare::Part part(share);
+        return work(watch);
+      });
       while (future.wait_for(std::chrono::milliseconds(50)) != std::future_status::ready) Look();
       return future.get();
     }();

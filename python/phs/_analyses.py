@@ -12,6 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _phs
+from ._call import called
 from ._channels import Array
 from ._errors import Error, no_such
 from ._inputs import FileLike, Inputs, Named, Progress, result_path
@@ -34,7 +35,10 @@ def modes(bogie: Named, *, beside: Sequence[Named] = (), phs: FileLike | None = 
     True
     """
     scenario = {"bogie": bogie, "phs": phs, "track": track, **changes}
-    options = {"beside": [fspath(b) for b in beside], "frequency_Hz": frequency_Hz}
+    options: dict[str, Any] = {"beside": [fspath(b) for b in beside],
+                               "frequency_Hz": frequency_Hz}
+    options["call"] = called("modes", bogie, beside=beside, phs=phs, track=track,
+                             frequency_Hz=frequency_Hz, out=out, overwrite=overwrite, **changes)
     data = _analyse(_phs.modes, scenario, options, out, overwrite, progress)
     result = Modes(data[0], result_path(out))
     result.beside = tuple(Modes(other, result_path(out)) for other in data[1:])
@@ -54,9 +58,12 @@ def stability(bogie: Named, *, phs: FileLike | None = None, track: FileLike | No
     [20.0, 30.0]
     """
     scenario = {"bogie": bogie, "phs": phs, "track": track, **changes}
-    options = {"from_m_s": from_m_s, "to_m_s": to_m_s, "speeds": speeds, "ramp": ramp,
-               "ramp_from_m_s": ramp_from_m_s, "ramp_to_m_s": ramp_to_m_s,
-               "ramp_rate_m_s2": ramp_rate_m_s2}
+    options: dict[str, Any] = {
+        "from_m_s": from_m_s, "to_m_s": to_m_s, "speeds": speeds, "ramp": ramp,
+        "ramp_from_m_s": ramp_from_m_s, "ramp_to_m_s": ramp_to_m_s,
+        "ramp_rate_m_s2": ramp_rate_m_s2}
+    options["call"] = called("stability", bogie, phs=phs, track=track, out=out,
+                             overwrite=overwrite, **{**options, **changes})
     return Stability(_analyse(_phs.stability, scenario, options, out, overwrite, progress),
                      result_path(out))
 
@@ -74,10 +81,13 @@ def curving(bogies: Named | Sequence[Named], radii_m: Sequence[float] | npt.Arra
     array([ True])
     """
     several: Sequence[Named] = [bogies] if isinstance(bogies, (str, PathLike)) else bogies
-    options = {"bogies": [fspath(b) for b in several],
-               "radii_m": np.asarray(radii_m, dtype=float).ravel().tolist(),
-               "speed_limit_km_h": speed_limit_km_h, "cant_m": cant_m,
-               "deficiency_m": deficiency_m, "time_run": time_run}
+    options: dict[str, Any] = {
+        "bogies": [fspath(b) for b in several],
+        "radii_m": np.asarray(radii_m, dtype=float).ravel().tolist(),
+        "speed_limit_km_h": speed_limit_km_h, "cant_m": cant_m,
+        "deficiency_m": deficiency_m, "time_run": time_run}
+    options["call"] = called("curving", out=out, overwrite=overwrite, track=track,
+                             **{**options, **changes})
     data = _analyse(_phs.curving, {"track": track, **changes}, options, out, overwrite, progress)
     return Curving(data, result_path(out))
 
@@ -87,7 +97,9 @@ def loads(bogie: Named, *, phs: FileLike | None = None, track: FileLike | None =
           **changes: Any) -> Loads:
     """The standard load cases on the axle boxes, and which part gives first: `phs loads`."""
     scenario = {"bogie": bogie, "phs": phs, "track": track, **changes}
-    return Loads(_analyse(_phs.loads, scenario, {}, out, overwrite, progress), result_path(out))
+    options = {"call": called("loads", bogie, phs=phs, track=track, out=out, overwrite=overwrite,
+                              **changes)}
+    return Loads(_analyse(_phs.loads, scenario, options, out, overwrite, progress), result_path(out))
 
 
 def rig(manifest: FileLike, *, out: Named | None = None, overwrite: bool = False) -> Rig:
@@ -97,7 +109,9 @@ def rig(manifest: FileLike, *, out: Named | None = None, overwrite: bool = False
     arrays (docs/rig.md). Without `out` the files live as long as the result.
     """
     with Inputs() as inputs, Out(out) as place:
-        text, _ = _phs.rig(inputs.manifest(manifest), place.name, overwrite)
+        path = inputs.manifest(manifest)
+        text, _ = _phs.rig(path, place.name, overwrite,
+                           called("rig", manifest, out=out, overwrite=overwrite), inputs.folder)
         return place.keep(Rig(json.loads(text), Path(place.name)))
 
 
@@ -106,8 +120,11 @@ def identify(manifest: FileLike, *, out: Named | None = None, overwrite: bool = 
              progress: Progress | None = None) -> Identification:
     """Find the physical effect that a declared model lacks: `phs identify`. As rig."""
     with Inputs() as inputs, Out(out) as place:
-        text, _ = _phs.identify(inputs.manifest(manifest), place.name, overwrite,
-                                threads, max_effects, progress)
+        path = inputs.manifest(manifest)
+        call = called("identify", manifest, out=out, overwrite=overwrite, threads=threads,
+                      max_effects=max_effects)
+        text, _ = _phs.identify(path, place.name, overwrite, threads, max_effects, progress, call,
+                                inputs.folder)
         return place.keep(Identification(json.loads(text), Path(place.name)))
 
 
@@ -165,7 +182,8 @@ def _analyse(function: Callable[[dict[str, Any], Progress | None], str],
         # Speed and track are the analysis's own; a scenario cannot be read without.
         _, text = inputs.scenario({"track": "none", "speed_m_s": 20}, {**scenario, "track": None})
         asked = {**options, "scenario": text, "track": track or None,
-                 "out": fspath(out) if out else None, "overwrite": overwrite}
+                 "out": fspath(out) if out else None, "overwrite": overwrite,
+                 "given": inputs.folder}
         return json.loads(function({k: v for k, v in asked.items() if v is not None}, progress))
 
 

@@ -55,6 +55,11 @@ class Inputs:
             self._folder = tempfile.TemporaryDirectory(prefix="phs-")
         return Path(self._folder.name) / name
 
+    @property
+    def folder(self) -> str:
+        """Where the files made of dicts and columns are; empty while there is none."""
+        return self._folder.name if self._folder else ""
+
     def file(self, what: str, given: FileLike | None) -> str:
         """The name or path as it is; of a dict a file. Empty for None."""
         if given is None:

@@ -8,6 +8,7 @@ from os import fspath
 from typing import Any
 
 from . import _own, _phs
+from ._call import called
 from ._inputs import FileLike, Inputs, Named, Progress, result_path
 from ._results import Comparison, Run, run_of_curve
 
@@ -34,7 +35,9 @@ def run(scenario: FileLike, *, bogie: Named | None = None, phs: FileLike | None 
     phs.Error: scenario: frction: unknown key; allowed: …; did you mean 'friction'?
     """
     changes.update(bogie=bogie, phs=phs, track=track)
-    asked = {"bogies": [], "compare": False, "verify": verify, "csv": csv}
+    asked = {"bogies": [], "compare": False, "verify": verify, "csv": csv,
+             "call": called("run", scenario, controller=controller, forces=forces, verify=verify,
+                            out=out, csv=csv, overwrite=overwrite, **changes)}
     curve = _curve(scenario, changes, asked, controller, forces, out, overwrite, progress)
     return run_of_curve(curve, 0, json.loads(curve.single()), result_path(out))
 
@@ -54,7 +57,9 @@ def compare(scenario: FileLike, bogies: Sequence[Named], *, phs: FileLike | None
     """
     changes.update(phs=phs, track=track)
     asked = {"bogies": [fspath(bogie) for bogie in bogies], "compare": True, "verify": verify,
-             "csv": csv}
+             "csv": csv,
+             "call": called("compare", scenario, bogies, controller=controller, forces=forces,
+                            verify=verify, out=out, csv=csv, overwrite=overwrite, **changes)}
     curve = _curve(scenario, changes, asked, controller, forces, out, overwrite, progress)
     data = json.loads(curve.compared())
     runs = {bogie: run_of_curve(curve, i, data["bogies"][bogie], result_path(out))
@@ -68,5 +73,5 @@ def _curve(scenario: FileLike, changes: Mapping[str, Any], asked: dict[str, Any]
     with Inputs() as inputs:
         name, text = inputs.scenario(scenario, changes)
         asked.update(scenario=name, changes=text, out=fspath(out) if out else "",
-                     overwrite=overwrite)
+                     overwrite=overwrite, given=inputs.folder)
         return _phs.run_curve(asked, _own.begin(controller, forces), progress)

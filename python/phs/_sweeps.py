@@ -16,6 +16,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _phs
+from ._call import called
 from ._errors import Error, no_such
 from ._inputs import FileLike, Inputs, Named, Progress
 from ._out import Out
@@ -91,9 +92,11 @@ def sweep(study: FileLike, *, out: Named | None = None, workers: int = 0, resume
     if resume and not out:
         raise Error("resume", "does not know what to go on with", "out=DIR as before", "")
     with Inputs() as inputs, Out(out) as place:
+        call = called("sweep", study, out=out, workers=workers or None, resume=resume,
+                      overwrite=overwrite)
         made = _in_own_process({"study": _study(inputs, study), "out": place.name,
-                                "workers": workers, "resume": resume, "overwrite": overwrite},
-                               progress)
+                                "workers": workers, "resume": resume, "overwrite": overwrite,
+                                "call": call, "given": inputs.folder}, progress)
         if not made["all"]:
             raise Error(place.name, f"stopped after {made['done']} runs", "", "resume=True goes on")
         return place.keep(Sweep(Path(place.name)))
@@ -145,7 +148,7 @@ def tell(share):
         os._exit(1)
     return not select.select([0], [], [], 0)[0]
 print(phs.sweep(asked["study"], asked["out"], asked["workers"], asked["resume"],
-                asked["overwrite"], tell), flush=True)
+                asked["overwrite"], tell, asked["call"], asked["given"]), flush=True)
 """
 
 

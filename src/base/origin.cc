@@ -9,24 +9,27 @@
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <vector>
 
-#include "base/check.h"
 #include "base/disk.h"
 #include "base/numbers.h"
 #include "base/sha256.h"
 
 namespace phs {
+
+struct OriginNotes::Notes {
+  std::string program, command, date, given_folder;
+  std::map<std::string, std::string> inputs;  ///< path → digest
+};
+
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Notes {
-  std::string program, command, date;
-  std::map<std::string, std::string> inputs;  ///< path → digest
-};
-
 std::mutex mutex;
-std::optional<Notes> notes;  // of the process: readers stand in every folder and thread
+// Of the process: readers stand in every folder and thread.
+std::vector<std::shared_ptr<OriginNotes::Notes>> living;
+thread_local std::shared_ptr<OriginNotes::Notes> own;
 
 std::string Now() {
   const char* given = std::getenv("SOURCE_DATE_EPOCH");
@@ -56,38 +59,73 @@ std::string TextOf(const Json& json, const char* key) {
 
 }  // namespace
 
-OriginNotes::OriginNotes(std::string program, std::string command) {
+OriginNotes::OriginNotes(std::string program, std::string command, std::string given_folder) {
+  before_ = own;
+  own = notes_ = std::make_shared<Notes>(
+      Notes{std::move(program), std::move(command), Now(), std::move(given_folder), {}});
   const std::lock_guard<std::mutex> lock(mutex);
-  PHS_CHECK(!notes);
-  notes = Notes{std::move(program), std::move(command), Now(), {}};
+  living.push_back(notes_);
 }
 
 OriginNotes::~OriginNotes() {
+  if (own == notes_) own = before_;
   const std::lock_guard<std::mutex> lock(mutex);
-  notes.reset();
+  std::erase(living, notes_);
 }
+
+OriginShare::OriginShare() : notes_(own) {}
+OriginShare::Part::Part(const OriginShare& share) : before_(own) { own = share.notes_; }
+OriginShare::Part::~Part() { own = before_; }
+
+namespace {
+
+/// Whose work this thread does; all there are for a thread that belongs to none. With the lock.
+std::vector<std::shared_ptr<OriginNotes::Notes>> NotesOfThisThread() {
+  if (!own) return living;
+  return {own};
+}
+
+/// False while nobody takes notes of a new file. With the lock.
+bool IsNew(const std::string& path) {
+  for (const auto& notes : NotesOfThisThread()) {
+    if (notes->inputs.count(path) == 0) return true;
+  }
+  return false;
+}
+
+/// How an input is named: files made from what was handed over have no path of their own.
+std::string NameOf(const std::string& path, const std::string& given_folder) {
+  if (given_folder.empty() || !path.starts_with(given_folder + "/")) return path;
+  return "given: " + path.substr(given_folder.size() + 1);
+}
+
+}  // namespace
 
 void NoteInput(const std::string& path, std::string_view bytes) {
   const std::lock_guard<std::mutex> lock(mutex);
-  if (!notes || IsOwnWork(path) || notes->inputs.count(path) > 0) return;
-  notes->inputs[path] = Sha256(bytes);
+  if (IsOwnWork(path) || !IsNew(path)) return;
+  const std::string digest = Sha256(bytes);
+  for (const auto& notes : NotesOfThisThread()) notes->inputs.emplace(path, digest);
 }
 
 void NoteInput(const std::string& path) {
   {
     const std::lock_guard<std::mutex> lock(mutex);
-    if (!notes || IsOwnWork(path) || notes->inputs.count(path) > 0) return;
+    if (IsOwnWork(path) || !IsNew(path)) return;
   }
   if (const auto bytes = BytesOf(path)) NoteInput(path, *bytes);
 }
 
 std::optional<Origin> NotedOrigin() {
   const std::lock_guard<std::mutex> lock(mutex);
-  if (!notes) return std::nullopt;
-  Origin origin{notes->program, notes->command, notes->date, {}};
-  for (const auto& [path, digest] : notes->inputs) {
+  const auto all = NotesOfThisThread();
+  if (all.size() != 1) return std::nullopt;
+  const OriginNotes::Notes& notes = *all[0];
+  Origin origin{notes.program, notes.command, notes.date, {}};
+  for (const auto& [path, digest] : notes.inputs) {
     std::error_code fault;  // a track laid out for a moment is gone: the command says what made it
-    if (std::filesystem::exists(path, fault)) origin.inputs.push_back({path, digest});
+    if (!std::filesystem::exists(path, fault)) continue;
+    origin.inputs.push_back({NameOf(path, notes.given_folder), digest});
   }
   return origin;
 }

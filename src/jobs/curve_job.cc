@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <future>
 
+#include "analysis/pair_conicity.h"
 #include "analysis/running_assessment.h"
 #include "base/origin.h"
 #include "film/film.h"
@@ -127,6 +128,7 @@ Result<bool> RunCurve(Curve* curve, const Watch& watch) {
     run.summary["assessment"] = analysis::AssessRun(*run.simulation, run.outcome);
   }
   if (curve->verify) TakeHalfSteps(&runs);
+  for (CurveRun& run : runs) run.summary["conicity"] = analysis::DescribeConicity(*run.simulation);
   return true;
 }
 

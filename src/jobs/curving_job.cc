@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "analysis/curve_family.h"
+#include "analysis/pair_conicity.h"
 #include "analysis/steady_curve.h"
 #include "base/origin.h"
 #include "report/analysis_report.h"
@@ -95,8 +96,9 @@ Result<vehicle::Simulation> OnCurve(const CurvingRequest& request,
   return vehicle::Simulation::Create(scenario);
 }
 
+/// Fills `conicity`, too, if it is empty: it is the same in all curves.
 Result<Json> SolveOne(const CurvingRequest& request, const std::string& bogie, double asked,
-                      const Watch& watch) {
+                      const Watch& watch, Json* conicity) {
   const auto family = FamilyFor(request, bogie);
   if (!family.ok()) return family.error();
   const bool own_arc = asked == 0;
@@ -106,6 +108,7 @@ Result<Json> SolveOne(const CurvingRequest& request, const std::string& bogie, d
   const double radius = curve.value().radius_m;
   auto simulation = OnCurve(request, family.value(), bogie, own_arc, curve.value());
   if (!simulation.ok()) return simulation.error();
+  if (conicity->is_null()) *conicity = analysis::DescribeConicity(simulation.value());
   Json row = {{"radius_m", radius},
               {"speed_m_s", curve.value().speed_m_s},
               {"cant_m", curve.value().cant_m},
@@ -148,13 +151,13 @@ Result<Json> SolveCurves(const CurvingRequest& request, const Watch& watch,
   const std::vector<double> radii = RadiiOf(request);
   const double count = static_cast<double>(radii.size() * request.bogies.size());
   double done = 0;
-  Json json = {{"bogies", Json::object()}};
+  Json json = {{"bogies", Json::object()}, {"conicity", Json::object()}};
   for (const std::string& bogie : request.bogies) {
     if (tell.begin) tell.begin(bogie);
     Json& rows = json["bogies"][bogie] = Json::array();
     for (const double radius : radii) {
       if (!watch.GoesOn(done++ / count)) return Error{"curving", "was stopped", "", ""};
-      auto row = SolveOne(request, bogie, radius, watch);
+      auto row = SolveOne(request, bogie, radius, watch, &json["conicity"][bogie]);
       if (!row.ok()) return row.error();
       if (tell.row) tell.row(row.value());
       rows.push_back(std::move(row).value());

@@ -89,8 +89,9 @@ Result<std::vector<RunRecord>> WriteSweep(const Study& study, sweep::WorkDir* wo
   if (Status s = WriteOrigin(dir.File("")); !s.ok()) return s.error();
   const auto input = ReportInput(study, records, dir.File("sweep.csv"));
   if (CountOk(records) > 0 && !input.outputs.empty() && !input.parameters.empty()) {
-    if (Status s = report::WriteSweepReport(input, dir.File("report.html")); !s.ok()) {
-      return s.error();
+    for (const Status& s : {report::KeepSweepReportInput(input),
+                            report::WriteSweepReport(input, dir.File("report.html"))}) {
+      if (!s.ok()) return s.error();
     }
   }
   if (Status s = work->Finish(&dir); !s.ok()) return s.error();

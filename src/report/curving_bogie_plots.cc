@@ -80,7 +80,7 @@ void AddMomentPlots(const CurvingResults& results, ReportPage* page) {
         const std::string name = prefix + axle;
         std::vector<std::pair<std::string, std::string>> parts = {
             {"creep forces", name + "_steering_moment_Nm"},
-            {"primary suspension", name + "_primary_moment_Nm"}};
+            {"primary suspension with its links", name + "_primary_moment_Nm"}};
         if (run.Channel(HydraulicPrefix(run, prefix) + "cylinder_1_force_N") != nullptr) {
           parts.emplace_back("oil pressure", name + "_phs_pressure_moment_Nm");
           parts.emplace_back("seal friction", name + "_phs_friction_moment_Nm");

@@ -132,7 +132,7 @@ BarChart BudgetChart(const CurvingResults& results, const std::string& prefix,
       {"Creep forces between wheel and rail", &MomentBudget::creep},
       {"Oil pressure in the cylinders", &MomentBudget::phs_pressure},
       {"Seal friction of the cylinders", &MomentBudget::phs_friction},
-      {"Primary suspension and links", &MomentBudget::primary},
+      {"Primary suspension with its links", &MomentBudget::primary},
       {"Rest", &MomentBudget::rest}};
   std::vector<MomentBudget> budgets;
   double largest = 0;
@@ -196,6 +196,23 @@ void AddPlanView(const CurvingResults& results, ReportPage* page) {
   if (!drawn) page->Note("No poses of the axles were recorded.");
 }
 
+namespace {
+
+/// Whether seals act on an axle of any bogie by more than a hundredth of its creep forces.
+bool AnyFriction(const CurvingResults& results) {
+  for (const BogieRun& run : results.runs) {
+    for (const std::string& prefix : results.prefixes) {
+      for (const char* axle : {"lead", "trail"}) {
+        const MomentBudget budget = CalcBudget(run, results, prefix + axle);
+        if (std::abs(budget.phs_friction) > 0.01 * std::abs(budget.creep)) return true;
+      }
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
 void AddMomentBudget(const CurvingResults& results, ReportPage* page) {
   if (results.hand == 0) {
     page->Note("The track has no circular arc: there is no steering moment to balance.");
@@ -204,8 +221,26 @@ void AddMomentBudget(const CurvingResults& results, ReportPage* page) {
   page->Paragraph(
       "Yaw moments on each axle in the steady curve. Positive: turns the axle towards the radial "
       "direction (steers). Negative: turns it away from it (holds back). In a steady state they "
-      "add "
-      "up to zero.");
+      "add up to zero, so moments that hold back may together exceed that of the creep forces "
+      "where "
+      "another part steers, too.");
+  page->Paragraph(
+      "Primary suspension with its links: all springs, dampers and links that hold the axle in "
+      "yaw, "
+      "to the frame or to the other axle. Of a link bogie it is nearly all the links', whose "
+      "stiffness "
+      "its file gives together with that of the springs. The cylinders of a PHS are not in it: "
+      "they are the oil pressure and the seal friction. Rest: inertia, and what a run that still "
+      "swings does not balance.");
+  if (AnyFriction(results)) {
+    page->Paragraph(
+        "Seal friction may hold back or steer. In the steady curve the pistons stand still, and "
+        "the "
+        "seals hold whatever they were left with in the transition: friction opposed the piston's "
+        "last "
+        "motion. Where the axle was still turning towards the radial direction it holds back; "
+        "where the axle had turned too far and was coming back it steers.");
+  }
   page->BeginGrid(2);
   for (const std::string& prefix : results.prefixes) {
     for (const AxleName& axle : results.Axles(prefix)) {

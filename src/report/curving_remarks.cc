@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "report/curving_parts.h"
+#include "report/number_names.h"
 
 namespace phs::report {
 namespace {
@@ -39,8 +40,10 @@ void AddChanges(const BogieRun& run, const json& discretisation, ReportPage* pag
     const bool moves = std::abs(judged) > kMovingShare;
     if (!moves && !IsHeadline(name)) continue;
     const bool of_scale = change.value("of_scale", json()).is_number();
-    table.rows.push_back({TableCell(name), TableCell(FormatNumber(change.value("value", 0.0))),
-                          TableCell(FormatNumber(change.value("half_step", 0.0))),
+    const NumberName named = NameOfNumber(name);
+    table.rows.push_back({TableCell(named.words + " [" + named.unit + "]"),
+                          TableCell(FormatNumber(named.factor * change.value("value", 0.0))),
+                          TableCell(FormatNumber(named.factor * change.value("half_step", 0.0))),
                           TableCell(FormatNumber(100 * judged, 2), moves),
                           TableCell(of_scale ? "largest magnitude in the run" : "its own size")});
   }
@@ -81,7 +84,8 @@ void AddDiscretisation(const CurvingResults& results, ReportPage* page) {
       page->Paragraph(
           "Each run was made again with half the step. Numbers that change sign are judged by "
           "their largest magnitude in the run, all others by their own size; what moves by more "
-          "than 2 % is in bold.");
+          "than 2 % is in bold. Angles and lateral positions are positive to the left, ΣY to the "
+          "right, moments to the left. More numbers are in the result's JSON file.");
     }
     any = true;
     AddChanges(run, discretisation, page);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "report/conicity.h"
 #include "report/curving_parts.h"
 #include "report/curving_results.h"
 #include "report/json_fields.h"
@@ -12,6 +13,8 @@
 
 namespace phs::report {
 namespace {
+
+using json = nlohmann::ordered_json;
 
 std::string Title(const CurvingResults& results) {
   std::string title = "Curving run";
@@ -35,6 +38,14 @@ std::string Subtitle(const CurvingResults& results) {
   const std::string version = results.reference().summary.value("version", "");
   if (!version.empty()) text += "; phs " + version;
   return text;
+}
+
+std::vector<ConicityOf> ConicityOfRuns(const CurvingResults& results) {
+  std::vector<ConicityOf> bogies;
+  for (const BogieRun& run : results.runs) {
+    bogies.push_back({run.label, run.colour, run.summary.value("conicity", json())});
+  }
+  return bogies;
 }
 
 Status WritePage(const CurvingReportInput& input, const std::string& path, const Replay* replay) {
@@ -64,6 +75,7 @@ Status WritePage(const CurvingReportInput& input, const std::string& path, const
   AddTrackPlots(results, &page);
   page.Section("Bogie and hydraulics");
   AddHydraulicPlots(results, &page);
+  AddConicity(ConicityOfRuns(results), &page);
   if (HasStandards(results)) {
     page.Section("Standards, wear");
     AddStandards(results, &page);

@@ -153,6 +153,20 @@ double BogieRun::Steady(const std::string& list, const std::string& item,
   return kNone;
 }
 
+namespace {
+
+double SumOverWheels(const BogieRun& run, const std::string& prefix, const char* key) {
+  const json::json_pointer at("/steady_curve/wheels");
+  if (!run.summary.contains(at)) return kNone;
+  double sum = 0;
+  for (const json& wheel : run.summary.at(at)) {
+    if (wheel.value("name", "").starts_with(prefix)) sum += NumberOf(wheel, key);
+  }
+  return sum;
+}
+
+}  // namespace
+
 std::string CurvingResults::Side(bool outer) const {
   return (hand > 0) == outer ? "right" : "left";
 }
@@ -167,13 +181,11 @@ std::vector<AxleName> CurvingResults::Axles(const std::string& prefix) const {
 }
 
 double CurvingResults::SteadyWear(const BogieRun& run, const std::string& prefix) {
-  const json::json_pointer at("/steady_curve/wheels");
-  if (!run.summary.contains(at)) return kNone;
-  double sum = 0;
-  for (const json& wheel : run.summary.at(at)) {
-    if (wheel.value("name", "").starts_with(prefix)) sum += NumberOf(wheel, "T_gamma_N");
-  }
-  return sum;
+  return SumOverWheels(run, prefix, "T_gamma_N");
+}
+
+double CurvingResults::SteadySpin(const BogieRun& run, const std::string& prefix) {
+  return SumOverWheels(run, prefix, "T_gamma_spin_N");
 }
 
 std::string BogieLabel(std::string name) {
@@ -190,8 +202,9 @@ std::string RatioText(double other, double own, double floor) {
   const double ratio = std::abs(other / own);
   if (!std::isfinite(other) || !std::isfinite(own)) return "–";
   if (std::abs(own) < floor) {
-    return std::abs(other) < 2 * floor ? "–"
-                                       : "> " + FormatNumber(std::abs(other) / floor, 2) + " ×";
+    return std::abs(other) < 2 * floor
+               ? "–"
+               : "at least " + FormatNumber(std::abs(other) / floor, 2) + " ×";
   }
   return FormatNumber(ratio) + " ×";
 }

@@ -66,12 +66,14 @@ struct CurvingResults {
   std::vector<AxleName> Axles(const std::string& prefix) const;
   /// Sum of T-gamma over the wheels of one bogie in the steady curve; of all with prefix "" [N].
   static double SteadyWear(const BogieRun& run, const std::string& prefix);
+  /// The spin part of the same, |Mz phi|, which the wear number leaves away [N].
+  static double SteadySpin(const BogieRun& run, const std::string& prefix);
 };
 
 Result<CurvingResults> ReadCurvingResults(const CurvingReportInput& input);
 
 /// Magnitude of `other` over that of `own` in words: "2.1 ×"; where `own` is below `floor` (what
-/// the run can resolve) "> 40 ×", and where both are "–".
+/// the run can resolve) "at least 40 ×", over that floor, and where both are "–".
 std::string RatioText(double other, double own, double floor);
 
 /// "R 550 m" of a curve, "transition"; empty for a tangent.

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "report/curving_parts.h"
+#include "report/number_names.h"
 
 namespace phs::report {
 namespace {
@@ -65,7 +66,7 @@ void AddLimits(const CurvingResults& results, ReportPage* page) {
       value.strong = !worst->value("kept", true);
       if (value.strong) value.text += " beyond";
       row.push_back(value);
-      row.emplace_back(fmt::format("{}, {:.0f} m", worst->value("wheelset", ""),
+      row.emplace_back(fmt::format("{}, {:.0f} m", PlaceWords(worst->value("wheelset", ""), "axle"),
                                    worst->value("section_begin_s_m", 0.0)));
     }
     if (row.size() > 1) table.rows.push_back(std::move(row));
@@ -110,15 +111,16 @@ void AddRide(const CurvingResults& results, ReportPage* page) {
 void AddWear(const CurvingResults& results, ReportPage* page) {
   DataTable table{.caption = "Wear and rolling contact fatigue of every wheel", .head = {"Wheel"}};
   for (const BogieRun& run : results.runs) {
-    for (const char* what :
-         {"Tγ, steady [N]", "regime", "RCF per 10⁶ passes", "worn over the run [mm²/km]"}) {
+    for (const char* what : {"Tγ, steady [N]", "regime", "RCF damage per 10⁶ passes [–]",
+                             "worn over the run [mm²/km]"}) {
       table.head.push_back(run.label + ": " + what);
     }
   }
   const json* first = Assessed(results.reference());
   if (first == nullptr) return;
   for (std::size_t i = 0; i < first->at("wheels").size(); ++i) {
-    std::vector<TableCell> row = {TableCell(first->at("wheels").at(i).value("name", ""))};
+    std::vector<TableCell> row = {
+        TableCell(PlaceWords(first->at("wheels").at(i).value("name", ""), "wheel"))};
     for (const BogieRun& run : results.runs) {
       const json* assessment = Assessed(run);
       if (assessment == nullptr || i >= assessment->at("wheels").size()) {
@@ -137,8 +139,12 @@ void AddWear(const CurvingResults& results, ReportPage* page) {
   page->Note(
       "Regimes and worn section after Pearce and Sherratt (British Rail Research, 1991), fatigue "
       "of "
-      "the rail after Burstow (whole life rail model, 2003): empirical, to rank designs. A pass "
-      "without fatigue may be one that wears cracks off.");
+      "the rail after Burstow (whole life rail model, 2003): empirical, to rank designs. RCF "
+      "damage is "
+      "the share of the rail's life that passes use up: 1 is a whole life, so 5 per 10⁶ passes is "
+      "a "
+      "life of 200 000 axle passes; the model's greatest is 10. A pass without fatigue may be one "
+      "that wears cracks off. Tγ here, too, is without spin.");
 }
 
 }  // namespace

@@ -95,6 +95,8 @@ void AddSteadyMetrics(const CurvingResults& results, const std::string& prefix,
       {"Wear number Tγ, leading outer wheel [N]", 1, wheel(prefix + "lead_outer", "T_gamma_N", 1)},
       {"Wear number Tγ, all wheels of the bogie [N]", 1,
        [prefix](const BogieRun& run) { return CurvingResults::SteadyWear(run, prefix); }},
+      {"– the spin part beside it, Σ|Mz φ| [N]", 1,
+       [prefix](const BogieRun& run) { return CurvingResults::SteadySpin(run, prefix); }},
       {"Bending (steering) of the bogie [mrad]", 0.1,
        [prefix](const BogieRun& run) {
          return 1e3 * run.Number("/steady_curve/" + prefix + "bending_rad");
@@ -125,7 +127,10 @@ std::vector<Metric> RunMetrics() {
   return {{"Greatest angle of attack [mrad]", 0.1, number("/run/max_angle_of_attack_rad", 1e3)},
           {"Greatest ΣY [kN]", 0.5, number("/run/max_sum_Y_N", 1e-3)},
           {"Greatest Y/Q [–]", 0.005, number("/run/max_Y_over_Q", 1)},
-          {"Work lost as Tγ along the track [kJ]", 0.1, number("/run/T_gamma_total_J", 1e-3)}};
+          {"Work lost as Tγ along the track, without spin [kJ]", 0.1,
+           number("/run/T_gamma_total_J", 1e-3)},
+          {"Work lost in creep along the track, with spin [kJ]", 0.1,
+           number("/run/lost_creep_J", 1e-3)}};
 }
 
 void AddRows(const CurvingResults& results, const std::vector<Metric>& metrics, DataTable* table) {
@@ -218,6 +223,11 @@ void AddKeyFigures(const CurvingResults& results, ReportPage* page) {
     const std::string side = RailPointedTo(hand == 0 ? to_outer : -hand * to_outer, hand);
     return side.empty() ? "" : hand == 0 ? " to the " + side : " to the " + side + " rail";
   };
+  const auto bound_words = [](const std::string& ratio, const Key& key) {
+    if (!ratio.starts_with("at least")) return std::string();
+    return fmt::format(": below {:g}{} nothing is resolved", key.floor,
+                       key.unit.empty() ? "" : " " + key.unit);
+  };
   std::vector<KeyFigure> figures;
   for (const Key& key : keys) {
     const double own = key.value(results.reference());
@@ -229,7 +239,8 @@ void AddKeyFigures(const CurvingResults& results, ReportPage* page) {
       const std::string ratio = RatioText(other, own, key.floor);
       remark += fmt::format("{}{}: {}{}{}{}", remark.empty() ? "" : "; ", results.runs[i].label,
                             FormatNumber(other), key.unit.empty() ? "" : " " + key.unit,
-                            where(key, results.runs[i]), ratio == "–" ? "" : " (" + ratio + ")");
+                            where(key, results.runs[i]),
+                            ratio == "–" ? "" : " (" + ratio + bound_words(ratio, key) + ")");
     }
     figures.push_back({.value = FormatNumber(own),
                        .unit = key.unit + where(key, results.reference()),
@@ -260,9 +271,12 @@ void AddHeadlineTable(const CurvingResults& results, ReportPage* page) {
   page->Note(
       "Angle of attack: yaw of the axle against the radial direction of the track under it, with "
       "the rail that the axle points to (outer: the high rail). Lateral position: positive to the "
-      "left. Tγ = |Tx ξ| + |Ty η| without the spin term. The last columns are ratios of "
-      "magnitudes; where the "
-      "number compared with is too small to be resolved they give only a bound.");
+      "left. Tγ = |Tx ξ| + |Ty η| is the wear number, by its usual definition without the spin "
+      "term "
+      "|Mz φ|; the work lost in creep counts all slip, spin included, and so is larger. The last "
+      "columns are ratios of magnitudes. “At least”: the number compared with is smaller than a "
+      "run resolves (0.1 mrad, 0.1 mm, 0.5 kN, Y/Q 0.005, Tγ 1 N); that bound stands in its place, "
+      "so the true ratio is larger.");
 }
 
 void AddComparisonBars(const CurvingResults& results, ReportPage* page) {
@@ -317,7 +331,8 @@ void AddEnergyTable(const CurvingResults& results, ReportPage* page) {
   table.rows.push_back(std::move(error));
   page->Paragraph(
       "Work in equals what is gained, stored and lost. The missing part is the numerical error of "
-      "the run, over the largest of them; it should stay below 0.001.");
+      "the run, over the largest of them; it should stay below 0.001. Creep counts all slip, spin "
+      "included; the work lost as Tγ in the first table leaves spin away.");
   page->Add(table);
 }
 

@@ -40,8 +40,8 @@ std::vector<Part> PartsOf(const MomentBudget& budget) {
   return {{"the creep forces between wheel and rail", budget.creep},
           {"the oil pressure in the cylinders", budget.phs_pressure},
           {"the seal friction of the cylinders", budget.phs_friction},
-          {"the primary suspension", budget.primary},
-          {"the rest (inertia, links not listed)", budget.rest}};
+          {"the primary suspension with its links", budget.primary},
+          {"the rest (inertia)", budget.rest}};
 }
 
 /// "a (1 kN m), b (2 kN m) and c (3 kN m)" of the parts that steer (sign 1) or hold back (-1).
@@ -110,6 +110,26 @@ std::string CompareRuns(const CurvingResults& results, const std::string& prefix
   return JoinWords(parts);
 }
 
+/// "−68 %".
+std::string SignedPercent(double share) {
+  return fmt::format("{}{:.0f} %", share < 0 ? "−" : "+", std::abs(100 * share));
+}
+
+/// "creep forces +100 %, oil pressure −51 %, …": parts below 1 % are left out.
+std::string SharesText(const MomentBudget& budget) {
+  std::string text;
+  for (const auto& [name, moment] : {std::pair{"creep forces", budget.creep},
+                                     {"oil pressure", budget.phs_pressure},
+                                     {"seal friction", budget.phs_friction},
+                                     {"primary suspension with its links", budget.primary},
+                                     {"rest", budget.rest}}) {
+    if (std::abs(moment) < 0.005 * std::abs(budget.creep)) continue;
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", name,
+                        SignedPercent(moment / budget.creep));
+  }
+  return text;
+}
+
 /// Advice that follows from the steering budget of the reference bogie; of a locomotive, from the
 /// bogie whose leading axle is offered the larger moment.
 void AdviseOnSteering(const CurvingResults& results, std::vector<std::string>* advice) {
@@ -120,26 +140,29 @@ void AdviseOnSteering(const CurvingResults& results, std::vector<std::string>* a
     if (own.known && (!lead.known || own.creep > lead.creep)) lead = own;
   }
   if (!lead.known || lead.creep <= 0) return;
+  advice->push_back(fmt::format(
+      "Who takes the steering moment of the {} bogie's leading axle, as a share of that of the "
+      "creep forces (+ steers, − holds back; all add up to 0): {}.",
+      run.label, SharesText(lead)));
+  const auto share = [&](double moment) { return SignedPercent(moment / lead.creep); };
   if (lead.phs_friction < -0.15 * lead.creep) {
     advice->push_back(fmt::format(
-        "Seal friction takes {} % of the steering moment of the {} bogie's leading axle. Run the "
-        "same scenario with a PHS model of lower seal friction to see what better seals would "
-        "give.",
-        FormatNumber(-100 * lead.phs_friction / lead.creep, 2), run.label));
+        "Seal friction holds back ({}). Run the same scenario with a PHS model of lower seal "
+        "friction to see what better seals would give.",
+        share(lead.phs_friction)));
   }
   if (lead.phs_pressure < -0.15 * lead.creep) {
     advice->push_back(fmt::format(
-        "Oil pressure takes {} % of the steering moment: the axles do not bend against each other "
+        "Oil pressure holds back ({}): the axles do not bend against each other "
         "alone, so the stiff shear mode of the network is loaded. Look at shear and at the lateral "
         "forces in the transitions.",
-        FormatNumber(-100 * lead.phs_pressure / lead.creep, 2)));
+        share(lead.phs_pressure)));
   }
   if (lead.primary < -0.3 * lead.creep) {
     advice->push_back(
-        fmt::format("The primary suspension takes {} % of the steering moment: its longitudinal "
-                    "stiffness is the "
-                    "first thing to vary.",
-                    FormatNumber(-100 * lead.primary / lead.creep, 2)));
+        fmt::format("The primary suspension with its links holds back ({}): its longitudinal "
+                    "stiffness is the first thing to vary.",
+                    share(lead.primary)));
   }
 }
 

@@ -28,7 +28,10 @@ void AddOrigin(const std::optional<Origin>& origin, ReportPage* page) {
   }
   page->Paragraph(fmt::format("Calculated by {} on {}; page drawn by phs " PHS_VERSION ".",
                               origin->program, DateWords(origin->date)));
-  page->Paragraph("The command:");
+  page->Paragraph(
+      "The command. Here and in the tables folders of the machine are left away; origin.json "
+      "beside "
+      "this page has the whole paths.");
   page->Preformatted(origin->command);
   if (origin->inputs.empty()) {
     page->Paragraph("No input file was read.");

@@ -6,13 +6,17 @@
 
 #include "base/check.h"
 #include "report/page_assets.h"
+#include "report/shown_paths.h"
 
 namespace phs::report {
 namespace {
 
+/// A text for the page: escaped, without folders of the machine.
+std::string Shown(const std::string& text) { return EscapeHtml(WithoutFolders(text)); }
+
 std::string Tag(const std::string& tag, const std::string& text, const std::string& style = "") {
-  return "<" + tag + (style.empty() ? "" : " class=\"" + style + "\"") + ">" + EscapeHtml(text) +
-         "</" + tag + ">";
+  return "<" + tag + (style.empty() ? "" : " class=\"" + style + "\"") + ">" + Shown(text) + "</" +
+         tag + ">";
 }
 
 /// Replaces each mark of the template by its text (marks do not occur in the texts put in before).
@@ -37,7 +41,7 @@ void ReportPage::Section(const std::string& title) {
 void ReportPage::Heading(const std::string& text) { body_ += Tag("h3", text) + "\n"; }
 
 void ReportPage::Paragraph(const std::string& text, const std::string& lead) {
-  body_ += "<p>" + (lead.empty() ? "" : Tag("strong", lead) + " ") + EscapeHtml(text) + "</p>\n";
+  body_ += "<p>" + (lead.empty() ? "" : Tag("strong", lead) + " ") + Shown(text) + "</p>\n";
 }
 
 void ReportPage::List(const std::vector<std::string>& items) {
@@ -53,17 +57,17 @@ void ReportPage::Verdict(const std::string& sentence, int tone) {
 void ReportPage::Note(const std::string& text) { body_ += Tag("p", text, "note") + "\n"; }
 
 void ReportPage::Warning(const std::string& text) {
-  body_ += "<p class=\"warning\" role=\"alert\">" + EscapeHtml(text) + "</p>\n";
+  body_ += "<p class=\"warning\" role=\"alert\">" + Shown(text) + "</p>\n";
 }
 
 void ReportPage::Preformatted(const std::string& text) {
-  body_ += "<pre tabindex=\"0\">" + EscapeHtml(text) + "</pre>\n";
+  body_ += "<pre tabindex=\"0\">" + Shown(text) + "</pre>\n";
 }
 
 void ReportPage::KeyFigures(const std::vector<KeyFigure>& figures) {
   body_ += "<dl class=\"key-figures\">\n";
   for (const KeyFigure& figure : figures) {
-    body_ += "<div><dt>" + EscapeHtml(figure.label) + "</dt><dd><b>" + EscapeHtml(figure.value) +
+    body_ += "<div><dt>" + Shown(figure.label) + "</dt><dd><b>" + EscapeHtml(figure.value) +
              "</b> " + Tag("span", figure.unit, "unit") + "</dd>" +
              (figure.remark.empty() ? "" : Tag("dd", figure.remark, "remark")) + "</div>\n";
   }
@@ -108,7 +112,7 @@ void ReportPage::EndDetails() { body_ += "</details>\n"; }
 void ReportPage::Add(const DataTable& table) {
   const std::string id = "table-" + std::to_string(++num_tables_);
   // One box, so that a grid keeps the caption over its table.
-  body_ += "<div><p class=\"caption\" id=\"" + id + "\">" + EscapeHtml(table.caption) +
+  body_ += "<div><p class=\"caption\" id=\"" + id + "\">" + Shown(table.caption) +
            "</p><div class=\"scroll" + (table.words ? " words" : "") +
            "\" tabindex=\"0\"><table aria-labelledby=\"" + id + "\">\n<thead><tr>";
   for (const std::string& title : table.head)
@@ -120,7 +124,7 @@ void ReportPage::Add(const DataTable& table) {
       const std::string style = row[i].bad      ? " class=\"bad\""
                                 : row[i].strong ? " class=\"strong\""
                                                 : "";
-      const std::string words = EscapeHtml(row[i].text);
+      const std::string words = Shown(row[i].text);
       const std::string text =
           row[i].link.empty() ? words
                               : "<a href=\"" + EscapeHtml(row[i].link) + "\">" + words + "</a>";
@@ -187,9 +191,9 @@ std::string ReportPage::Html() const {
   html = Fill(std::move(html), "@BODY@", body_ + (num_sections_ > 0 ? "</section>\n" : ""));
   html = Fill(std::move(html), "@CONTENTS@", contents_);
   html = Fill(std::move(html), "@LINKS@", links_);
-  html = Fill(std::move(html), "@SUBTITLE@", EscapeHtml(subtitle_));
-  html = Fill(std::move(html), "@HEADING@", EscapeHtml(title_));
-  return Fill(std::move(html), "@TITLE@", EscapeHtml(title_));
+  html = Fill(std::move(html), "@SUBTITLE@", Shown(subtitle_));
+  html = Fill(std::move(html), "@HEADING@", Shown(title_));
+  return Fill(std::move(html), "@TITLE@", Shown(title_));
 }
 
 }  // namespace phs::report

@@ -7,7 +7,8 @@
 //   page.Paragraph("…");
 //   page.Add(SeriesPlot{.title = "Angle of attack", …});
 //   return page.Write(path);
-// All texts are plain text (the page escapes them); quantities carry their unit in the label.
+// All texts are plain text (the page escapes them and takes the machine's folders out of them,
+// shown_paths.h); quantities carry their unit in the label.
 #pragma once
 
 #include <optional>

@@ -32,7 +32,8 @@ struct ResultKind {
 };
 std::span<const ResultKind> ResultKinds();
 
-/// A sweep is known by its table; its page needs the study as well (`phs sweep`).
+/// A sweep is known by its table; what its page needs besides stands in another file
+/// (sweep_report.h).
 inline constexpr char kSweepTable[] = "sweep.csv";
 void TellSweep(const std::string& table, ResultSummary* told);
 

@@ -10,6 +10,7 @@
 #include "report/json_fields.h"
 #include "report/page_links.h"
 #include "report/result_kinds.h"
+#include "report/sweep_report.h"
 
 namespace phs::report {
 namespace {
@@ -108,8 +109,9 @@ Status RemakeReport(const std::string& folder, const MakeReplay& replay) {
     known += (known.empty() ? "" : ", ") + std::string(kind.file);
     if (fs::exists(fs::path(folder) / kind.file)) return kind.remake(folder, replay);
   }
-  return Error{folder, "holds no result that a report is drawn from", "a folder with " + known,
-               "a sweep draws its report with phs sweep STUDY --resume"};
+  if (fs::exists(fs::path(folder) / kSweepTable)) return RemakeSweepReport(folder);
+  return Error{folder, "holds no result that a report is drawn from",
+               "a folder with " + known + ", " + kSweepTable, ""};
 }
 
 }  // namespace phs::report

@@ -7,6 +7,7 @@
 
 #include "base/axle_words.h"
 #include "report/analysis_report.h"
+#include "report/conicity.h"
 #include "report/json_fields.h"
 #include "report/report_page.h"
 
@@ -69,6 +70,17 @@ DataTable Numbers(const json& bogies, const Quantity& quantity) {
   return table;
 }
 
+std::vector<ConicityOf> ConicityOfBogies(const json& result) {
+  std::vector<ConicityOf> bogies;
+  const json conicity = result.value("conicity", json::object());
+  const json all = result.value("bogies", json::object());
+  for (const auto& [name, rows] : all.items()) {
+    const int colour = static_cast<int>(bogies.size()) % 8;
+    bogies.push_back({name, colour, conicity.value(name, json())});
+  }
+  return bogies;
+}
+
 }  // namespace
 
 Status WriteSteadyCurvingReport(const std::string& curving_file, const std::string& path) {
@@ -84,6 +96,7 @@ Status WriteSteadyCurvingReport(const std::string& curving_file, const std::stri
   page.BeginGrid(2);
   for (const Quantity& quantity : kQuantities) page.Add(OverRadius(bogies, quantity));
   page.EndGrid();
+  AddConicity(ConicityOfBogies(result), &page);
   page.Section("Numbers");
   for (const Quantity& quantity : kQuantities) page.Add(Numbers(bogies, quantity));
   return page.Write(path);

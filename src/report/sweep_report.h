@@ -17,4 +17,11 @@ namespace phs::report {
 /// without `outputs` the numeric columns right of it.
 Status WriteSweepReport(const SweepReportInput& input, const std::string& path);
 
+/// What the page needs beside the table: kept with the result, so that the page can be drawn again.
+inline constexpr char kSweepReportInput[] = "sweep_report.json";
+/// Writes it into the folder of `input.table`.
+Status KeepSweepReportInput(const SweepReportInput& input);
+/// Draws the page of a finished sweep's folder again from its table and what was kept with it.
+Status RemakeSweepReport(const std::string& folder);
+
 }  // namespace phs::report

@@ -5,6 +5,7 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <thread>
 
 #include "base/result_dir.h"
 #include "base/sha256.h"
@@ -57,6 +58,46 @@ TEST(Origin, FilesOfItsOwnWorkAndThoseThatAreGoneAreNoInputs) {
   NoteInput(gone);
   std::filesystem::remove(gone);
   EXPECT_TRUE(NotedOrigin()->inputs.empty());
+}
+
+TEST(Origin, WorksAtTheSameTimeKeepApart) {
+  const ScratchDir dir;
+  const std::string mine = dir.Write("mine.yaml", "a: 1\n"), theirs = dir.Write("theirs.yaml", "b");
+  const OriginNotes notes("phs 9", "mine");
+  std::thread([&] {
+    const OriginNotes other("phs 9", "theirs");
+    NoteInput(theirs);
+    EXPECT_EQ(Paths(*NotedOrigin()), std::vector<std::string>{theirs});
+    EXPECT_EQ(NotedOrigin()->command, "theirs");
+  }).join();
+  const OriginShare share;
+  std::thread([&] {
+    const OriginShare::Part part(share);
+    NoteInput(mine);
+    EXPECT_EQ(NotedOrigin()->command, "mine");
+  }).join();
+  EXPECT_EQ(Paths(*NotedOrigin()), std::vector<std::string>{mine});
+}
+
+TEST(Origin, AWorkWithinAWorkHasItsOwn) {
+  const ScratchDir dir;
+  const std::string file = dir.Write("a.yaml", "a: 1\n");
+  const OriginNotes outer("phs 9", "outer");
+  {
+    const OriginNotes inner("phs 9", "inner");
+    NoteInput(file);
+    EXPECT_EQ(NotedOrigin()->command, "inner");
+  }
+  EXPECT_EQ(NotedOrigin()->command, "outer");
+  EXPECT_TRUE(NotedOrigin()->inputs.empty());
+}
+
+TEST(Origin, FilesMadeOfWhatWasHandedOverAreNamedSo) {
+  const ScratchDir dir;
+  std::filesystem::create_directories(dir.File("given"));
+  const OriginNotes notes("phs 9", "phs.run({…})", dir.File("given"));
+  NoteInput(dir.Write("given/track.yaml", "a: 1\n"));
+  EXPECT_EQ(Paths(*NotedOrigin()), std::vector<std::string>{"given: track.yaml"});
 }
 
 TEST(Origin, WithoutNotesNothingIsWritten) {

@@ -1,5 +1,7 @@
 """The package phs: its functions give what the program gives, its own functions act as physics
 says, its errors say what to do. Needs PYTHONPATH; PHS_PROGRAM is the program."""
+import calendar
+import hashlib
 import json
 import os
 import pathlib
@@ -496,6 +498,87 @@ class PlotTest(unittest.TestCase):
         drawn = phs.plot.patches(table).collections[0]
         self.assertEqual(len(drawn.get_paths()), int(np.sum(table["a_mm"] > 0)))
         np.testing.assert_array_equal(drawn.get_array(), table["pmax_MPa"][table["a_mm"] > 0])
+
+
+class OriginTest(Folder):
+    def origin(self, folder):
+        return json.loads((self.folder / folder / "origin.json").read_text())
+
+    def test_a_result_says_which_call_it_comes_from(self):
+        before = time.time()
+        phs.run("curve_r550", bogie="phs", duration_s=0.1, out=self.folder / "r")
+        origin = self.origin("r")
+        self.assertRegex(origin["program"], r"^phs \d+\.\d+\.\d+ in Python$")
+        self.assertEqual(origin["command"], "phs.run('curve_r550', "
+                         f"out='{self.folder / 'r'}', duration_s=0.1, bogie='phs')")
+        date = calendar.timegm(time.strptime(origin["date"], "%Y-%m-%dT%H:%M:%SZ"))
+        self.assertTrue(before - 2 < date < time.time() + 2, origin["date"])
+        inputs = {pathlib.Path(i["path"]).name: i for i in origin["inputs"]}
+        for name in ("phs.xml", "curve_r550.yaml", "S1002.prw", "UIC60.prr"):
+            self.assertIn(name, inputs)
+        for entry in origin["inputs"]:
+            digest = hashlib.sha256(pathlib.Path(entry["path"]).read_bytes()).hexdigest()
+            self.assertEqual(entry["sha256"], digest, entry["path"])
+        page = (self.folder / "r/report.html").read_text()
+        self.assertIn("phs.run(&#39;curve_r550&#39;, out=&#39;r&#39;", page)
+        self.assertNotIn(str(self.folder), page)
+
+    def test_the_program_notes_the_same_inputs(self):
+        phs.compare("curve_r550", ["phs", "rigid_link"], duration_s=0.05, out=self.folder / "p")
+        scenario = self.folder / "scenario.yaml"
+        text = (phs.data_folder() / "models/scenarios/curve_r550.yaml").read_text()
+        scenario.write_text(text + "\nduration_s: 0.05\n")
+        program("compare", scenario, "--bogies", "phs,rigid_link", "--quiet",
+                "--out", self.folder / "q")
+        names = [{(pathlib.Path(i["path"]).name, i["sha256"]) for i in self.origin(out)["inputs"]
+                  if pathlib.Path(i["path"]).name not in ("scenario.yaml", "curve_r550.yaml")}
+                 for out in "pq"]
+        self.assertGreater(len(names[0]), 4)
+        self.assertEqual(*names)
+
+    def test_dicts_are_named_as_given(self):
+        scenario = {"track": {"name": "mine", "gauge_m": 1.067, "segments": [
+            {"kind": "tangent", "length_m": 200}]}, "bogie": "phs",
+                    "speed_m_s": 15, "duration_s": 0.05}
+        phs.run(scenario, out=self.folder / "r")
+        origin = self.origin("r")
+        self.assertIn("given: track.yaml", [i["path"] for i in origin["inputs"]])
+        self.assertIn("'duration_s': 0.05", origin["command"])
+
+    def test_every_function_that_writes_a_folder_notes_it(self):
+        rig = {"rig": "cylinder", "model": "single_cylinder", "signal": {
+            "duration_s": 2, "sample_s": 0.01, "actuator_m": {
+                "kind": "ramp", "amplitude_m": 1e-4, "speed_m_s": -5e-5, "start_s": 1}}}
+        study = {"scenario": "curve_r550", "analysis": "curving",
+                 "axes": [{"key": "scenario.bogie", "values": ["phs"]}],
+                 "outputs": ["totals.T_gamma_N"]}
+        calls = {
+            "modes": lambda out: phs.modes("phs", out=out),
+            "stability": lambda out: phs.stability("rigid_link", from_m_s=20, to_m_s=30, speeds=2,
+                                                   out=out),
+            "curving": lambda out: phs.curving("phs", [550], out=out),
+            "loads": lambda out: phs.loads("phs", out=out),
+            "rig": lambda out: phs.rig(rig, out=out),
+            "sweep": lambda out: phs.sweep(study, out=out)}
+        for name, call in calls.items():
+            with self.subTest(name):
+                call(self.folder / name)
+                origin = self.origin(name)
+                self.assertTrue(origin["command"].startswith(f"phs.{name}("), origin["command"])
+                self.assertTrue(origin["inputs"])
+
+    def test_two_at_the_same_time_keep_their_own(self):
+        def work(bogie):
+            phs.run("curve_r550", bogie=bogie, duration_s=0.3, out=self.folder / bogie)
+        threads = [threading.Thread(target=work, args=(b,)) for b in ("phs", "rigid_link")]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        for bogie, other in (("phs", "rigid_link"), ("rigid_link", "phs")):
+            names = [pathlib.Path(i["path"]).name for i in self.origin(bogie)["inputs"]]
+            self.assertIn(f"{bogie}.xml", names)
+            self.assertNotIn(f"{other}.xml", names)
 
 
 if __name__ == "__main__":

@@ -86,7 +86,13 @@ TEST_F(CurvingReport, SaysWhatTheStepChangesAndWhichLimitsWereTouched) {
   EXPECT_TRUE(Holds(html, "What the step changes"));
   EXPECT_TRUE(Holds(html, "<td class=\"strong\">6.0</td><td>its own size</td>"));
   EXPECT_TRUE(Holds(html, "<td class=\"strong\">4.5</td><td>largest magnitude in the run</td>"));
-  EXPECT_TRUE(Lacks(html, "steady_curve.lines.L1.pressure_Pa"));
+  EXPECT_TRUE(Lacks(html, "Line pressure, line L1"));
+  // Names and units of the other tables, no keys of the file.
+  EXPECT_TRUE(Holds(html,
+                    "<th scope=\"row\">Work lost as Tγ along the track [kJ]</th>"
+                    "<td>5.30</td><td>5.00</td>"));
+  EXPECT_TRUE(Holds(html, "Bending (steering) of the bogie [mrad]</th><td>0.300</td>"));
+  EXPECT_TRUE(Lacks(html, "T_gamma_total_J</th>"));
 }
 
 TEST_F(CurvingReport, SaysHowTheCurveLiesAndWhichWheelCarriesMost) {
@@ -136,6 +142,52 @@ TEST_F(CurvingReport, SaysWhatSteersAndWhatHoldsBack) {
   EXPECT_TRUE(Holds(html,
                     "held back by the oil pressure in the cylinders (0.897 kN m), the seal "
                     "friction of the cylinders (1.90 kN m) and the primary suspension"));
+}
+
+TEST_F(CurvingReport, SharesAreSignedAndAddUpToZero) {
+  const std::string html = Make({});
+  // Of the example: friction -1.9, pressure -0.12 of the creep forces' 7.47 kN m, the rest primary.
+  EXPECT_TRUE(Holds(html,
+                    "creep forces +100 %, oil pressure −12 %, seal friction −25 %, primary "
+                    "suspension with its links −63 %."));
+  EXPECT_TRUE(Holds(html, "Seal friction holds back (−25 %)"));
+  EXPECT_TRUE(Holds(html, "Seal friction may hold back or steer."));
+  EXPECT_TRUE(Holds(html, "Of a link bogie it is nearly all the links"));
+}
+
+TEST_F(CurvingReport, ARatioToNothingIsABoundThatIsExplained) {
+  (void)Make({.bogies = {"phs", "rigid_link"}});
+  const std::string path = directory_.File("compare.json");
+  auto all = nlohmann::ordered_json::parse(ReadFile(path).value());
+  all["bogies"]["phs"]["steady_curve"]["wheelsets"][0]["angle_of_attack_rad"] = 2e-5;
+  all["bogies"]["rigid_link"]["steady_curve"]["wheelsets"][0]["angle_of_attack_rad"] = -4.6e-3;
+  ASSERT_TRUE(WriteFileAtomically(path, all.dump()).ok());
+  const std::string html = Remake();
+  EXPECT_TRUE(Holds(html, "(at least 46 ×: below 0.1 mrad nothing is resolved)"));
+  EXPECT_TRUE(Holds(html, "<td>at least 46 ×</td>"));
+  EXPECT_TRUE(Holds(html, "that bound stands in its place"));
+}
+
+TEST_F(CurvingReport, WearWithAndWithoutSpinStandSideBySide) {
+  const std::string html = Make({});
+  EXPECT_TRUE(Holds(html, "– the spin part beside it, Σ|Mz φ| [N]"));
+  EXPECT_TRUE(Holds(html, "the work lost in creep counts all slip, spin included"));
+}
+
+TEST_F(CurvingReport, ShowsNoFolderOfTheMachine) {
+  (void)Make({});
+  const std::string path = directory_.File("compare.json");
+  auto all = nlohmann::ordered_json::parse(ReadFile(path).value());
+  all["bogies"]["phs"]["inputs"] = {{"wheel", "/srv/ann/models/profiles/S1002.prw"},
+                                    {"bogie", "/srv/ann/my.xml"}};
+  ASSERT_TRUE(WriteFileAtomically(path, all.dump()).ok());
+  const std::string html = Remake();
+  EXPECT_TRUE(Lacks(html, "/srv/ann"));
+  EXPECT_TRUE(Holds(html, "models/profiles/S1002.prw"));
+}
+
+TEST_F(CurvingReport, SaysThatAConicityWasNotKept) {
+  EXPECT_TRUE(Holds(Make({}), "There is no conicity curve: it was not kept with this result"));
 }
 
 TEST_F(CurvingReport, LeftAndRightCurvesReadTheSame) {

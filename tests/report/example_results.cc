@@ -175,6 +175,7 @@ Json Summary(const std::string& bogie, const ExampleOptions& options, bool derai
                                    {"Q_N", value(wheel + "_Q_N")},
                                    {"Y_over_Q", value(wheel + "_Y_over_Q")},
                                    {"T_gamma_N", value(wheel + "_T_gamma_N")},
+                                   {"T_gamma_spin_N", value(wheel + "_T_gamma_spin_N")},
                                    {"contacts", value(wheel + "_contacts")}});
       }
       summary["budget"][name] = {{"creep_Nm", value(name + "_steering_moment_Nm")},

@@ -6,7 +6,7 @@
 // something, follows the cursor of the plots and moves it, runs by itself, magnifies, shows a ghost;
 // wheels and patches follow too. Without: a sentence in its place. Never a console message or a
 // request; the page stays below 5 MB. Exit 0 if all holds; screenshots stay in PICTURES_DIR.
-import {mkdirSync, statSync} from "node:fs";
+import {existsSync, mkdirSync, readFileSync, statSync} from "node:fs";
 import path from "node:path";
 import {openReport, withBrowser} from "./browser.mjs";
 
@@ -145,7 +145,43 @@ async function run(page) {
   check(await captions() === 2, "two bogies side by side");
   await drawn(page, () => choose(page, "one as a ghost in the other", true));
   check(await captions() === 1, "one in the other as a ghost");
+  const who = await page.$eval("figure.replay .who", (p) => p.textContent);
+  check(/PHS: solid.*rigid link: the ghost, reddish/.test(who), `the colours are told: ${who}`);
   await drawn(page, () => page.focus("figure.replay canvas").then(() => page.keyboard.press("ArrowLeft")));
+}
+
+/** The conicity that is drawn is the one of the results; its table and file hold it too. */
+async function conicity(page) {
+  const file = path.join(path.dirname(report), "compare.json");
+  check(existsSync(file), "there are results beside the page");
+  const saved = JSON.parse(readFileSync(file)).bogies.phs.conicity.curves;
+  check(saved.length === 2 && saved[0].amplitude_m.length > 4, "with a conicity, rigid and elastic");
+  const {curves, rows, text} = await page.evaluate(() => {
+    const figure = [...document.querySelectorAll("figure.xy")]
+      .find((f) => f.textContent.includes("Equivalent conicity"));
+    figure.scrollIntoView({behavior: "instant"});
+    const spec = JSON.parse(document.getElementById("figures").textContent)[figure.id];
+    const button = figure.querySelector(".data-button");
+    button.click();
+    const table = [...figure.querySelectorAll(".data-rows tr")].map((row) => [...row.cells].map((c) => c.textContent));
+    button.click();
+    return {curves: spec.curves.map(({label, x, y}) => ({label, x: phs.unpack(x), y: phs.unpack(y)})),
+      rows: table, text: figure.closest("section").textContent};
+  });
+  const drawn = curves.filter(({label}) => /rigid bodies|elastic/.test(label));
+  check(drawn.length >= saved.length, `curves: ${curves.map((c) => c.label).join("; ")}`);
+  saved.forEach((own, i) => {
+    const {x, y} = drawn[i];
+    const span = Math.max(...own.equivalent) - Math.min(...own.equivalent);
+    const away = own.equivalent.map((value, k) => Math.abs(value - y[k]) / span);
+    check(x.length === own.amplitude_m.length && Math.max(...away) < 2e-5,
+      `curve ${i} is the one computed: off by ${Math.max(...away)} of its range`);
+    check(own.amplitude_m.every((value, k) => Math.abs(1e3 * value - x[k]) < 1e-3), "over its amplitudes");
+  });
+  check(rows.length > saved[0].amplitude_m.length, `the numbers are there as a table: ${rows.length} rows`);
+  for (const words of ["S1002.prw", "UIC60.prr", "gauge", "EN 15302", "3 mm"]) {
+    check(text.includes(words), `the section says ${words}`);
+  }
 }
 
 mkdirSync(pictures, {recursive: true});
@@ -160,6 +196,7 @@ await withBrowser(modules, async (browser) => {
     if (width > 1000) {
       await follow(page);
       await run(page);
+      await conicity(page);
     } else {
       check((await picture(page)).colours > 100, "the scene shows something on a phone");
     }

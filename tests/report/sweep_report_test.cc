@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <fstream>
 
 #include "base/result_dir.h"
@@ -53,6 +54,26 @@ TEST_F(SweepReport, WorstCasesCarryTheCommandThatRepeatsThem) {
   EXPECT_TRUE(Holds(html, "phs sweep study.yaml --only 1 --out run_1"));
   EXPECT_TRUE(Holds(html, "phs sweep study.yaml --only 10 --out run_10"));
   EXPECT_TRUE(Holds(html, "phs sweep study.yaml --only 2 --out run_2"));  // derailed
+}
+
+TEST_F(SweepReport, IsDrawnAgainFromWhatWasKept) {
+  const SweepReportInput input{
+      .table = File("sweep.csv"),
+      .parameters = {"track_radius_m", "friction"},
+      .outputs = {"max_Y_N"},
+      .sampled = true,
+      .indices = {{"max_Y_N", {0.7, 0.1}, {0.8, 0.2}, {0.01, 0.02}, {0.03, 0.04}}},
+      .study = "study.yaml"};
+  ASSERT_TRUE(WriteSweepReport(input, File("report.html")).ok());
+  const std::string page = ReadFile(File("report.html")).value();
+  EXPECT_TRUE(Holds(page, "Which parameter matters"));
+  ASSERT_TRUE(KeepSweepReportInput(input).ok());
+  std::filesystem::remove(File("report.html"));
+  const Status again = RemakeSweepReport(directory_.path());
+  ASSERT_TRUE(again.ok()) << again.error().Line();
+  EXPECT_TRUE(ReadFile(File("report.html")).value() == page);
+  std::ofstream(File("sweep_report.json")) << "{\"table\": 3}";
+  EXPECT_FALSE(RemakeSweepReport(directory_.path()).ok());
 }
 
 TEST_F(SweepReport, MoreSeriesOfSamplesThanColoursAreSaid) {

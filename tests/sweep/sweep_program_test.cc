@@ -42,9 +42,20 @@ TEST_F(SweepProgram, SameTableForOneTwoAndFiveWorkers) {
   EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 13);
   EXPECT_EQ(table, Table("two"));
   EXPECT_EQ(table, Table("five"));
-  EXPECT_EQ(NamesIn(dir_.File("one")),
-            (std::vector<std::string>{".phs_result", "index.sqlite", "origin.json", "plan.txt",
-                                      "report.html", "study.yaml", "sweep.csv"}));
+  EXPECT_EQ(
+      NamesIn(dir_.File("one")),
+      (std::vector<std::string>{".phs_result", "index.sqlite", "origin.json", "plan.txt",
+                                "report.html", "study.yaml", "sweep.csv", "sweep_report.json"}));
+  // Drawn again from the folder alone, elsewhere and without the study, the page is the same.
+  const std::string page = ReadFile(dir_.File("one/report.html")).value();
+  std::filesystem::remove(dir_.File("one/report.html"));
+  std::filesystem::rename(dir_.File("one"), dir_.File("moved"));
+  std::filesystem::rename(dir_.File("study.yaml"), dir_.File("gone.yaml"));
+  const Output drawn = Execute(PhsCommand("report " + dir_.File("moved")));
+  EXPECT_EQ(drawn.code, 0) << drawn.text;
+  EXPECT_TRUE(ReadFile(dir_.File("moved/report.html")).value() == page);
+  std::filesystem::remove(dir_.File("moved/sweep_report.json"));
+  ExpectOneLine(Execute(PhsCommand("report " + dir_.File("moved"))), "has no sweep_report.json");
 }
 
 TEST_F(SweepProgram, KilledHalfWayAndResumedTheTableIsTheSame) {

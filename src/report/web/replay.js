@@ -51,6 +51,8 @@
       place.append(this.#bar(), this.picture, this.#options());
       const scale = pressureScale(film.pressures);
       if (scale) place.append(scale);
+      this.who = phs.html("p", {class: "who"});
+      place.append(this.who);
       place.append(phs.html("p", {class: "readout"}, film.arrows));
       this.cursor = phs.cursor.join((x) => {
         this.#stop();
@@ -140,6 +142,30 @@
           ...lines.map(([name, text]) => phs.html("span", {}, phs.html("b", {}, name + " "), text)));
       }))));
       this.figure.dataset.place = at;
+      this.#tellWho();
+    }
+
+    /** Which bogie is which in the picture, and what its colours mean. */
+    #tellWho() {
+      const {film, chosen} = this;
+      const now = [this.ghost, this.stacked, ...chosen].join();
+      if (now === this.told) return;
+      this.told = now;
+      const [first, second] = chosen.map((number) => film.bogies[number]);
+      const key = (style, words) => phs.html("span", {}, phs.html("i", {style}), words);
+      const plot = (bogie) => `background: var(--c${bogie.colour ?? 0})`;
+      const pair = this.panes().length > 1;
+      if (this.ghost && second && first !== second) {
+        this.who.replaceChildren(
+          key("background: var(--steel-high)", `${first.title}: solid, in the colours of its parts, with arrows.`),
+          key("background: rgb(200 105 70 / .55)",
+            `${second.title}: the ghost, reddish and looked through, without arrows.`));
+      } else {
+        this.who.replaceChildren(...(pair ? [first, second] : [first]).map((bogie, i) => key(plot(bogie),
+          !pair ? bogie.title : `${bogie.title}: ${this.stacked ? ["above", "below"][i] : ["left", "right"][i]}.`)),
+        phs.html("span", {}, "The stripe beside a name has the colour of its curves in the " +
+          "plots. Parts have their own colours, lines and cylinders that of their pressure."));
+      }
     }
 
     #show(place) {
