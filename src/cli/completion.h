@@ -3,9 +3,12 @@
 // packaging/completion holds the few lines that bash, zsh and fish need to ask.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
+
+namespace CLI {
+class App;
+}  // namespace CLI
 
 namespace phs::cli {
 

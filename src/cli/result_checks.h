@@ -2,13 +2,16 @@
 // (docs/checks.md), and how it did as JUnit XML.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "analysis/limits.h"
 #include "base/result.h"
+
+namespace CLI {
+class App;
+}  // namespace CLI
 
 namespace phs::cli {
 

@@ -1,10 +1,14 @@
 // Options that every verb which runs a vehicle has alike.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 
 #include "rail/creep_conditions.h"
+
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
 
 namespace phs::cli {
 

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
+
 #include "cli/verbs.h"
 #include "jobs/sweep_job.h"
 #include "sweep/slurm_engine.h"

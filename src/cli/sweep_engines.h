@@ -1,12 +1,15 @@
 // The runs of a sweep as tasks of Slurm.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
 
 #include "sweep/slurm_options.h"
 #include "sweep/sweep.h"
+
+namespace CLI {
+class App;
+}  // namespace CLI
 
 namespace phs::cli {
 

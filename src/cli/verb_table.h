@@ -1,6 +1,8 @@
 // The verbs of `phs`, in the order of --help. A verb is a file verb_NAME.cc and its row here.
 #pragma once
 
+#include <CLI/CLI.hpp>  // for the verbs alone: six seconds of every file that reads it
+
 #include "cli/verbs.h"
 
 namespace phs::cli {

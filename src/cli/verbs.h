@@ -1,7 +1,6 @@
 // What the verbs of `phs` share; their table is verb_table.h.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <functional>
 #include <optional>
 #include <string>
@@ -9,6 +8,10 @@
 #include "base/progress.h"
 #include "base/result.h"
 #include "base/result_dir.h"
+
+namespace CLI {
+class App;
+}  // namespace CLI
 
 namespace phs::cli {
 

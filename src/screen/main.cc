@@ -1,5 +1,6 @@
 // phs-view: what `phs view` and `phs video` start. Apart from `phs`, so that nobody needs OpenGL who
 // only calculates. Same verbs, same options (view/request.h).
+#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
 #include <string>

@@ -1,5 +1,6 @@
 #include "view/request.h"
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <utility>

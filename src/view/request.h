@@ -2,13 +2,16 @@
 // they start, read the same options.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
 
 #include "base/result.h"
 #include "view/recording.h"
 #include "view/stage.h"
+
+namespace CLI {
+class App;
+}  // namespace CLI
 
 namespace phs::view {
 

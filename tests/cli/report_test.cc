@@ -35,6 +35,14 @@ class ReportProgram : public testing::Test {
         "0.01\n  actuator_m: {kind: ramp, amplitude_m: 1.0e-4, speed_m_s: -5.0e-5, "
         "start_s: 1}\n");
   }
+  /// Four steps of one setup: enough for a result with its page, and done in a second.
+  std::string Steps() const {
+    const std::string shipped = std::string(PHS_SOURCE_DIR) + "/models/rigs/lowe_table_b1.csv";
+    const std::string table = ReadFile(shipped).value();
+    dir_.Write("lowe_table_b1.csv", table.substr(0, table.find("\n11,") + 1));
+    return dir_.Write("steps.yaml",
+                      "rig: steps\nmodel: quarter_setup2\ndata: lowe_table_b1.csv\nsetup: 2\n");
+  }
   ScratchDir dir_;
 };
 
@@ -101,7 +109,7 @@ TEST_F(ReportProgram, EveryVerbWithAReportShowsItsOrigin) {
       {"stability", "stability --bogie phs --quiet --speeds 3 --from 10 --to 30"},
       {"curving", "curving --bogies phs --quiet --radii 600"},
       {"rig", "rig " + Rig() + " --quiet"},
-      {"steps", "identify steps_joint --quiet"},
+      {"steps", "identify " + Steps() + " --quiet"},
       {"sweep", "sweep " + study + " --quiet"}};
   for (const auto& [name, call] : calls) {
     Run(call + " --out " + Path(name));
