@@ -85,6 +85,19 @@ class HeldBogie {
 
   const hydraulics::PhsSystem& system() const { return *binding_->phs()[0].system; }
 
+  /// Change of the resistance with displacement about u.
+  Eigen::Matrix4d Slope(const Vector& u) {
+    Eigen::Matrix4d slope;
+    for (int k = 0; k < 4; ++k) {
+      Vector plus = u;
+      Vector minus = u;
+      plus[k] += kProbe;
+      minus[k] -= kProbe;
+      slope.col(k) = (Resistance(plus) - Resistance(minus)) / (2 * kProbe);
+    }
+    return slope;
+  }
+
  private:
   const mjModel* m_ = nullptr;
   const plugin::Binding* binding_ = nullptr;
@@ -106,15 +119,7 @@ bool Balance(HeldBogie* bogie, const Vector& load, Vector* u) {
   Vector r = bogie->Resistance(*u) + load;
   for (int iteration = 0; iteration < kMaxIterations; ++iteration) {
     if (r.cwiseAbs().maxCoeff() < kTolerance) return true;
-    Eigen::Matrix4d slope;
-    for (int k = 0; k < 4; ++k) {
-      Vector plus = *u;
-      Vector minus = *u;
-      plus[k] += kProbe;
-      minus[k] -= kProbe;
-      slope.col(k) = (bogie->Resistance(plus) - bogie->Resistance(minus)) / (2 * kProbe);
-    }
-    const Vector step = slope.partialPivLu().solve(-r);
+    const Vector step = bogie->Slope(*u).partialPivLu().solve(-r);
     double share = 1;
     Vector next = *u + step;
     Vector r_next = bogie->Resistance(next) + load;
@@ -159,6 +164,28 @@ void NoteLimits(const hydraulics::PhsSystem& system, const LoadState& s, const P
   }
 }
 
+/// The load laid on from `u` in steps; false at the first that finds no equilibrium.
+bool LayOn(HeldBogie* bogie, const LoadCase& load_case, double lever, Vector* u) {
+  for (int i = 1; i <= kSteps; ++i) {
+    const double load = load_case.load_N * i / kSteps;
+    if (!Balance(bogie, load * PatternLoad(load_case.pattern, lever), u)) return false;
+  }
+  return true;
+}
+
+Json LinesJson(const hydraulics::PhsSystem& system, const LoadState& state) {
+  Json lines = Json::array();
+  for (size_t i = 0; i < state.pressure_Pa.size(); ++i) {
+    lines.push_back({{"name", system.line_names()[i]}, {"pressure_Pa", state.pressure_Pa[i]}});
+  }
+  return lines;
+}
+
+double ShearStiffness(HeldBogie* bogie, const Vector& u) {
+  const Vector both(0, 1, 0, 1);  // same-sense yaw
+  return -both.dot(bogie->Slope(u) * both);
+}
+
 double LargestMagnitude(const std::vector<double>& values) {
   double largest = 0;
   for (double value : values) largest = std::max(largest, std::abs(value));
@@ -187,10 +214,7 @@ Json ResultJson(const LoadResult& result, const hydraulics::PhsSystem& system) {
                                  {"force_N", result.end.force_N[i]},
                                  {"piston_m", result.end.piston_m[i]}});
   }
-  for (size_t i = 0; i < result.end.pressure_Pa.size(); ++i) {
-    json["lines"].push_back(
-        {{"name", system.line_names()[i]}, {"pressure_Pa", result.end.pressure_Pa[i]}});
-  }
+  json["lines"] = LinesJson(system, result.end);
   for (const auto& limit : result.limits) {
     json["limits"].push_back({{"what", limit.what}, {"load_per_box_N", limit.load_N}});
   }
@@ -244,6 +268,42 @@ Json LoadsJson(const vehicle::Simulation& simulation, const std::vector<LoadResu
   json["phs"] = system.name();
   json["cases"] = Json::array();
   for (const auto& result : results) json["cases"].push_back(ResultJson(result, system));
+  return json;
+}
+
+Result<Json> CalcHeldShear(const vehicle::Simulation& simulation,
+                           const std::vector<LoadCase>& cases) {
+  const plugin::InstantForces instant = simulation.Instant();
+  auto made = HeldBogie::Create(simulation);
+  if (!made.ok()) return made.error();
+  HeldBogie& bogie = made.value();
+  const double lever = BoxLever(simulation.model());
+  const Vector rest = Vector::Zero();
+  Json json = {{"rest",
+                {{"shear_stiffness_Nm_per_rad", ShearStiffness(&bogie, rest)},
+                 {"lines", LinesJson(bogie.system(), bogie.Describe(0, rest))}}},
+               {"cases", Json::array()}};
+  for (const LoadCase& load_case : cases) {
+    Vector u = rest;
+    const bool held = LayOn(&bogie, load_case, lever, &u);
+    Json one = {{"name", load_case.name},
+                {"held", held ? 1 : 0},
+                {"shear_stiffness_Nm_per_rad", nullptr},
+                {"largest_shift_m", nullptr},
+                {"least_pressure_Pa", nullptr},
+                {"lines", Json::array()}};
+    LoadState state = bogie.Describe(load_case.load_N, u);
+    one["lines"] = LinesJson(bogie.system(), state);
+    if (held) {
+      one["shear_stiffness_Nm_per_rad"] = ShearStiffness(&bogie, u);
+      one["largest_shift_m"] = std::max(std::abs(state.x_m[0]), std::abs(state.x_m[1]));
+      one["least_pressure_Pa"] =
+          *std::min_element(state.pressure_Pa.begin(), state.pressure_Pa.end());
+    } else {
+      for (Json& line : one["lines"]) line["pressure_Pa"] = nullptr;
+    }
+    json["cases"].push_back(std::move(one));
+  }
   return json;
 }
 

@@ -7,6 +7,7 @@
 #include "base/yaml_probe.h"
 #include "effects/catalogue.h"
 #include "hydraulics/phs_numbers.h"
+#include "jobs/design_study.h"
 #include "measurement/manifest.h"
 #include "phs_model/keys.h"
 #include "phs_model/phs_model.h"
@@ -127,6 +128,8 @@ constexpr SchemaKind kKinds[] = {
      nullptr},
     {"study", "study of sweep (docs/sweep.md)",
      [](const std::string& path) { static_cast<void>(sweep::LoadStudy(path)); }, nullptr},
+    {"design_study", "design study of study (docs/studies.md)",
+     [](const std::string& path) { static_cast<void>(jobs::ReadDesignStudy(path)); }, nullptr},
     {"mapping", "mapping of a URDF bogie for import (docs/import.md)",
      [](const std::string& path) { static_cast<void>(vehicle::LoadBogieMapping(path)); }, nullptr},
     {"limits", "limits for --check (docs/checks.md)",

@@ -62,7 +62,8 @@ constexpr ShippedKind kKinds[] = {
     {"scenarios", "for simulate, compare, curving",
      [] { return ItemsOf("models/scenarios", ".yaml"); }},
     {"rigs", "manifests, for rig and identify", [] { return ItemsOf("models/rigs", ".yaml"); }},
-    {"studies", "for sweep", [] { return ItemsOf("models/sweeps", ".yaml"); }},
+    {"studies", "for study", [] { return ItemsOf("models/studies", ".yaml"); }},
+    {"sweeps", "for sweep and study", [] { return ItemsOf("models/sweeps", ".yaml"); }},
 };
 
 /// `text` up to the end of its first sentence, spaces made single.
@@ -110,8 +111,9 @@ std::vector<std::string> ShippedKindNames() {
 
 std::string FirstSentence(const std::string& path) {
   const std::string text = ReadText(path);
-  const std::string key = "\ndescription: ";
-  if (const size_t at = text.find(key); at != std::string::npos) {
+  for (const std::string key : {"\ndescription: ", "\nquestion: "}) {
+    const size_t at = text.find(key);
+    if (at == std::string::npos) continue;
     const size_t begin = at + key.size();
     return Sentence(text.substr(begin, text.find('\n', begin) - begin));
   }

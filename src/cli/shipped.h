@@ -26,7 +26,8 @@ struct ShippedKind {
 std::span<const ShippedKind> ShippedKinds();
 std::vector<std::string> ShippedKindNames();
 
-/// The first sentence that a file says of itself: its `description:`, else its first comment.
+/// The first sentence that a file says of itself: its `description:` or `question:`, else its first
+/// comment.
 std::string FirstSentence(const std::string& path);
 
 /// What `phs show` prints of an item: its file, or the numbers of an effect.

@@ -16,7 +16,7 @@ struct Verb {
 
 AddVerb AddSimulate, AddCompare, AddContact, AddModes, AddIdentify, AddImport, AddLoads,
     AddStability, AddRig, AddCurving, AddReport, AddSweep, AddValidate, AddList, AddShow, AddNew,
-    AddSchema, AddView, AddVideo;
+    AddSchema, AddView, AddVideo, AddAlarms, AddStudy;
 
 inline constexpr Verb kVerbs[] = {
     {"simulate", "One bogie on one track", &AddSimulate},
@@ -37,6 +37,9 @@ inline constexpr Verb kVerbs[] = {
     {"report", "Draw report.html of a result again, or a page of all results in a folder",
      &AddReport},
     {"sweep", "Many runs of one scenario, resumable, on all cores or a cluster", &AddSweep},
+    {"study", "A design study repeated: a question, its parts, a report", &AddStudy},
+    {"alarms", "Which pair of line pressures tells a lost hose, how soon, how often falsely",
+     &AddAlarms},
     {"validate", "Every published check: ours, reference, difference, tolerance", &AddValidate},
     {"view", "A run in a window, in three dimensions", &AddView},
     {"video", "A run as a film or picture, without a display", &AddVideo},

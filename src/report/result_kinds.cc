@@ -11,6 +11,7 @@
 
 #include "base/table.h"
 #include "base/words.h"
+#include "report/alarms_report.h"
 #include "report/analysis_report.h"
 #include "report/curving_report.h"
 #include "report/identify_report.h"
@@ -21,6 +22,7 @@
 #include "report/readable_name.h"
 #include "report/report_page.h"
 #include "report/rig_report.h"
+#include "report/study_report.h"
 
 namespace phs::report {
 namespace {
@@ -219,6 +221,22 @@ void TellOptimum(const json& all, ResultSummary* told) {
     Append(Named("best objective", NumberOf(best, "objective"), ""), &told->numbers);
 }
 
+void TellAlarms(const json& all, ResultSummary* told) {
+  told->status = all.value("status", "?");
+  told->bad = told->status != "ok";
+  told->numbers = fmt::format("{} hoses", all.at("hoses").size());
+  Append(fmt::format("{} false alarms in {} km", FormatNumber(At(all, "/false_alarms/count")),
+                     FormatNumber(At(all, "/false_alarms/distance_km"))),
+         &told->numbers);
+}
+
+void TellStudy(const json& all, ResultSummary* told) {
+  told->status = all.value("status", "?");
+  told->bad = told->status != "ok";
+  told->numbers = all.value("study", "");
+  Append(all.value("question", ""), &told->numbers);
+}
+
 Status RemakeRig(const std::string& folder, const MakeReplay&) {
   const auto file = [&](const char* name) {
     const std::string path = (fs::path(folder) / name).string();
@@ -284,6 +302,14 @@ constexpr ResultKind kKinds[] = {
     {"optimum.json", "best", "Best design", &TellOptimum,
      [](const std::string& f, const MakeReplay&) {
        return WriteOptimisationReport(f, (fs::path(f) / kReportName).string());
+     }},
+    {"alarms.json", "hoses", "Alarms", &TellAlarms,
+     [](const std::string& f, const MakeReplay&) {
+       return RemakeFrom<&WriteAlarmsReport>(f, "alarms.json");
+     }},
+    {"study.json", "parts", "Study", &TellStudy,
+     [](const std::string& f, const MakeReplay&) {
+       return WriteStudyReport(f, (fs::path(f) / kReportName).string());
      }},
     {"loads.json", "cases", "Load cases", &TellLoads, nullptr},
     {"validate.json", "checks", "Validation", &TellValidation, nullptr},

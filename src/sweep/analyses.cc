@@ -63,6 +63,14 @@ Result<Analysed> LayLoads(const vehicle::Scenario& scenario) {
   return Analysed{.numbers = analysis::LoadsJson(simulation.value(), results.value())};
 }
 
+Result<Analysed> HoldLoads(const vehicle::Scenario& scenario) {
+  auto simulation = vehicle::Simulation::Create(scenario);
+  if (!simulation.ok()) return simulation.error();
+  auto held = analysis::CalcHeldShear(simulation.value(), analysis::StandardLoadCases());
+  if (!held.ok()) return held.error();
+  return Analysed{.numbers = std::move(held).value()};
+}
+
 Result<Analysed> RunToItsEnd(const vehicle::Scenario& scenario, double window_s) {
   auto simulation = vehicle::Simulation::Create(scenario);
   if (!simulation.ok()) return simulation.error();
@@ -131,6 +139,17 @@ std::vector<Analysis> MakeAnalyses() {
        {"cases"},
        "",
        &LayLoads,
+       nullptr},
+      {"held",
+       "shear stiffness at rest and with the loads of `phs loads` held, seals free: "
+       "`rest.shear_stiffness_Nm_per_rad`, `rest.lines.NAME.pressure_Pa`, "
+       "`cases.NAME.shear_stiffness_Nm_per_rad`, `cases.NAME.held`, …",
+       {"rest.shear_stiffness_Nm_per_rad",
+        "cases.traction, electric braking.shear_stiffness_Nm_per_rad",
+        "cases.braking.shear_stiffness_Nm_per_rad"},
+       {"cases", "lines"},
+       "",
+       &HoldLoads,
        nullptr},
       {"last_seconds",
        "the run in time, what is left of its motion in the last 10 s: `last.largest_rms_sum_Y_N`, "

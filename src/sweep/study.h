@@ -6,7 +6,7 @@
 //   track.KEY          any key of the scenario's track file; lists by number or `*` for every
 //                      element that has the next key: track.segments.*.radius_m
 //   model.PARAMETER    any number of the PHS model: model.friction.scale, model.L1.gas_volume_m3,
-//                      `*` for every line or cylinder that has it: model.*.gas_volume_m3
+//   note.NAME          nothing; `*` for every line or cylinder above: model.*.gas_volume_m3
 #pragma once
 
 #include <cstdint>

@@ -5,6 +5,9 @@
 
 #include <cmath>
 
+#include "analysis/axle_modes.h"
+#include "analysis/axle_pattern.h"
+
 namespace phs::analysis {
 namespace {
 
@@ -53,6 +56,48 @@ TEST(LoadCasesTest, SmallLoadsFollowTheClosedFormOfTheTractionMode) {
   const double stiffness = 2 * 2.0e6 + 8 * rod * rod / C;
   const auto& x = results.value()[0].end.x_m;
   EXPECT_NEAR((x[0] + x[1]) / 2 / (4 * 200 / stiffness), 1, 0.02);
+}
+
+// The pressures of a held load alone change what the lines add: sum of w^2/C, C = V/beta + p_0 V_0/p^2
+// of an isothermal gas (mode_closed_form.h), w = 2 b A_bore for each diagonal; none for the others.
+TEST(HeldShearTest, FollowsThePressuresOfTheHeldLoad) {
+  vehicle::Scenario scenario;
+  scenario.name = "held";
+  scenario.bogie = "phs";
+  scenario.phs = "bo_bo";
+  scenario.track = "straight";
+  scenario.speed_m_s = 20;
+  const auto sim = vehicle::Simulation::Create(scenario);
+  ASSERT_TRUE(sim.ok());
+  const auto held = CalcHeldShear(sim.value(), {{"pull", "traction", 30e3, ""}});
+  ASSERT_TRUE(held.ok()) << held.error().Line();
+  const auto& rest = held.value()["rest"];
+  const auto& pull = held.value()["cases"][0];
+  const double w = 2 * BoxLever(sim.value().model()) * M_PI / 4 * 0.1 * 0.1;
+  const auto lines = [&](const nlohmann::ordered_json& of) {
+    double sum = 0;
+    for (const int line : {1, 2}) {
+      const double p = of["lines"][line]["pressure_Pa"];
+      sum += w * w / (1.1e-3 / 1.4e9 + 16.16e-6 * 1.8e6 / (p * p));
+    }
+    return sum;
+  };
+  const double at_rest = rest["shear_stiffness_Nm_per_rad"],
+               held_K = pull["shear_stiffness_Nm_per_rad"];
+  EXPECT_GT(lines(pull), 2 * lines(rest)) << "the diagonals rise";
+  EXPECT_NEAR((held_K - at_rest) / (lines(pull) - lines(rest)), 1, 0.02);
+  EXPECT_NEAR(rest["lines"][1]["pressure_Pa"].get<double>(), 1.8e6, 1);
+  EXPECT_EQ(pull["held"], 1);
+}
+
+TEST(HeldShearTest, AtRestIsTheSmallShearModeWithoutSeals) {
+  const vehicle::Simulation sim = Standing("phs");
+  const auto modes = MeasureAxleModes(sim);
+  const auto held = CalcHeldShear(sim, {});
+  ASSERT_TRUE(modes.ok() && held.ok());
+  const ModeClosedForm& form = modes.value().small[1].closed_form;
+  const double K = held.value()["rest"]["shear_stiffness_Nm_per_rad"];
+  EXPECT_NEAR(K / (form.springs + form.lines), 1, 0.01);
 }
 
 TEST(LoadCasesTest, TractionAndBrakingMirrorEachOther) {

@@ -16,7 +16,7 @@ Json Listed() { return Json::parse(ExecutePhs("list --format json").text); }
 
 TEST(ListTest, EveryKindHasNamesAndEveryNameALine) {
   const Json listed = Listed();
-  EXPECT_EQ(listed.size(), 8u);
+  EXPECT_EQ(listed.size(), 9u);
   for (const auto& [kind, items] : listed.items()) {
     EXPECT_FALSE(items.empty()) << kind;
     for (const Json& item : items) {

@@ -23,6 +23,7 @@ MODELINE = re.compile(r"# yaml-language-server: \$schema=(\S+)\n")
 NUMBER = re.compile(r"(?<![\w.])[-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?")
 # Which schema the files of a folder name.
 FOLDERS = {"scenarios": "scenario", "tracks": "track", "phs": "phs", "rigs": "rig", "sweeps": "study",
+           "studies": "design_study",
            "urdf": "mapping", "reference": "known_misses"}
 
 

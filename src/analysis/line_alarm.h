@@ -1,0 +1,77 @@
+// The alarm for a lost hose: two line pressures made one signal, a threshold that follows from a
+// wanted rate of false alarms, and what a count of false alarms over a distance proves.
+//
+// Signal of lines a, b (absolute pressures): p_a - p_b, p_a + p_b or ln(p_a/p_b), behind a lag of
+// first order dy/dt = (x - y)/tau. The alarm is given above or below a threshold; signals are turned
+// so that it is always above:
+//
+//   signal ----.   .--.          lag      ____ u threshold
+//               `-'    `--.  ------->  __/
+//
+// Threshold: the largest values M of the signal in blocks of track of one length, without failure,
+// follow Gumbel's law P(M <= x) = exp(-exp(-(x - m)/s)); m, s from the first two L-moments
+// (Hosking 1990): s = l2/ln 2, m = l1 - 0.5772 s. A block gives a false alarm with probability r
+// above u = m + s y, y = -ln(-ln(1 - r)). Standard error of u from n blocks (Phien 1987):
+//   s sqrt((1.1128 + 0.4574 y + 0.8046 y^2)/n).
+// Blocks are taken as independent; a tail that is lighter than Gumbel's makes u too careful.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace phs::analysis {
+
+/// A way to make one number of two pressures [Pa].
+struct PairForm {
+  const char* name;
+  const char* unit;
+  double (*value)(double a, double b);
+};
+std::span<const PairForm> PairForms();
+
+/// A pair of lines, a form of it, and on which side of its threshold it alarms.
+struct PairSignal {
+  int first = 0;
+  int second = 0;
+  const PairForm* form = nullptr;
+  bool above = true;
+  double sign() const { return above ? 1 : -1; }
+};
+/// Every pair of `lines` lines in every form, both sides. Differences and ratios turn over with the
+/// pair, so each pair comes once.
+std::vector<PairSignal> PairSignals(int lines);
+
+/// The signal behind its lag, turned so that it alarms above. `pressures`: [line][row], absolute
+/// [Pa], rows every `interval_s`; the lag begins settled at the first row. tau = `lag_s` >= 0.
+std::vector<double> CalcSignal(const PairSignal& signal,
+                               const std::vector<std::vector<double>>& pressures, double interval_s,
+                               double lag_s);
+
+/// Largest value of each whole block of `block_m`; `place` [m] never falls. What is left at the end
+/// is no block.
+std::vector<double> BlockMaxima(const std::vector<double>& place, const std::vector<double>& signal,
+                                double block_m);
+
+struct Gumbel {
+  double location = 0;
+  double scale = 0;
+  int count = 0;  ///< maxima it was made from
+  /// Exceeded by a block with probability r, 0 < r < 1.
+  double Level(double r) const;
+  /// Standard error of that level.
+  double LevelError(double r) const;
+};
+/// @pre at least two maxima
+Gumbel FitGumbel(std::vector<double> maxima);
+
+/// Times that the signal passes the threshold; one that comes again within `hold_s` of the last row
+/// above it is the same alarm.
+int CountAlarms(const std::vector<double>& signal, double threshold, double interval_s,
+                double hold_s);
+
+/// Largest mean that a Poisson count of `count` or fewer does not refute at `confidence`: 3.0 for
+/// none seen at 95 %.
+double PoissonUpper(int count, double confidence = 0.95);
+
+}  // namespace phs::analysis
