@@ -27,9 +27,9 @@ def safety(of):
 def hoses(made):
     rows = [[h["name"], signal(h), threshold(h),
              f"{short(h['mean_seconds_to_alarm'])}, {short(h['largest_seconds_to_alarm'])}",
-             f"{h['alarmed']} of {h['runs']}", f"{h['named_by_lowest_pressure']} of {h['runs']}",
+             short(h["margin"]), f"{h['alarmed']} of {h['runs']}", f"{h['named_by_lowest_pressure']} of {h['runs']}",
              safety(h["until_alarm"]), safety(h["before_burst"])] for h in made["hoses"]]
-    return table(["hose", "signal", "alarm", "seconds: mean, slowest", "alarms",
+    return table(["hose", "signal", "alarm", "seconds: mean, slowest", "margin", "alarms",
                   "lowest line is the hose", "until the alarm: Y/Q, ΣY, unloading",
                   "before the burst"], rows)
 

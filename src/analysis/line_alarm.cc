@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <boost/math/special_functions/gamma.hpp>
 #include <cmath>
+#include <random>
 
 namespace phs::analysis {
 namespace {
@@ -16,6 +17,9 @@ constexpr PairForm kForms[] = {
     {"ratio", "-",
      [](double a, double b) { return std::log(std::max(a, kVacuum) / std::max(b, kVacuum)); }},
 };
+
+constexpr int kRedrawn = 400;
+constexpr double kConfidence = 0.95;
 
 /// Gumbel's reduced variate of a block that is exceeded with probability r.
 double Reduced(double r) { return -std::log(-std::log1p(-r)); }
@@ -68,23 +72,48 @@ std::vector<double> BlockMaxima(const std::vector<double>& place, const std::vec
   return maxima;
 }
 
-double Gumbel::Level(double r) const { return location + scale * Reduced(r); }
-
-double Gumbel::LevelError(double r) const {
+double Extremes::Level(double r) const {
   const double y = Reduced(r);
-  return scale * std::sqrt((1.1128 + 0.4574 * y + 0.8046 * y * y) / count);
+  return location + scale * (shape == 0 ? y : -std::expm1(-shape * y) / shape);
 }
 
-Gumbel FitGumbel(std::vector<double> maxima) {
+double Extremes::UpperLevel(double r) const {
+  std::mt19937_64 draw(1);
+  std::vector<double> levels;
+  std::vector<double> sample(static_cast<size_t>(count));
+  for (int k = 0; k < kRedrawn; ++k) {
+    for (double& x : sample) {
+      // 53 random bits: the same number on every machine.
+      const double u = (static_cast<double>(draw() >> 11) + 0.5) / 9007199254740992.0;
+      x = Level(1 - u);
+    }
+    levels.push_back(FitExtremes(sample).Level(r));
+  }
+  std::sort(levels.begin(), levels.end());
+  return std::max(Level(r), levels[static_cast<size_t>(kConfidence * kRedrawn)]);
+}
+
+Extremes FitExtremes(std::vector<double> maxima) {
   std::sort(maxima.begin(), maxima.end());
   const double n = static_cast<double>(maxima.size());
-  double b0 = 0, b1 = 0;  // probability-weighted moments
+  double b0 = 0, b1 = 0, b2 = 0;  // probability-weighted moments
   for (size_t i = 0; i < maxima.size(); ++i) {
+    const double j = static_cast<double>(i);
     b0 += maxima[i] / n;
-    b1 += maxima[i] * static_cast<double>(i) / (n * (n - 1));
+    b1 += maxima[i] * j / (n * (n - 1));
+    b2 += maxima[i] * j * (j - 1) / (n * (n - 1) * (n - 2));
   }
-  const double scale = (2 * b1 - b0) / std::log(2.0);
-  return {b0 - kEuler * scale, scale, static_cast<int>(maxima.size())};
+  const double l2 = 2 * b1 - b0, skewness = l2 > 0 ? (6 * b2 - 6 * b1 + b0) / l2 : 0;
+  const double c = 2 / (3 + skewness) - std::log(2.0) / std::log(3.0);
+  const double k = std::min(0.0, 7.8590 * c + 2.9554 * c * c);
+  const int count = static_cast<int>(maxima.size());
+  if (k > -1e-6) {
+    const double scale = l2 / std::log(2.0);
+    return {b0 - kEuler * scale, scale, 0, count};
+  }
+  const double gamma = std::tgamma(1 + k);
+  const double scale = l2 * k / ((1 - std::pow(2.0, -k)) * gamma);
+  return {b0 - scale * (1 - gamma) / k, scale, k, count};
 }
 
 int CountAlarms(const std::vector<double>& signal, double threshold, double interval_s,

@@ -9,11 +9,11 @@
 //               `-'    `--.  ------->  __/
 //
 // Threshold: the largest values M of the signal in blocks of track of one length, without failure,
-// follow Gumbel's law P(M <= x) = exp(-exp(-(x - m)/s)); m, s from the first two L-moments
-// (Hosking 1990): s = l2/ln 2, m = l1 - 0.5772 s. A block gives a false alarm with probability r
-// above u = m + s y, y = -ln(-ln(1 - r)). Standard error of u from n blocks (Phien 1987):
-//   s sqrt((1.1128 + 0.4574 y + 0.8046 y^2)/n).
-// Blocks are taken as independent; a tail that is lighter than Gumbel's makes u too careful.
+// follow the generalised extreme value law P(M <= x) = exp(-(1 - k (x - m)/s)^(1/k)), for k = 0
+// Gumbel's exp(-exp(-(x - m)/s)). m, s, k from the first three L-moments (Hosking, Wallis and Wood
+// 1985); a tail that would be lighter than Gumbel's (k > 0) is taken as Gumbel's: the careful side. A
+// block gives a false alarm with probability r above u = m + s (1 - exp(-k y))/k, y = -ln(-ln(1-r)).
+// How far n blocks leave u open is told by a parametric bootstrap. Blocks count as independent.
 #pragma once
 
 #include <span>
@@ -53,17 +53,18 @@ std::vector<double> CalcSignal(const PairSignal& signal,
 std::vector<double> BlockMaxima(const std::vector<double>& place, const std::vector<double>& signal,
                                 double block_m);
 
-struct Gumbel {
+struct Extremes {
   double location = 0;
   double scale = 0;
-  int count = 0;  ///< maxima it was made from
+  double shape = 0;  ///< k <= 0; < 0: a heavier tail than Gumbel's
+  int count = 0;     ///< maxima it was made from
   /// Exceeded by a block with probability r, 0 < r < 1.
   double Level(double r) const;
-  /// Standard error of that level.
-  double LevelError(double r) const;
+  /// The same at the upper end of its one-sided 95 % interval; the same draws for the same law.
+  double UpperLevel(double r) const;
 };
-/// @pre at least two maxima
-Gumbel FitGumbel(std::vector<double> maxima);
+/// @pre at least three maxima
+Extremes FitExtremes(std::vector<double> maxima);
 
 /// Times that the signal passes the threshold; one that comes again within `hold_s` of the last row
 /// above it is the same alarm.

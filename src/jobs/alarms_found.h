@@ -25,6 +25,7 @@ struct Burst {
   AlarmTask task;
   AlarmRun run;
   std::vector<double> seconds;  ///< [signal] to the alarm; infinite: none
+  std::vector<double> settled;  ///< [signal] least from a second behind the burst on, turned
 };
 
 struct AlarmsFound {
@@ -32,7 +33,7 @@ struct AlarmsFound {
   std::vector<std::string> lines;
   std::vector<analysis::PairSignal> signals;
   std::vector<std::vector<std::vector<double>>> maxima;  ///< [service][signal] of blocks, turned
-  std::vector<std::vector<analysis::Gumbel>> laws;       ///< [service][signal]
+  std::vector<std::vector<analysis::Extremes>> laws;     ///< [service][signal]
   std::vector<double> thresholds;                        ///< [signal], turned
   double block_share = 0;  ///< probability that a block of one signal alarms falsely
   std::vector<Burst> bursts;
@@ -44,6 +45,9 @@ struct AlarmsFound {
   /// Seconds of the slowest alarm that `signal` gives of a hose, infinite where one lacks; `mean`
   /// counts that with the whole time waited.
   double Slowest(const std::string& line, size_t signal, double* mean) const;
+  /// How far the signal stays beyond its threshold behind a burst, over how far the threshold lies
+  /// beyond the median of blocks: the least of all bursts and services.
+  double Margin(const std::string& line, size_t signal) const;
 };
 
 /// alarms.json.

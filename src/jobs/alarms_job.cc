@@ -15,10 +15,11 @@
 namespace phs::jobs {
 namespace {
 
-using analysis::Gumbel;
+using analysis::Extremes;
 using analysis::PairSignal;
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
+constexpr double kSoon_s = 1;        ///< an alarm within is soon enough to look at its margin
 constexpr double kShareLearn = 0.3;  ///< of the progress
 constexpr double kShareBurst = 0.3;
 
@@ -146,9 +147,9 @@ Result<bool> Search::Learn() {
       into.insert(into.end(), of_task[i][s].begin(), of_task[i][s].end());
     }
   }
-  if (found_.maxima[0][0].size() < 2) {
-    return Error{"--learn-km", "gives fewer than two blocks to learn from",
-                 fmt::format("blocks of {:g} m, at least two in a run", found_.ask.block_m), ""};
+  if (found_.maxima[0][0].size() < 3) {
+    return Error{"--learn-km", "gives fewer than three blocks to learn from",
+                 fmt::format("blocks of {:g} m, three or more in all", found_.ask.block_m), ""};
   }
   SetThresholds();
   return true;
@@ -162,10 +163,9 @@ void Search::SetThresholds() {
   for (const auto& service : found_.maxima) {
     found_.laws.emplace_back();
     for (size_t s = 0; s < found_.signals.size(); ++s) {
-      const Gumbel law = analysis::FitGumbel(service[s]);
+      const Extremes law = analysis::FitExtremes(service[s]);
       found_.laws.back().push_back(law);
-      const double level =
-          law.Level(found_.block_share) + 1.645 * law.LevelError(found_.block_share);
+      const double level = law.UpperLevel(found_.block_share);
       found_.thresholds[s] = std::max(found_.thresholds[s], level);
     }
   }
@@ -196,7 +196,7 @@ Result<bool> Search::Tear() {
       for (int n = 0; n < found_.ask.bursts; ++n) {
         auto task = TornRun(k, line, n);
         if (!task.ok()) return task.error();
-        found_.bursts.push_back({std::move(task).value(), {}, {}});
+        found_.bursts.push_back({std::move(task).value(), {}, {}, {}});
       }
     }
   }
@@ -216,6 +216,9 @@ Result<bool> Search::Tear() {
           size_t row = from;
           while (row < x.size() && !(x[row] > found_.thresholds[s])) ++row;
           burst.seconds.push_back(row < x.size() ? t[row] - burst.task.at_s : kNever);
+          const auto since = std::lower_bound(t.begin(), t.end(), burst.task.at_s + kSoon_s);
+          const auto settled = std::min_element(x.begin() + (since - t.begin()), x.end());
+          burst.settled.push_back(settled == x.end() ? -kNever : *settled);
         }
         return Status();
       });
@@ -226,12 +229,13 @@ Result<bool> Search::Tear() {
 void Search::ChooseSignals() {
   for (const std::string& line : found_.lines) {
     size_t best = 0;
-    double least = kNever, least_mean = kNever;
+    double least = kNever, widest = -kNever;
     for (size_t s = 0; s < found_.signals.size(); ++s) {
       double mean = 0;
-      const double slowest = found_.Slowest(line, s, &mean);
-      if (slowest > least || (slowest == least && mean >= least_mean)) continue;
-      best = s, least = slowest, least_mean = mean;
+      const double slowest = std::max(kSoon_s, found_.Slowest(line, s, &mean));
+      const double margin = found_.Margin(line, s);
+      if (slowest > least || (slowest == least && margin <= widest)) continue;
+      best = s, least = slowest, widest = margin;
     }
     found_.chosen.push_back(best);
   }

@@ -8,7 +8,7 @@
 namespace phs::jobs {
 namespace {
 
-using analysis::Gumbel;
+using analysis::Extremes;
 using analysis::PairSignal;
 using Json = nlohmann::ordered_json;
 
@@ -103,12 +103,13 @@ Json HoseJson(const AlarmsFound& found, size_t hose) {
                {"alarm", signal.above ? "above" : "below"},
                {"threshold", signal.sign() * found.thresholds[s]},
                {"largest_seconds_to_alarm", Seconds(slowest)},
-               {"mean_seconds_to_alarm", mean}};
+               {"mean_seconds_to_alarm", mean},
+               {"margin", found.Margin(found.lines[hose], s)}};
   Json bursts = BurstsJson(found, hose, &json);
   json["learned"] = Json::array();
   int count = 0;
   for (size_t k = 0; k < found.ask.services.size(); ++k) {
-    const Gumbel& law = found.laws[k][s];
+    const Extremes& law = found.laws[k][s];
     const double sign = signal.sign();
     std::vector<double> maxima = found.maxima[k][s];
     for (double& x : maxima) x *= sign;
@@ -116,8 +117,9 @@ Json HoseJson(const AlarmsFound& found, size_t hose) {
                                {"blocks", law.count},
                                {"location", sign * law.location},
                                {"scale", law.scale},
+                               {"shape", law.shape},
                                {"level", sign * law.Level(found.block_share)},
-                               {"level_error", law.LevelError(found.block_share)},
+                               {"upper_level", sign * law.UpperLevel(found.block_share)},
                                {"maxima", maxima}});
     count += found.false_count[k][hose];
   }
@@ -168,6 +170,13 @@ double AlarmsFound::Slowest(const std::string& line, size_t signal, double* mean
   return slowest;
 }
 
+double AlarmsFound::Margin(const std::string& line, size_t signal) const {
+  double usual = -HUGE_VAL, settled = HUGE_VAL;
+  for (const auto& service : laws) usual = std::max(usual, service[signal].Level(0.5));
+  for (const Burst* burst : BurstsOf(line)) settled = std::min(settled, burst->settled[signal]);
+  return (settled - thresholds[signal]) / std::max(thresholds[signal] - usual, 1e-9);
+}
+
 Json AlarmsJson(const AlarmsFound& found) {
   Json json = {{"status", "ok"},
                {"wanted_per_1000_km", found.ask.wanted_per_1000_km},
@@ -186,18 +195,20 @@ Json AlarmsJson(const AlarmsFound& found) {
 }
 
 std::string SignalsCsv(const AlarmsFound& found) {
-  std::string text = "hose,first,second,form,alarm,threshold,unit,largest_seconds,mean_seconds\n";
+  std::string text =
+      "hose,first,second,form,alarm,threshold,unit,largest_seconds,mean_seconds,margin\n";
   for (const std::string& line : found.lines) {
     for (size_t s = 0; s < found.signals.size(); ++s) {
       const PairSignal& signal = found.signals[s];
       double mean = 0;
       const double slowest = found.Slowest(line, s, &mean);
-      text += fmt::format("{},{},{},{},{},{:.6g},{},{},{:.3f}\n", line,
+      text += fmt::format("{},{},{},{},{},{:.6g},{},{},{:.3f},{:.4g}\n", line,
                           found.lines[static_cast<size_t>(signal.first)],
                           found.lines[static_cast<size_t>(signal.second)], signal.form->name,
                           signal.above ? "above" : "below", signal.sign() * found.thresholds[s],
                           signal.form->unit,
-                          std::isfinite(slowest) ? fmt::format("{:.3f}", slowest) : "", mean);
+                          std::isfinite(slowest) ? fmt::format("{:.3f}", slowest) : "", mean,
+                          found.Margin(line, s));
     }
   }
   return text;

@@ -2,15 +2,19 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "base/disk.h"
 #include "base/origin.h"
 #include "base/result_dir.h"
 #include "base/table.h"
+#include "base/words.h"
 #include "jobs/study_tables.h"
 #include "report/result_summary.h"
 #include "report/study_report.h"
+#include "sweep/result_store.h"
+#include "sweep/study_file.h"
 
 namespace phs::jobs {
 namespace {
@@ -62,6 +66,29 @@ class Unfinished {
  private:
   std::string path_;
 };
+
+/// Whether the tables of the sweeps will have the columns that are asked for, before anything runs.
+Status CheckColumns(const StudyRequest& request) {
+  for (const StudyPart& part : request.study.parts) {
+    if (part.plots.empty() && part.spreads.empty()) continue;
+    const auto sweep = sweep::LoadStudy(part.words[1]);
+    if (!sweep.ok()) return sweep.error();
+    const std::vector<std::string> known = sweep::ColumnNames(sweep.value());
+    std::vector<std::string> asked;
+    const auto ask = [&asked](const std::vector<std::string>& more) {
+      asked.insert(asked.end(), more.begin(), more.end());
+    };
+    for (const StudyPlot& plot : part.plots) ask({plot.x, plot.y}), ask(plot.by);
+    for (const StudySpread& spread : part.spreads) ask(spread.of), ask(spread.by);
+    for (const std::string& name : asked) {
+      if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+      return Error{request.study.path + ": part " + part.name,
+                   "asks for column " + Quoted(name) + " of " + part.words[1], JoinWords(known),
+                   DidYouMean(name, known)};
+    }
+  }
+  return {};
+}
 
 std::vector<std::string> WordsOf(const StudyRequest& request, const StudyPart& part,
                                  const Unfinished& work) {
@@ -164,6 +191,7 @@ Status Publish(const StudyRequest& request, const Json& json, const Unfinished& 
 }  // namespace
 
 Result<MadeStudy> MakeStudy(const StudyRequest& request) {
+  if (Status s = CheckColumns(request); !s.ok()) return s.error();
   const Unfinished work(request.out);
   if (Status s = work.Open(request); !s.ok()) return s.error();
   MadeStudy made{.json = {{"study", request.study.name},

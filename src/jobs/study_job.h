@@ -36,8 +36,8 @@ struct MadeStudy {
 };
 
 /// Makes all parts that are not made yet, then the result. Errors: DIR exists, an unfinished study
-/// without `resume`, another study under `resume`, a part with wrong input, a plot of a column that
-/// the table lacks.
+/// without `resume`, another study under `resume`, a part with wrong input, a column that a table
+/// will lack.
 Result<MadeStudy> MakeStudy(const StudyRequest& request);
 
 }  // namespace phs::jobs

@@ -42,7 +42,7 @@ std::string SafetyText(const Json& safety) {
 void AddHoses(const Json& all, ReportPage* page) {
   DataTable table{.caption = "Each hose burst at speed",
                   .head = {"hose", "signal", "alarm", "seconds to the alarm: mean, slowest",
-                           "alarms", "lowest line names it", "false alarms",
+                           "margin", "alarms", "lowest line names it", "false alarms",
                            "until the alarm: Y/Q, sum of Y, unloading", "before the burst"}};
   for (const Json& hose : all.at("hoses")) {
     const int runs = hose.at("runs"), alarmed = hose.at("alarmed");
@@ -50,15 +50,18 @@ void AddHoses(const Json& all, ReportPage* page) {
         {hose.at("name").get<std::string>(), PairText(hose), ThresholdText(hose),
          FormatNumber(NumberOf(hose, "mean_seconds_to_alarm")) + ", " +
              FormatNumber(NumberOf(hose, "largest_seconds_to_alarm")),
-         fmt::format("{} of {}", alarmed, runs),
+         FormatNumber(NumberOf(hose, "margin")), fmt::format("{} of {}", alarmed, runs),
          fmt::format("{} of {}", hose.at("named_by_lowest_pressure").get<int>(), runs),
          fmt::format("{}", hose.at("false_alarms").get<int>()), SafetyText(hose.at("until_alarm")),
          SafetyText(hose.at("before_burst"))});
-    table.rows.back()[4].bad = alarmed != runs;
+    table.rows.back()[5].bad = alarmed != runs;
   }
   page->Add(table);
   page->Paragraph(
-      "Pressures are absolute. Y/Q and the sum of Y are means over 2 m, all behind 20 Hz; "
+      "Margin: how far the signal stays beyond its threshold, over how far the threshold lies "
+      "beyond "
+      "a usual block. Pressures are absolute. Y/Q and the sum of Y are means over 2 m, all behind "
+      "20 Hz; "
       "unloading "
       "is the share of its mean load that a wheel has lost. Largest of all runs.");
 }
@@ -110,7 +113,7 @@ void AddBurst(const Json& hose, ReportPage* page) {
   page->Add(signal);
 }
 
-/// Largest values of the blocks in order against what Gumbel's law says of that order.
+/// Largest values of the blocks in order against what their law says of that order.
 void AddLearned(const Json& hose, ReportPage* page) {
   const auto [factor, unit] = Shown(hose);
   XyPlot plot{.title = hose.at("name").get<std::string>() + ": " + PairText(hose),
@@ -132,10 +135,12 @@ void AddLearned(const Json& hose, ReportPage* page) {
       points.x.push_back(-std::log(-std::log(p)));
       points.y.push_back(extremes[i]);
     }
-    for (const double y : {-2.0, 12.0}) {
+    const double shape = NumberOf(learned, "shape");
+    for (double y = -2; y <= 14; y += 0.5) {
+      const double reach = shape == 0 ? y : -std::expm1(-shape * y) / shape;
       law.x.push_back(y);
       law.y.push_back(factor *
-                      (NumberOf(learned, "location") + sign * NumberOf(learned, "scale") * y));
+                      (NumberOf(learned, "location") + sign * NumberOf(learned, "scale") * reach));
     }
     plot.curves.push_back(std::move(points));
     plot.curves.push_back(std::move(law));
@@ -159,7 +164,7 @@ Status WriteAlarmsReport(const std::string& alarms_file, const std::string& path
     AddHoses(all, &page);
     AddFalseAlarms(all, &page);
     page.Paragraph(fmt::format(
-        "Threshold: extremes of blocks of {:g} m without failure follow Gumbel's law; it lies "
+        "Threshold: extremes of blocks of {:g} m without failure follow a law of extremes; it lies "
         "where "
         "the wanted rate, shared by the hoses, is exceeded, at the upper end of its 95 % interval, "
         "for the worst service. Signals stand behind a lag of {:g} s. Tested on {} km.",

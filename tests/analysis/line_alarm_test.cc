@@ -51,21 +51,41 @@ TEST(LineAlarmTest, BlocksAreWholeAndKnowTheirLargest) {
   EXPECT_EQ(maxima, (std::vector<double>{3, 13, 23}));
 }
 
-TEST(LineAlarmTest, GumbelIsFoundAgainAndItsErrorIsThatOfRepeatedDraws) {
-  std::mt19937_64 draw(7);
+/// Drawn from a law of extremes by its quantile function, written out here once more.
+std::vector<double> Drawn(double m, double s, double k, int n, std::mt19937_64* draw) {
   std::uniform_real_distribution<double> uniform(1e-12, 1);
-  const double m = 3, s = 0.5, r = 1e-3, level = m - s * std::log(-std::log(1 - r));
-  const int repeats = 4000, n = 60;
-  double sum = 0, squares = 0, told = 0;
-  for (int k = 0; k < repeats; ++k) {
-    std::vector<double> x(n);
-    for (double& value : x) value = m - s * std::log(-std::log(uniform(draw)));
-    const Gumbel g = FitGumbel(x);
-    sum += g.Level(r), squares += g.Level(r) * g.Level(r), told += g.LevelError(r);
+  std::vector<double> x;
+  for (int i = 0; i < n; ++i) {
+    const double e = -std::log(uniform(*draw));
+    x.push_back(k == 0 ? m - s * std::log(e) : m + s * (1 - std::pow(e, k)) / k);
   }
-  const double mean = sum / repeats, spread = std::sqrt(squares / repeats - mean * mean);
-  EXPECT_NEAR(mean, level, 0.02);
-  EXPECT_NEAR(told / repeats, spread, 0.06 * spread);
+  return x;
+}
+
+TEST(LineAlarmTest, TheLawOfExtremesIsFoundAgain) {
+  std::mt19937_64 draw(7);
+  for (const double k : {0.0, -0.15}) {
+    const Extremes law = FitExtremes(Drawn(3, 0.5, k, 200000, &draw));
+    EXPECT_NEAR(law.location, 3, 0.01) << k;
+    EXPECT_NEAR(law.scale, 0.5, 0.01) << k;
+    EXPECT_NEAR(law.shape, k, 0.01) << k;
+    const double r = 1e-3, e = -std::log(1 - r);
+    const double level = k == 0 ? 3 - 0.5 * std::log(e) : 3 + 0.5 * (1 - std::pow(e, k)) / k;
+    EXPECT_NEAR(law.Level(r), level, 0.1) << k;
+  }
+  EXPECT_EQ(FitExtremes(Drawn(3, 0.5, 0.3, 1000, &draw)).shape, 0) << "no lighter than Gumbel's";
+}
+
+// The true level lies below the upper end in 95 of 100 repetitions.
+TEST(LineAlarmTest, TheUpperEndCoversTheTrueLevel) {
+  std::mt19937_64 draw(11);
+  const double r = 1e-3, level = 3 - 0.5 * std::log(-std::log(1 - r));
+  int below = 0;
+  const int repeats = 200;
+  for (int i = 0; i < repeats; ++i) {
+    below += FitExtremes(Drawn(3, 0.5, 0, 80, &draw)).UpperLevel(r) > level ? 1 : 0;
+  }
+  EXPECT_GT(below, 0.9 * repeats);
 }
 
 TEST(LineAlarmTest, AlarmsThatComeAgainAtOnceAreOne) {

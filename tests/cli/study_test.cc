@@ -124,6 +124,11 @@ TEST_F(StudyTest, WrongVerbsOptionsAndKeysAreRefusedBeforeAnythingRuns) {
   refused("[study, alarms]", "no verb with a result");
   refused("[loads, --bogi, phs]", "did you mean '--bogie'");
   refused("[loads, --out, x]", "given by the study itself");
+  dir_.Write("sweep.yaml",
+             "scenario: straight\nanalysis: held\naxes:\n"
+             "  - {key: model.temperature_K, values: [253.15]}\n"
+             "outputs: [rest.shear_stiffness_Nm_per_rad]\n");
+  refused("[loads, --bogie, phs]", "asks for column 'L2_pressure_Pa'");
   refused("[]", "a part is a sweep or a verb");
   EXPECT_THAT(ExecutePhs("study temperature_dai").text,
               HasSubstr("did you mean 'temperature_day'"));

@@ -258,6 +258,25 @@ TEST(TemperatureDrift, MayBeginInTheRecord) {
   EXPECT_NEAR(s.Ambient(50) - p.temperature_K, 1, 1e-9);
 }
 
+// Two ways to the same hour of a day: a run over it with the temperature as a law of time, and a
+// filling at 20 °C used at the temperature of that hour (hydraulics/warm_filling.h).
+TEST(TemperatureDrift, ADayOverARunMeetsTheFillingUsedAtEachHour) {
+  PhsParams p = Frictionless();
+  for (auto& l : p.lines) l.gas_volume_m3 = 100e-6;
+  const PhsSystem day =
+      Compile(With(p, "temperature_drift",
+                   {{"rate_K_per_s", 0}, {"amplitude_K", -40}, {"period_s", 86400}}));
+  for (const double hour : {2.0, 6.0, 9.0, 12.0, 18.0}) {
+    PhsParams at = p;
+    at.filled_at_K = p.temperature_K;
+    at.temperature_K = p.temperature_K - 40 * std::sin(2 * M_PI * hour / 24);
+    const PhsSystem filled = Compile(at);
+    EXPECT_NEAR(day.Ambient(3600 * hour), at.temperature_K, 1e-9);
+    const double over_the_day = Hold(day, 0, 3600 * hour, 60).p_bore;
+    EXPECT_NEAR(over_the_day / Hold(filled, 0, 1, 1).p_bore, 1, 2e-3) << hour;
+  }
+}
+
 TEST(LineInertance, MayBeInOneChamberAlone) {
   const double I = 2e7, share = 0.2;
   for (const double ratio : {0.02, 50.0}) {
