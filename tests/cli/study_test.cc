@@ -143,11 +143,45 @@ TEST_F(StudyTest, ASweepAloneIsAStudyOfOnePart) {
   EXPECT_TRUE(fs::exists(dir_.File("one/sweep/sweep.csv")));
 }
 
-/// The shipped parts of every study name files, verbs, options and columns that are there.
-TEST(ShippedStudies, AreRead) {
-  for (const char* name : {"temperature_day", "alarms"}) {
-    EXPECT_THAT(ExecutePhs(std::string("show ") + name).text, HasSubstr("question:"));
+/// A table of runs with its comments, head and every `every`-th row.
+std::string Thinned(const std::string& path, int every) {
+  std::ifstream file(path);
+  std::string text, line;
+  int row = -1;
+  while (std::getline(file, line)) {
+    if (line[0] == '#' || row++ < 0 || row % every == 1) text += line + "\n";
   }
+  return text;
+}
+
+/// The shipped study as it is, its lists of runs thinned out.
+TEST(ShippedStudies, TheDayCutToAFewHours) {
+  const ScratchDir dir;
+  const std::string models = PHS_SOURCE_DIR "/models/";
+  fs::create_directory(dir.File("studies"));
+  fs::create_directory(dir.File("sweeps"));
+  dir.Write("studies/temperature_day.yaml", Read(models + "studies/temperature_day.yaml"));
+  for (const std::string name :
+       {"temperature_day", "temperature_day_loads", "temperature_fillings"}) {
+    dir.Write("sweeps/" + name + ".yaml", Read(models + "sweeps/" + name + ".yaml"));
+  }
+  for (const std::string name : {"temperature_day", "temperature_fillings"}) {
+    dir.Write("sweeps/" + name + ".csv", Thinned(models + "sweeps/" + name + ".csv", 9));
+  }
+  const Output made = ExecutePhs("study " + dir.File("studies/temperature_day.yaml") +
+                                 " --quiet --format json --out " + dir.File("out"));
+  ASSERT_EQ(made.code, 0) << made.text;
+  const Json study = Json::parse(made.text);
+  EXPECT_EQ(study["parts"].size(), 3u);
+  EXPECT_GE(study["parts"][0]["plots"][1]["curves"].size(), 4u) << "of the reservoirs";
+  for (const Json& part : study["parts"]) {
+    for (const Json& spread : part["spreads"]) EXPECT_FALSE(spread["groups"].empty());
+  }
+}
+
+TEST(ShippedStudies, AreShown) {
+  EXPECT_THAT(ExecutePhs("show alarms").text, HasSubstr("question:"));
+  EXPECT_THAT(ExecutePhs("list studies").text, HasSubstr("Which pair of line pressures"));
 }
 
 TEST(AlarmsTest, ACutFindsAPairForEveryHoseAndCountsFalseAlarms) {
