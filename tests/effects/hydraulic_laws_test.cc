@@ -263,9 +263,8 @@ TEST(TemperatureDrift, MayBeginInTheRecord) {
 TEST(TemperatureDrift, ADayOverARunMeetsTheFillingUsedAtEachHour) {
   PhsParams p = Frictionless();
   for (auto& l : p.lines) l.gas_volume_m3 = 100e-6;
-  const PhsSystem day =
-      Compile(With(p, "temperature_drift",
-                   {{"rate_K_per_s", 0}, {"amplitude_K", -40}, {"period_s", 86400}}));
+  const PhsSystem day = Compile(With(
+      p, "temperature_drift", {{"rate_K_per_s", 0}, {"amplitude_K", -40}, {"period_s", 86400}}));
   for (const double hour : {2.0, 6.0, 9.0, 12.0, 18.0}) {
     PhsParams at = p;
     at.filled_at_K = p.temperature_K;
