@@ -158,7 +158,7 @@ void NoteLimits(const hydraulics::PhsSystem& system, const LoadState& s, const P
     if (s.pressure_Pa[i] <= limits.pressure_floor_Pa) {
       NoteOnce("line " + line.name + " empty", s.load_N, reached);
     }
-    if (line.accumulator.volume_m3 > 0 && s.pressure_Pa[i] >= line.accumulator.precharge_Pa) {
+    if (line.accumulator.volume_m3 > 0 && s.pressure_Pa[i] >= line.accumulator_precharge_Pa) {
       NoteOnce("line " + line.name + " blows off", s.load_N, reached);
     }
   }
