@@ -158,10 +158,22 @@ void NoteLimits(const hydraulics::PhsSystem& system, const LoadState& s, const P
     if (s.pressure_Pa[i] <= limits.pressure_floor_Pa) {
       NoteOnce("line " + line.name + " empty", s.load_N, reached);
     }
-    if (line.accumulator.volume_m3 > 0 && s.pressure_Pa[i] >= line.accumulator.precharge_Pa) {
+    if (line.accumulator.volume_m3 > 0 && s.pressure_Pa[i] >= line.accumulator_precharge_Pa) {
       NoteOnce("line " + line.name + " blows off", s.load_N, reached);
     }
   }
+}
+
+/// A held bogie whose axles have gone to where they stand without load.
+Result<HeldBogie> StandingBogie(const vehicle::Simulation& simulation) {
+  auto bogie = HeldBogie::Create(simulation);
+  if (!bogie.ok()) return bogie.error();
+  Vector rest = Vector::Zero();
+  if (!Balance(&bogie.value(), Vector::Zero(), &rest)) {
+    return Error{"load cases", "the bogie finds no equilibrium without load", "", ""};
+  }
+  bogie.value().RestAt(rest);
+  return bogie;
 }
 
 /// The load laid on from `u` in steps; false at the first that finds no equilibrium.
@@ -235,13 +247,8 @@ Result<std::vector<LoadResult>> CalcLoadCases(const vehicle::Simulation& simulat
                                               const std::vector<LoadCase>& cases,
                                               const PartLimits& limits) {
   const plugin::InstantForces instant = simulation.Instant();
-  auto bogie = HeldBogie::Create(simulation);
+  auto bogie = StandingBogie(simulation);
   if (!bogie.ok()) return bogie.error();
-  Vector rest = Vector::Zero();
-  if (!Balance(&bogie.value(), Vector::Zero(), &rest)) {
-    return Error{"load cases", "the bogie finds no equilibrium without load", "", ""};
-  }
-  bogie.value().RestAt(rest);
   const double lever = BoxLever(simulation.model());
   std::vector<LoadResult> results;
   for (const LoadCase& load_case : cases) {
@@ -274,7 +281,7 @@ Json LoadsJson(const vehicle::Simulation& simulation, const std::vector<LoadResu
 Result<Json> CalcHeldShear(const vehicle::Simulation& simulation,
                            const std::vector<LoadCase>& cases) {
   const plugin::InstantForces instant = simulation.Instant();
-  auto made = HeldBogie::Create(simulation);
+  auto made = StandingBogie(simulation);
   if (!made.ok()) return made.error();
   HeldBogie& bogie = made.value();
   const double lever = BoxLever(simulation.model());

@@ -91,7 +91,7 @@ TEST(HeldShearTest, FollowsThePressuresOfTheHeldLoad) {
 }
 
 TEST(HeldShearTest, AtRestIsTheSmallShearModeWithoutSeals) {
-  const vehicle::Simulation sim = Standing("phs");
+  const vehicle::Simulation sim = Standing("phs_declared");  // filled in balance
   const auto modes = MeasureAxleModes(sim);
   const auto held = CalcHeldShear(sim, {});
   ASSERT_TRUE(modes.ok() && held.ok());
