@@ -6,8 +6,9 @@
 namespace phs::identify::search {
 
 bool SaysMore(const FitProblem& problem, const FitResult& listed, const FormulaTrial& formula) {
-  const Evidence e = Compare(problem, listed, formula.fit, kTermsTried);
-  return Refusal(e, formula.candidate, formula.fit).empty();
+  return IsBeyondChance(Criterion(problem, listed.score, listed.values.size()) -
+                            Criterion(problem, formula.fit.score, formula.fit.values.size()),
+                        kTermsTried);
 }
 
 std::optional<ListedName> FindListedName(const FitProblem& problem, const FitProblem& coarse,

@@ -2,9 +2,9 @@
 //
 // A missing law bends the declared numbers, and about a bent fit its effect may look like nothing.
 // With a formula in its place the declared numbers come right: from there every listed effect is
-// fitted once more. One that explains as much gives the formula its name, and what "as much" means
-// is the rule of acceptance itself: the formula, looked at as an exchange for the effect, would be
-// refused (accept.h). Of two names a physical cause goes before an instrument.
+// fitted once more. One that explains as much gives the formula its name: the formula is not ahead
+// of it by more than chance does among so many terms (accept.h). Of two names a physical cause goes
+// before an instrument.
 #pragma once
 
 #include <optional>
@@ -21,7 +21,7 @@ struct ListedName {
   Evidence evidence;  ///< over the model without it
 };
 
-/// True if a formula says more than a model fitted without it, by the rule of acceptance.
+/// True if a formula is ahead of a model fitted without it by more than chance.
 bool SaysMore(const FitProblem& problem, const FitResult& listed, const FormulaTrial& formula);
 
 /// The effect that explains as much as `formula`, both on top of `model` with its fit `without`;
