@@ -18,7 +18,7 @@ double Half(const MotionLimits& l) { return 0.5 * (l.high_m - l.low_m); }
 
 SignalParams Signal(SignalKind kind, double amplitude_m, double frequency_Hz = 0) {
   SignalParams signal;
-  signal.kind = kind, signal.amplitude_m = amplitude_m, signal.frequency_Hz = frequency_Hz;
+  signal.kind = kind, signal.amplitude = amplitude_m, signal.frequency_Hz = frequency_Hz;
   return signal;
 }
 
@@ -33,7 +33,7 @@ void AddSines(const MotionLimits& l, double fastest_Hz, std::vector<TestMotion>*
     const double most = std::min(Half(l), l.speed_m_s / (2 * M_PI * f));
     for (const double share : {1.0, 0.25, 0.0625}) {
       const SignalParams s = Signal(SignalKind::kSine, share * most, f);
-      out->push_back({fmt::format("sine of {:.3g} mm at {:.3g} Hz", 1e3 * s.amplitude_m, f), {s}});
+      out->push_back({fmt::format("sine of {:.3g} mm at {:.3g} Hz", 1e3 * s.amplitude, f), {s}});
     }
   }
 }
@@ -60,15 +60,14 @@ void AddSteps(const MotionLimits& l, std::vector<TestMotion>* out) {
     for (const double share : {1.0, 0.25}) {
       SignalParams s = Signal(SignalKind::kStep, share * Half(l));
       s.hold_s = holds * l.duration_s;
-      s.rise_s = 4 * s.amplitude_m / l.speed_m_s;
+      s.rise_s = 4 * s.amplitude / l.speed_m_s;
       double place = 0;
       for (double t = 0; t < l.duration_s; t += s.hold_s + s.rise_s) {
         place = std::fmod(place + 0.6180339887, 1.0);
-        s.levels_m.push_back(s.amplitude_m * std::clamp(2.4 * place - 1.2, -1.0, 1.0));
+        s.levels.push_back(s.amplitude * std::clamp(2.4 * place - 1.2, -1.0, 1.0));
       }
       out->push_back(
-          {fmt::format("steps within {:.3g} mm, held {:.3g} s", 2e3 * s.amplitude_m, s.hold_s),
-           {s}});
+          {fmt::format("steps within {:.3g} mm, held {:.3g} s", 2e3 * s.amplitude, s.hold_s), {s}});
     }
   }
 }
@@ -79,7 +78,7 @@ void AddMultisines(const MotionLimits& l, double fastest_Hz, std::vector<TestMot
       SignalParams s = Signal(SignalKind::kMultisine, share * Half(l), 3 / l.duration_s);
       s.high_frequency_Hz = high, s.tones = 20;
       out->push_back(
-          {fmt::format("multisine within {:.3g} mm up to {:.3g} Hz", 2e3 * s.amplitude_m, high),
+          {fmt::format("multisine within {:.3g} mm up to {:.3g} Hz", 2e3 * s.amplitude, high),
            {s}});
     }
   }

@@ -8,7 +8,7 @@
 
 #include "analysis/line_alarm.h"
 #include "jobs/alarm_runs.h"
-#include "jobs/alarms_job.h"
+#include "jobs/alarms_request.h"
 
 namespace phs::jobs {
 

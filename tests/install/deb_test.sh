@@ -10,7 +10,9 @@ trap 'rm -rf "$scratch"' EXIT
 fail() { echo "deb: $*" >&2; exit 1; }
 
 "$packaging/build_deb" --from "$build" --out "$scratch/deb" 2>"$scratch/log" || { cat "$scratch/log"; fail "build"; }
-for package in phs libphs-dev; do
+packages=(phs libphs-dev)
+[ ! -d "$build/python/phs" ] || packages+=(python3-phs)
+for package in "${packages[@]}"; do
   file="$(echo "$scratch"/deb/${package}_*.deb)"
   [ -s "$file" ] || fail "no package $package"
   dpkg-deb -x "$file" "$scratch/root"
@@ -26,3 +28,11 @@ if command -v lintian >/dev/null; then
     --fail-on error,warning "$scratch"/deb/*.deb || fail "lintian"
 fi
 "$packaging/try_installed" "$scratch/root/usr" "$here/consumer"
+if [ -d "$build/python/phs" ]; then
+  grep -q 'phs (= .*python3 (<< 3' "$scratch/python3-phs.depends" || fail "python3-phs: $(cat "$scratch/python3-phs.depends")"
+  cd "$scratch"
+  PYTHONPATH="$scratch/root/usr/lib/python3/dist-packages" /usr/bin/python3 -c '
+import phs
+run = phs.run("curve_r550", bogie="phs", duration_s=0.05)
+assert run.status == "ok" and phs.__file__.startswith("'"$scratch"'"), phs.__file__' || fail "the Python package"
+fi
