@@ -31,7 +31,7 @@ FitData Record(const hydraulics::PhsParams& truth) {
   data.validation = {75, 120};
   std::mt19937 random(7);
   std::normal_distribution<double> normal;
-  rigs::RigMotion motion{0, kStep, {{}}, {}, {}, {}};
+  rigs::RigMotion motion{0, kStep, {{}}, {}, {}, {}, {}};
   for (int i = 0; i < 24000; ++i) {
     const double t = i * kStep, phase = std::fmod(t, 20.0);
     data.time_s.push_back(t);

@@ -125,9 +125,9 @@ Result<Sweep> MakeSweep(const Study& study, const SweepRequest& request, const W
       study, NumWorkers(request.workers), &work.value(),
       [&](int done, int of) { return watch.GoesOn(static_cast<double>(done) / of); });
   if (!all.ok()) return KeptUnfinished(all.error());
-  Sweep made{
-      .all = all.value(),
-      .done = study.num_runs() - static_cast<int>(work.value().Missing(study, false).size())};
+  Sweep made{.all = all.value(),
+             .done = study.num_runs() - static_cast<int>(work.value().Missing(study, false).size()),
+             .records = {}};
   if (!made.all) return made;
   auto records = WriteSweep(study, &work.value());
   if (!records.ok()) return records.error();

@@ -120,8 +120,11 @@ TEST_F(ReportProgram, EveryVerbWithAReportShowsItsOrigin) {
     EXPECT_TRUE(html.find(origin->inputs[0].sha256) != std::string::npos) << name;
     EXPECT_TRUE(html.find("Where this comes from") != std::string::npos) << name;
     EXPECT_LT(html.size(), 5u << 20) << name;
-    if (name == "sweep") EXPECT_TRUE(Names(*origin, "/study.yaml") && Names(*origin, "/s.yaml"));
-    if (name == "steps") EXPECT_TRUE(Names(*origin, "lowe_table_b1.csv"));
+    if (name == "sweep") {
+      EXPECT_TRUE(Names(*origin, "/study.yaml") && Names(*origin, "/s.yaml"));
+    } else if (name == "steps") {
+      EXPECT_TRUE(Names(*origin, "lowe_table_b1.csv"));
+    }
   }
   Run("loads --bogie phs --quiet --out " + Path("loads"));
   EXPECT_TRUE(ReadOrigin(Path("loads")));

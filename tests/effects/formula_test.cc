@@ -122,7 +122,7 @@ TEST(Unlisted, ReliefValveHoldsALineNearItsOpening) {
 
 TEST(Unlisted, AReadingChangesItsChannelAlone) {
   hydraulics::PhsParams params = FindPhsParams("quarter_setup2").value();
-  RigMotion motion{0, 0.005, {{}}, {}, {}, {}};
+  RigMotion motion{0, 0.005, {{}}, {}, {}, {}, {}};
   for (int i = 0; i < 400; ++i) motion.position_m[0].push_back(1e-3 * std::sin(0.02 * i));
   const auto run = [&](const std::string& formula, const std::string& coefficient, double value,
                        std::vector<std::string> targets) {

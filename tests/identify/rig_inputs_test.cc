@@ -305,8 +305,7 @@ TEST_F(RigInputs, WhatDoesNotFitIsNamed) {
 /// models/phs/bench_seal_measured: fitted to 1, 3 and 7 bar; most of what is scored is 5 bar. Without
 /// the friction that rises with pressure the error is larger by half at least.
 TEST_F(RigInputs, TheMeasuredSealRisesWithPressure) {
-  auto manifest =
-      LoadManifest(PHS_SOURCE_DIR "/models/rigs/seal_friction.yaml", WindowNeed::kNone);
+  auto manifest = LoadManifest(PHS_SOURCE_DIR "/models/rigs/seal_friction.yaml", WindowNeed::kNone);
   ASSERT_TRUE(manifest.ok());
   manifest.value().model = "bench_seal_measured";
   const auto rmse = [&](const std::string& out) {
@@ -339,7 +338,9 @@ TEST_F(RigInputs, EveryFigureOfTheThesisRuns) {
         moved = std::max(moved, range["most"].get<double>() - range["least"].get<double>());
       }
     }
-    if (signal.signals[0][0].start_s < signal.duration_s) EXPECT_GT(moved, 1e4) << name;
+    if (signal.signals[0][0].start_s < signal.duration_s) {
+      EXPECT_GT(moved, 1e4) << name;
+    }
   }
 }
 

@@ -21,7 +21,7 @@ inline measurement::FitData Record(const hydraulics::PhsParams& truth, bool hold
   data.validation = {40, 60};
   std::mt19937 random(7);
   std::normal_distribution<double> normal;
-  rigs::RigMotion motion{0, data.step_s, {{}}, {}, {}, {}};
+  rigs::RigMotion motion{0, data.step_s, {{}}, {}, {}, {}, {}};
   for (int i = 0; i < 6000; ++i) {
     const double t = i * data.step_s;
     data.time_s.push_back(t);

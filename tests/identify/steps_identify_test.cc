@@ -27,7 +27,9 @@ class StepsIdentifyTest : public ::testing::Test {
     Result<ResultDir> dir = ResultDir::Create(folder_.File("out"), true);
     PHS_CHECK(dir.ok());
     Result<RigOutcome> out = IdentifySteps(manifest.value(), dir.value());
-    if (out.ok()) EXPECT_TRUE(dir.value().Commit().ok());
+    if (out.ok()) {
+      EXPECT_TRUE(dir.value().Commit().ok());
+    }
     return out;
   }
   std::string Refused(const std::string& text) {

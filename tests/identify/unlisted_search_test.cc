@@ -186,7 +186,7 @@ TEST(CandidatesTest, OnTheFullRigTheWorstLoadCellSaysWhereACylinderIsTriedAlone)
   FitData data;
   data.kind = rigs::RigKind::kFull;
   data.step_s = 0.01, data.estimation = {0, 1}, data.validation = {1, 2};
-  rigs::RigMotion motion{0, data.step_s, {{}, {}}, {}, {}, {}};
+  rigs::RigMotion motion{0, data.step_s, {{}, {}}, {}, {}, {}, {}};
   for (int i = 0; i < 200; ++i) {
     data.time_s.push_back(i * data.step_s);
     for (auto& x : motion.position_m) x.push_back(1e-3 * std::sin(2 * M_PI * i * data.step_s));

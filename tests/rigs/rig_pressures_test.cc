@@ -23,7 +23,7 @@ using rigs::RigPressures;
 namespace {
 
 RigMotion TwoSines() {
-  RigMotion motion{0, 0.005, {{}}, {}, {}, {}};
+  RigMotion motion{0, 0.005, {{}}, {}, {}, {}, {}};
   for (int i = 0; i < 2000; ++i) {
     const double t = i * motion.step_s;
     motion.position_m[0].push_back(2e-3 * std::sin(2 * t) + 4e-4 * std::sin(9 * t));
@@ -122,7 +122,7 @@ TEST(RigPressures, AndForcesAreThoseOfTheSystemStepByStep) {
 // counts. Reference: the same cubic between the samples, in 40 steps to each.
 TEST(RigModel, ABristleTurnsWhereTheMotionTurns) {
   const PhsParams params = With(Quarter2(), "presliding", {{"stiffness_N_per_m", 1e8}});
-  RigMotion motion{0, 0.02, {{}}, {}, {}, {}};
+  RigMotion motion{0, 0.02, {{}}, {}, {}, {}, {}};
   for (int i = 0; i < 500; ++i) {
     motion.position_m[0].push_back(4e-4 * std::sin(2 * M_PI * 2.3 * i * motion.step_s));
   }

@@ -27,7 +27,7 @@ using Values = std::map<std::string, double>;
 
 /// Sines of 4 mm and 1 mm; `quick`: 1 mm at 5 Hz.
 RigMotion SmoothStart(int actuators, bool quick) {
-  RigMotion motion{0, 0.005, {}, {}, {}, {}};
+  RigMotion motion{0, 0.005, {}, {}, {}, {}, {}};
   for (int a = 0; a < actuators; ++a) {
     std::vector<double>& x = motion.position_m.emplace_back();
     for (int i = 0; i < 1500; ++i) {
@@ -97,7 +97,7 @@ TEST(RigSteps, AColumnOfOilRingsAtItsOwnFrequency) {
                                  {"laminar_Pas_per_m3", 5e7},
                                  {"oil_share", 0.2},
                                  {"rod_ratio", 0.5}});
-  RigMotion motion{0, 0.005, {{}}, {}, {}, {}};
+  RigMotion motion{0, 0.005, {{}}, {}, {}, {}, {}};
   for (int i = 0; i < 200; ++i) {
     const double s = std::clamp((i * motion.step_s - 0.1) / 0.02, 0.0, 1.0);
     motion.position_m[0].push_back(1e-4 * s * s * (3 - 2 * s));
