@@ -55,7 +55,7 @@ std::string Summary(const Json& result) {
 
 std::string NextTestLines(const Json& result) {
   std::string out;
-  for (const Json& test : result["next_test"]) {
+  for (const Json& test : result.value("next_test", Json::array())) {
     out += "next test: " + test.get<std::string>() + "\n";
   }
   return out;

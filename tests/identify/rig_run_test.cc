@@ -85,7 +85,7 @@ TEST_F(RigRunTest, EveryExampleRunsAndHoldsNumbersOnly) {
     const Result<RigOutcome> out = ExecuteManifest(manifest.value(), name);
     ASSERT_TRUE(out.ok()) << out.error().Line();
     const Table predicted = ReadCsv(Path(std::string(name) + "/predicted.csv")).value();
-    EXPECT_GT(predicted.num_rows(), 5);
+    EXPECT_GE(predicted.num_rows(), 4) << name;  // setup 1 has four steps
     for (const auto& column : predicted.columns) {
       for (const double value : column) ASSERT_TRUE(std::isfinite(value)) << name;
     }
