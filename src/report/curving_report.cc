@@ -48,6 +48,24 @@ std::vector<ConicityOf> ConicityOfRuns(const CurvingResults& results) {
   return bogies;
 }
 
+/// Side by side where the table is narrow enough, else one below the other.
+void AddWordsAndTable(const CurvingResults& results, ReportPage* page) {
+  constexpr size_t kNarrow = 3;
+  const bool beside = results.runs.size() <= kNarrow;
+  if (beside) {
+    page->BeginBeside();
+  } else {
+    AddHeadlineTable(results, page);
+  }
+  AddSteeringWords(results, page);
+  AddWheelWords(results, page);
+  AddComparisonBars(results, page);
+  if (!beside) return;
+  page->Next();
+  AddHeadlineTable(results, page);
+  page->EndBeside();
+}
+
 Status WritePage(const CurvingReportInput& input, const std::string& path, const Replay* replay) {
   Result<CurvingResults> read = ReadCurvingResults(input);
   if (!read.ok()) return read.error();
@@ -58,13 +76,7 @@ Status WritePage(const CurvingReportInput& input, const std::string& path, const
   page.Section("At a glance");
   AddKeyFigures(results, &page);
   AddTrackWords(results, &page);
-  page.BeginBeside();
-  AddSteeringWords(results, &page);
-  AddWheelWords(results, &page);
-  AddComparisonBars(results, &page);
-  page.Next();
-  AddHeadlineTable(results, &page);
-  page.EndBeside();
+  AddWordsAndTable(results, &page);
   if (replay != nullptr) AddReplay(*replay, results, &page);
   page.Section("Seen from above");
   AddPlanView(results, &page);

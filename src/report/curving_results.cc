@@ -189,8 +189,8 @@ double CurvingResults::SteadySpin(const BogieRun& run, const std::string& prefix
 }
 
 std::string BogieLabel(std::string name) {
-  if (name == "phs") return "PHS";
   std::replace(name.begin(), name.end(), '_', ' ');
+  if (name == "phs" || name.starts_with("phs ")) name.replace(0, 3, "PHS");
   return name;
 }
 

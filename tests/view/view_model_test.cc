@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <cstring>
+#include <filesystem>
 
 #include "vehicle/compose.h"
 #include "vehicle/scenario_file.h"
@@ -27,10 +28,13 @@ bool SameBits(const mjtNum* a, const mjtNum* b, int count) {
 
 /// All that moves or weighs in a model with shapes is what moves or weighs without.
 TEST(ViewModel, ShapesWeighNothingOnEveryShippedBogie) {
-  for (const vehicle::ComparedBogie& bogie : vehicle::ListComparedBogies()) {
+  for (const auto& entry : std::filesystem::directory_iterator(PHS_SOURCE_DIR "/bogie_xml")) {
+    const std::string bogie = entry.path().stem().string();
+    // The Cooperrider bogie is a set of published equations: it has no shape.
+    if (entry.path().extension() != ".xml" || bogie == "cooperrider") continue;
     for (const char* kind : {"bogie", "locomotive"}) {
-      SCOPED_TRACE(bogie.name + " as " + kind);
-      const vehicle::Scenario scenario = ScenarioOf(bogie.name, kind);
+      SCOPED_TRACE(bogie + " as " + kind);
+      const vehicle::Scenario scenario = ScenarioOf(bogie, kind);
       auto bare = vehicle::ComposeVehicle(scenario);
       ASSERT_TRUE(bare.ok()) << bare.error().Line();
       auto view = ViewModel::Create(scenario);
