@@ -36,7 +36,8 @@ def rough(phs):
     words = []
     for speed in (50, 60, 70, 80):
         done = compare(phs, {"track": "straight_rough", "speed_km_h": speed, "wheel": "S1002",
-                             "rail": "UIC60", "friction": 0.35, "creep": "kalker_table"})
+                             "rail": "UIC60", "friction": 0.35, "creep": "kalker_table",
+                             "timestep_s": 0.00025})
         own, rigid = done["bogies"]["phs"], done["bogies"]["rigid_link"]
         words.append(f"{short(own['run']['T_gamma_total_J'] / rigid['run']['T_gamma_total_J'])} "
                      f"times at {speed} km/h")
