@@ -5,6 +5,18 @@ import {tmpdir} from "node:os";
 import path from "node:path";
 import {pathToFileURL} from "node:url";
 
+/** How much was looked at, and what did not hold. */
+export const checked = {count: 0, failures: []};
+
+/** Counts a check; says what does not hold. */
+export function check(holds, words) {
+  ++checked.count;
+  if (!holds) {
+    checked.failures.push(words);
+    console.error("FAILED: " + words);
+  }
+}
+
 /** Path of Chromium: $PHS_CHROMIUM or where the distributions put it; exits without one. */
 export function findChromium() {
   const found = [process.env.PHS_CHROMIUM, "/usr/bin/chromium", "/usr/bin/chromium-browser",

@@ -10,7 +10,7 @@
 // PICTURES_DIR.
 import {mkdirSync} from "node:fs";
 import path from "node:path";
-import {openReport, withBrowser} from "./browser.mjs";
+import {check, checked, openReport, withBrowser} from "./browser.mjs";
 
 const [modules, pictures, ...reports] = process.argv.slice(2);
 if (!modules || !pictures || reports.length === 0) {
@@ -18,15 +18,6 @@ if (!modules || !pictures || reports.length === 0) {
   process.exit(2);
 }
 
-let checks = 0;
-const failures = [];
-function check(holds, words) {
-  ++checks;
-  if (!holds) {
-    failures.push(words);
-    console.error("FAILED: " + words);
-  }
-}
 
 /** Figures that are empty: no figure body, or a canvas on which no curve has been drawn. */
 const findEmptyFigures = () => [...document.querySelectorAll("figure.plot")].filter((figure) => {
@@ -329,5 +320,5 @@ mkdirSync(pictures, {recursive: true});
 await withBrowser(modules, async (browser) => {
   for (const report of reports) await lookAt(browser, report, report === reports[0]);
 });
-console.log(`${checks - failures.length} passed, ${failures.length} failed`);
-process.exit(failures.length === 0 && checks > 0 ? 0 : 1);
+console.log(`${checked.count - checked.failures.length} passed, ${checked.failures.length} failed`);
+process.exit(checked.failures.length === 0 && checked.count > 0 ? 0 : 1);

@@ -8,21 +8,12 @@
 // request; the page stays below 5 MB. Exit 0 if all holds; screenshots stay in PICTURES_DIR.
 import {existsSync, mkdirSync, readFileSync, statSync} from "node:fs";
 import path from "node:path";
-import {openReport, withBrowser} from "./browser.mjs";
+import {check, checked, openReport, withBrowser} from "./browser.mjs";
 
 const [modules, pictures, report] = process.argv.slice(2);
 if (!report) {
   console.error("usage: replay_test.mjs NODE_MODULES_DIR PICTURES_DIR REPORT.html");
   process.exit(2);
-}
-let checks = 0;
-const failures = [];
-function check(holds, words) {
-  ++checks;
-  if (!holds) {
-    failures.push(words);
-    console.error("FAILED: " + words);
-  }
 }
 // Plots stay with the processor: drawn by a graphics card in software they take minutes.
 const kSoftware = ["--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
@@ -225,5 +216,5 @@ await withBrowser(modules, async (browser) => {
   check(watch.requests.length === 0, `without WebGL: asks the network: ${watch.requests.join(" | ")}`);
 }, ["--disable-3d-apis"]);
 console.log(`${(bytes / 1e6).toFixed(2)} MB; first table and plots after ${times.join(" and ")} ms`);
-console.log(`${checks - failures.length} passed, ${failures.length} failed`);
-process.exit(failures.length === 0 && checks > 0 ? 0 : 1);
+console.log(`${checked.count - checked.failures.length} passed, ${checked.failures.length} failed`);
+process.exit(checked.failures.length === 0 && checked.count > 0 ? 0 : 1);
