@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "analysis/critical_speeds.h"
+#include "analysis/pair_conicity.h"
 #include "base/result_dir.h"
 #include "cli/curve_options.h"
 #include "cli/radius_table.h"
@@ -30,6 +31,19 @@ Result<Json> CriticalSpeedsOf(const CurveOptions& options, const Scenario& base)
         own, [&](double share) { return progress(before + share / count); });
     if (!speeds.ok()) return speeds.error();
     all[vehicle::BogieLabel(bogie)] = analysis::CriticalSpeedsJson(speeds.value());
+  }
+  return all;
+}
+
+/// The conicity of every bogie's wheels and rails: {bogie: …}. It is the same in all curves.
+Result<Json> ConicityOf(const std::vector<std::string>& bogies, const Scenario& curve) {
+  Json all = Json::object();
+  for (const std::string& bogie : bogies) {
+    Scenario own = curve;
+    vehicle::UseBogie(bogie, &own);
+    const auto simulation = vehicle::Simulation::Create(own);
+    if (!simulation.ok()) return simulation.error();
+    all[vehicle::BogieLabel(bogie)] = analysis::DescribeConicity(simulation.value());
   }
   return all;
 }
@@ -64,6 +78,9 @@ int RunOverRadii(const CurveOptions& options) {
   if (!rows.ok()) return BadInput(rows.error());
   if (StopSignal() != 0) return Stopped("nothing written");
   Json described = vehicle::DescribeRadii(rows.value(), base);
+  auto conicity = ConicityOf(options.bogies, curves.front());
+  if (!conicity.ok()) return BadInput(conicity.error());
+  described["conicity"] = std::move(conicity).value();
   if (options.stability) {
     auto speeds = CriticalSpeedsOf(options, base);
     if (!speeds.ok()) return BadInput(speeds.error());

@@ -8,6 +8,7 @@
 
 #include "hydraulics/extension.h"
 #include "hydraulics/oil.h"
+#include "hydraulics/pipe.h"
 
 namespace phs::effects {
 
@@ -49,7 +50,7 @@ inline double AtModelTemperature(double laminar_20C, const hydraulics::PhsParams
 /// (exponent 1 and above) follows the viscosity, an orifice (1/2) does not.
 inline double LeakAtModelTemperature(const hydraulics::EffectParams& effect,
                                      const hydraulics::PhsParams& params) {
-  const double viscous = std::clamp(2 * effect.values.at("exponent") - 1, 0.0, 1.0);
+  const double viscous = hydraulics::GapFlow::ViscousShare(effect.values.at("exponent"));
   return effect.values.at("conductance_m3_per_Pas") *
          std::pow(hydraulics::CalcViscosityRatio(params.temperature_K), -viscous);
 }

@@ -31,24 +31,27 @@ Status Install(const EffectParams& effect, Extension* extension) {
 
 }  // namespace
 
-double ThrottleFlow::Flow(const hydraulics::FlowPlace&, double dp, double* slope) const noexcept {
+double ThrottleFlow::Flow(const hydraulics::FlowPlace& at, double dp,
+                          double* slope) const noexcept {
   const double size = std::abs(dp), beyond = std::max(0.0, size - p_.relief);
-  const double root = std::sqrt(p_.laminar * p_.laminar + 4 * p_.turbulent * size);
+  const double laminar = at.viscosity * p_.laminar;
+  const double root = std::sqrt(laminar * laminar + 4 * p_.turbulent * size);
   *slope = 1 / root + (beyond > 0 ? 1 / p_.valve : 0);
-  return std::copysign(2 * size / (p_.laminar + root) + beyond / p_.valve, dp);
+  return std::copysign(2 * size / (laminar + root) + beyond / p_.valve, dp);
 }
 
 // Beyond the relief pressure, with g = 1/R_v and q_t > 0: q = q_t + g (R q_t + K q_t² - p_r), a
 // quadratic in q_t; the form of its root that holds for K = 0, too.
-double ThrottleFlow::Drop(const hydraulics::FlowPlace&, double flow, double* slope) const noexcept {
-  const double size = std::abs(flow);
-  double dp = (p_.laminar + p_.turbulent * size) * size;
-  *slope = p_.laminar + 2 * p_.turbulent * size;
+double ThrottleFlow::Drop(const hydraulics::FlowPlace& at, double flow,
+                          double* slope) const noexcept {
+  const double size = std::abs(flow), laminar = at.viscosity * p_.laminar;
+  double dp = (laminar + p_.turbulent * size) * size;
+  *slope = laminar + 2 * p_.turbulent * size;
   if (dp > p_.relief) {
-    const double g = 1 / p_.valve, b = 1 + g * p_.laminar, c = size + g * p_.relief;
+    const double g = 1 / p_.valve, b = 1 + g * laminar, c = size + g * p_.relief;
     const double throttled = 2 * c / (b + std::sqrt(b * b + 4 * g * p_.turbulent * c));
-    dp = (p_.laminar + p_.turbulent * throttled) * throttled;
-    *slope = 1 / (1 / (p_.laminar + 2 * p_.turbulent * throttled) + g);
+    dp = (laminar + p_.turbulent * throttled) * throttled;
+    *slope = 1 / (1 / (laminar + 2 * p_.turbulent * throttled) + g);
   }
   return std::copysign(dp, flow);
 }

@@ -9,8 +9,8 @@
 //   q_v = 0                              |dp| <= p_r
 //   q_v = sign(dp) (|dp| - p_r)/R_v      beyond: the spring of the valve gives way with the flow
 //
-// R [Pa s/m3]: laminar part (a thin bore, 128 mu l/(pi d⁴); stated at 20 °C, follows the viscosity at
-// the model's static temperature). K [Pa s2/m6]: turbulent part, a sharp edge: rho/(2 (C_d A)²),
+// R [Pa s/m3]: laminar part (a thin bore, 128 mu l/(pi d⁴); stated at 20 °C, follows the viscosity
+// of the oil as warm as it is). K [Pa s2/m6]: turbulent part, a sharp edge: rho/(2 (C_d A)²),
 // C_d 0.6 … 0.65 (ISO 5167-2 for orifices; Idelchik 1986); it knows no viscosity. p_r [Pa]: both
 // directions. R_v [Pa s/m3]: slope of the open valve, <= R by intent. The chamber keeps `oil_share` of
 // the line's oil on its side. Opposite yaw of two axles drives oil from chamber to chamber of a

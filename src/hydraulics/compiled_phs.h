@@ -48,6 +48,7 @@ struct Path {
 struct Instant {
   double time = 0;               ///< [s]
   double ambient = 0;            ///< [K]
+  double viscosity = 1;          ///< over that at the static temperature
   double extra[kMaxExtra];       ///< further channels, where there are some
   double piston[kMaxCylinders];  ///< y [m]
   double pushed[kMaxNodes];      ///< D [m3]
@@ -70,6 +71,11 @@ struct CompiledPhs {
 
   int num_states() const { return static_cast<int>(state_names.size()); }
   double Ambient(double time) const;
+  /// Temperature and viscosity of an instant; what flows at `time`, and how warm it is there.
+  void SetWarmth(double time, Instant* at) const;
+  FlowPlace WhereItFlows(double time, const Instant& at) const {
+    return {time, at.ambient - params.temperature_K, at.viscosity};
+  }
   /// Time, warmth and further channels.
   void SetTime(double time, Instant* at) const;
   double Pressure(const Instant& at, int node) const {

@@ -171,7 +171,7 @@ double CalcPathEnergy(const CompiledPhs& sys, const double* state) {
 
 double CalcHydraulicLoss(const CompiledPhs& sys, double time, const Instant& at,
                          const double* state) {
-  const FlowPlace place{time, at.ambient - sys.params.temperature_K};
+  const FlowPlace place = sys.WhereItFlows(time, at);
   double lost = 0, slope;
   for (const Path& path : sys.paths) {
     const double dp = sys.Pressure(at, path.from) - sys.Pressure(at, path.to);

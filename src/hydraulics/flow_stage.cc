@@ -137,7 +137,7 @@ PathInertances OwnInertances(const CompiledPhs& sys) {
 void CalcPathRates(const CompiledPhs& sys, const PathInertances& inertances, double time,
                    const Instant& at, const double* state, const double* flows, double* rate,
                    PathSlopes* slopes) {
-  const FlowPlace place{time, at.ambient - sys.params.temperature_K};
+  const FlowPlace place = sys.WhereItFlows(time, at);
   for (size_t k = 0; k < sys.paths.size(); ++k) {
     const Path& path = sys.paths[k];
     const double dp = sys.Pressure(at, path.from) - sys.Pressure(at, path.to);
@@ -173,7 +173,7 @@ void CalcAllNodeRates(const CompiledPhs& sys, const Instant& at, const double* s
 
 void PlaceAt(const CompiledPhs& sys, double time, const double* way, const Instant& start,
              const double* u, Instant* at) {
-  at->ambient = sys.Ambient(time);
+  sys.SetWarmth(time, at);
   for (size_t i = 0; i < sys.cylinders.size(); ++i) at->piston[i] = start.piston[i] + way[i];
   sys.CalcPushed(u, at);
 }

@@ -35,6 +35,8 @@ class VolumeLaw {
 struct FlowPlace {
   double time = 0;    ///< [s]
   double warmer = 0;  ///< temperature above the model's [K]
+  /// Dynamic viscosity over that at the model's static temperature (oil.h): 1 while it stays there.
+  double viscosity = 1;
 };
 
 /// Flow through an opening or pipe: rises with the pressure difference, Flow(0) = 0 (passive).

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "hydraulics/oil.h"
 #include "hydraulics/phs_system_impl.h"
 #include "hydraulics/solve_node.h"
 
@@ -40,7 +41,7 @@ const ExtraSeries* PhsSystem::extra() const { return impl_->extra.get(); }
 
 void CompiledPhs::SetTime(double time, Instant* at) const {
   at->time = time;
-  at->ambient = Ambient(time);
+  SetWarmth(time, at);
   if (extra) extra->At(time, at->extra);
 }
 
@@ -48,6 +49,13 @@ double CompiledPhs::Ambient(double time) const {
   double T = params.temperature_K;
   for (const auto& law : ambient) T += law->Rise(time);
   return T;
+}
+
+void CompiledPhs::SetWarmth(double time, Instant* at) const {
+  at->ambient = Ambient(time);
+  const bool thinner = at->ambient != params.temperature_K && !paths.empty();
+  at->viscosity =
+      thinner ? CalcViscosityRatio(at->ambient) / CalcViscosityRatio(params.temperature_K) : 1;
 }
 
 void CompiledPhs::CalcPushed(const double* state, Instant* at) const {

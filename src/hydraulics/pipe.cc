@@ -60,9 +60,9 @@ double CalcInertance(double density_kg_m3, double length_m, double bore_m) {
 
 double PipeFlow::Drop(const FlowPlace& at, double flow, double* slope) const noexcept {
   const Resistance& r = flow >= 0 ? forward_ : backward_;
-  const double closed = at.time < start_ ? 1e12 : 1;
-  *slope = closed * (r.laminar + 2 * r.turbulent * std::abs(flow));
-  return closed * (r.laminar + r.turbulent * std::abs(flow)) * flow;
+  const double closed = at.time < start_ ? 1e12 : 1, laminar = at.viscosity * r.laminar;
+  *slope = closed * (laminar + 2 * r.turbulent * std::abs(flow));
+  return closed * (laminar + r.turbulent * std::abs(flow)) * flow;
 }
 
 double PipeFlow::Flow(const FlowPlace& at, double dp, double* slope) const noexcept {
@@ -71,9 +71,15 @@ double PipeFlow::Flow(const FlowPlace& at, double dp, double* slope) const noexc
     return 0;
   }
   const Resistance& r = dp >= 0 ? forward_ : backward_;
-  const double root = std::sqrt(r.laminar * r.laminar + 4 * r.turbulent * std::abs(dp));
+  const double laminar = at.viscosity * r.laminar;
+  const double root = std::sqrt(laminar * laminar + 4 * r.turbulent * std::abs(dp));
   *slope = 1 / root;
-  return 2 * dp / (r.laminar + root);
+  return 2 * dp / (laminar + root);
+}
+
+double GapFlow::Conductance(const FlowPlace& at, double dp) const {
+  const double own = dp < 0 ? return_ratio_ * conductance_ : conductance_;
+  return at.viscosity == 1 ? own : own * std::pow(at.viscosity, -ViscousShare(exponent_));
 }
 
 double GapFlow::Flow(const FlowPlace& at, double dp, double* slope) const noexcept {
@@ -81,7 +87,7 @@ double GapFlow::Flow(const FlowPlace& at, double dp, double* slope) const noexce
     *slope = 0;
     return 0;
   }
-  const double G = Conductance(dp);
+  const double G = Conductance(at, dp);
   if (exponent_ == 1) {
     *slope = G;
     return G * dp;
@@ -96,10 +102,11 @@ double GapFlow::Flow(const FlowPlace& at, double dp, double* slope) const noexce
 // A leak has no inertia, so its drop is never asked for in a run; Newton, for completeness of the
 // law: the flow rises with dp.
 double GapFlow::Drop(const FlowPlace& at, double flow, double* slope) const noexcept {
-  double dp = kReference *
-              std::copysign(
-                  std::pow(std::abs(flow) / (Conductance(flow) * kReference), 1 / exponent_), flow);
-  const FlowPlace open{std::max(at.time, start_), at.warmer};
+  double dp =
+      kReference *
+      std::copysign(std::pow(std::abs(flow) / (Conductance(at, flow) * kReference), 1 / exponent_),
+                    flow);
+  const FlowPlace open{std::max(at.time, start_), at.warmer, at.viscosity};
   double rise = 1;
   for (int i = 0; i < 50; ++i) {
     const double error = Flow(open, dp, &rise) - flow;

@@ -3,8 +3,10 @@
 //   R = 128 mu l/(pi d⁴) (Hagen-Poiseuille), I = rho l/A,
 //   K = lambda rho l/(2 d A²) with lambda = 0.0316 at Re = 1e4 (Blasius 0.3164 Re^-1/4), d bore, l
 //   length, A = pi d²/4. Units: R [Pa s/m3], K [Pa s2/m6], I [kg/m4].
+// R follows the viscosity of the instant (FlowPlace), K and I do not.
 #pragma once
 
+#include <algorithm>
 #include <memory>
 
 #include "hydraulics/oil_laws.h"
@@ -39,6 +41,9 @@ class PipeFlow final : public FlowLaw {
 class GapFlow final : public FlowLaw {
  public:
   static constexpr double kReference = 5e6;  ///< [Pa]
+  /// How far a gap of exponent n follows the viscosity, G ~ mu^-share: a viscous flow (n >= 1)
+  /// wholly, an orifice (1/2) not at all.
+  static double ViscousShare(double exponent) { return std::clamp(2 * exponent - 1, 0.0, 1.0); }
   /// `conductance` G > 0 [m3/(Pa s)] at the reference, exponent n > 0; `return_ratio` > 0: G at
   /// dp < 0 over that at dp > 0.
   GapFlow(double conductance, double exponent, double start_s = -1e300, double return_ratio = 1)
@@ -50,9 +55,7 @@ class GapFlow final : public FlowLaw {
   double Drop(const FlowPlace& at, double flow, double* slope) const noexcept override;
 
  private:
-  double Conductance(double dp) const {
-    return dp < 0 ? return_ratio_ * conductance_ : conductance_;
-  }
+  double Conductance(const FlowPlace& at, double dp) const;
   double conductance_, exponent_, start_, return_ratio_;
 };
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "report/curving_results.h"
 #include "report/json_fields.h"
 
 namespace phs::report {
@@ -141,6 +142,16 @@ void AddTable(const std::vector<Shared>& curves, ReportPage* page) {
 }
 
 }  // namespace
+
+std::vector<ConicityOf> ConicityOfBogies(const json& conicity,
+                                         const std::vector<std::string>& bogies) {
+  std::vector<ConicityOf> all;
+  for (const std::string& name : bogies) {
+    const int colour = static_cast<int>(all.size()) % 8;
+    all.push_back({BogieLabel(name), colour, conicity.value(name, json())});
+  }
+  return all;
+}
 
 void AddConicity(const std::vector<ConicityOf>& bogies, ReportPage* page) {
   page->Section("Conicity");

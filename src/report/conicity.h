@@ -17,6 +17,10 @@ struct ConicityOf {
   nlohmann::ordered_json conicity;
 };
 
+/// One for each of `bogies`, which are keys of the object `conicity` ({bogie: …}).
+std::vector<ConicityOf> ConicityOfBogies(const nlohmann::ordered_json& conicity,
+                                         const std::vector<std::string>& bogies);
+
 /// The section "Conicity". Bogies with the same curve share one; one without is named with the
 /// reason.
 void AddConicity(const std::vector<ConicityOf>& bogies, ReportPage* page);

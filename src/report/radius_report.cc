@@ -9,6 +9,7 @@
 
 #include "base/axle_words.h"
 #include "base/result_dir.h"
+#include "report/conicity.h"
 #include "report/curving_results.h"
 #include "report/json_fields.h"
 #include "report/report_page.h"
@@ -161,6 +162,8 @@ Status WritePage(const std::string& bogies_file, const std::string& path) {
       "that of the bogie itself. A run that derailed has no point.");
   AddPlots(all["rows"], &page);
   AddCriticalSpeeds(all, &page);
+  AddConicity(ConicityOfBogies(all.value("conicity", json::object()), BogiesOf(all["rows"])),
+              &page);
   page.Section("Numbers");
   AddTable(all["rows"], &page);
   page.BeginDetails("Scenario that the curves share");

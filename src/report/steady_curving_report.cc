@@ -8,6 +8,7 @@
 #include "base/axle_words.h"
 #include "report/analysis_report.h"
 #include "report/conicity.h"
+#include "report/curving_results.h"
 #include "report/json_fields.h"
 #include "report/report_page.h"
 
@@ -43,7 +44,7 @@ XyPlot OverRadius(const json& bogies, const Quantity& quantity) {
       .y_label = fmt::format("{}[{}]", quantity.attack ? "to the outer rail " : "", quantity.unit)};
   for (const auto& [name, rows] : bogies.items()) {
     const int number = static_cast<int>(plot.curves.size());
-    Curve curve{.label = name, .colour = number % 8, .dash = number / 8 % 4};
+    Curve curve{.label = BogieLabel(name), .colour = number % 8, .dash = number / 8 % 4};
     for (const json& row : rows) {
       curve.x.push_back(NumberOf(row, "radius_m"));
       curve.y.push_back((quantity.attack ? -1 : 1) * quantity.scale * NumberOf(row, quantity.key));
@@ -58,7 +59,7 @@ DataTable Numbers(const json& bogies, const Quantity& quantity) {
                   .head = {"Radius [m]"}};
   std::vector<std::vector<TableCell>> rows;
   for (const auto& [name, entries] : bogies.items()) {
-    table.head.push_back(name);
+    table.head.push_back(BogieLabel(name));
     for (size_t i = 0; i < entries.size(); ++i) {
       if (rows.size() <= i) {
         rows.push_back({TableCell(fmt::format("{:g}", NumberOf(entries[i], "radius_m")))});
@@ -68,17 +69,6 @@ DataTable Numbers(const json& bogies, const Quantity& quantity) {
   }
   table.rows = std::move(rows);
   return table;
-}
-
-std::vector<ConicityOf> ConicityOfBogies(const json& result) {
-  std::vector<ConicityOf> bogies;
-  const json conicity = result.value("conicity", json::object());
-  const json all = result.value("bogies", json::object());
-  for (const auto& [name, rows] : all.items()) {
-    const int colour = static_cast<int>(bogies.size()) % 8;
-    bogies.push_back({name, colour, conicity.value(name, json())});
-  }
-  return bogies;
 }
 
 }  // namespace
@@ -96,7 +86,9 @@ Status WriteSteadyCurvingReport(const std::string& curving_file, const std::stri
   page.BeginGrid(2);
   for (const Quantity& quantity : kQuantities) page.Add(OverRadius(bogies, quantity));
   page.EndGrid();
-  AddConicity(ConicityOfBogies(result), &page);
+  std::vector<std::string> names;
+  for (const auto& [name, rows] : bogies.items()) names.push_back(name);
+  AddConicity(ConicityOfBogies(result.value("conicity", json::object()), names), &page);
   page.Section("Numbers");
   for (const Quantity& quantity : kQuantities) page.Add(Numbers(bogies, quantity));
   return page.Write(path);

@@ -64,6 +64,20 @@ TEST(LineResistance, FollowsTheViscosityAtTheStaticTemperature) {
   EXPECT_NEAR(drop(253.15) / drop(293.15), ratio, 0.01 * ratio);
 }
 
+TEST(LineResistance, FollowsTheViscosityOfTheHour) {
+  // The oil cools by 40 K in 4 s, then the piston moves: the drop is that of a model used at -20 °C.
+  const double v = 1e-3, ratio = 9350.0 * 902 / (215.0 * 877);
+  const auto ramp = [v](double t) { return v * std::max(t - 5, 0.0); };
+  auto drop = [&](double cooler_K) {
+    const PhsParams params =
+        With(Frictionless(), "temperature_drift",
+             {{"rate_K_per_s", -0.25 * cooler_K}, {"limit_K", cooler_K}, {"expansion_1_per_K", 0}});
+    const PhsSystem s = Compile(With(params, "line_resistance", {{"laminar_Pas_per_m3", 1e8}}));
+    return Drive(s, 6.0, 1e-3, ramp).p_rod - Drive(Compile(params), 6.0, 1e-3, ramp).p_rod;
+  };
+  EXPECT_NEAR(drop(40) / drop(0), ratio, 0.01 * ratio);
+}
+
 TEST(LineResistance, TurbulentFlowEqualisesInTheTimeOfTheClosedForm) {
   // Two compliances C1, C2 behind K q²: d(dp)/dt = -q (1/C1 + 1/C2), so sqrt(dp) falls linearly and
   // is zero at t* = 2 sqrt(dp0 K)/(1/C1 + 1/C2).

@@ -61,5 +61,21 @@ TEST(Pipe, FlowIsTheInverseOfDropByDirectionAndInSeries) {
   }
 }
 
+TEST(Pipe, LaminarFlowFollowsTheViscosityAndTurbulentDoesNot) {
+  const FlowPlace cold{.viscosity = 4};
+  double slope, rise;
+  const PipeFlow laminar({1e9, 0}, {1e9, 0}, 0), rough({1e-3, 1e14}, {1e-3, 1e14}, 0);
+  EXPECT_DOUBLE_EQ(laminar.Flow(cold, 1e6, &slope), 1e6 / 4e9);
+  EXPECT_DOUBLE_EQ(laminar.Drop(cold, 1e-4, &rise), 4e9 * 1e-4);
+  EXPECT_NEAR(rough.Flow(cold, 1e6, &slope), 1e-4, 1e-12);
+  for (const double exponent : {0.5, 0.75, 1.0, 1.5}) {
+    const GapFlow gap(1e-12, exponent);
+    const double share = std::min(2 * exponent - 1, 1.0);
+    const double q = gap.Flow(cold, 3e6, &slope);
+    EXPECT_NEAR(q / gap.Flow({}, 3e6, &slope), std::pow(4, -share), 1e-12) << exponent;
+    EXPECT_NEAR(gap.Drop(cold, q, &rise), 3e6, 1) << exponent;
+  }
+}
+
 }  // namespace
 }  // namespace phs::hydraulics

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "base/result_dir.h"
+#include "conicity_pair.h"
 #include "holds.h"
 #include "report/analysis_report.h"
 #include "tests/base/scratch_dir.h"
@@ -13,14 +14,7 @@ namespace {
 using json = nlohmann::ordered_json;
 using testing::Holds;
 using testing::Lacks;
-
-json Pair(double gauge_m, const std::vector<double>& values, double load_N = 0) {
-  json curve = {{"wheel_load_N", load_N}, {"amplitude_m", json::array()}, {"equivalent", values}};
-  for (size_t i = 0; i < values.size(); ++i) curve["amplitude_m"].push_back(1e-3 + 0.5e-3 * i);
-  return {{"wheel", "S1002.prw"},           {"worn_depth_m", 0.0},    {"rail", "UIC60.prr"},
-          {"rail_inclination_rad", 0.025},  {"gauge_m", gauge_m},     {"gauge_depth_m", 0.014},
-          {"flange_back_distance_m", 1.36}, {"wheel_radius_m", 0.46}, {"curves", {curve}}};
-}
+using testing::Pair;
 
 std::string PageOf(const std::vector<ConicityOf>& bogies) {
   ReportPage page("Test", "");

@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <nlohmann/json.hpp>
 
 #include "base/result_dir.h"
+#include "conicity_pair.h"
 #include "holds.h"
 #include "tests/base/scratch_dir.h"
 
@@ -37,8 +39,23 @@ TEST(RadiusReport, ShowsRunsCurvesAndWhatDerailed) {
   EXPECT_TRUE(Holds(html, "derailed: a wheel runs on the tip of its flange"));
   EXPECT_TRUE(Holds(html, "Critical speed on straight track"));
   EXPECT_TRUE(Holds(html, "hunting lives from"));
+  EXPECT_TRUE(Holds(html, "There is no conicity curve: it was not kept with this result"));
   std::ofstream(in) << "{}";
   EXPECT_FALSE(WriteRadiusReport(in, out).ok());
+}
+
+TEST(RadiusReport, EveryBogieHasItsConicity) {
+  nlohmann::ordered_json all = nlohmann::ordered_json::parse(kBogies);
+  all["conicity"] = {{"rigid_link", testing::Pair(1.435, {0.11, 0.12, 0.13, 0.14, 0.1812, 0.19})},
+                     {"phs", {{"missing", "its wheels are cones"}}}};
+  const std::string in = ScratchFile("bogies.json");
+  const std::string out = ScratchFile("bogies.html");
+  std::ofstream(in) << all.dump();
+  const Status status = WriteRadiusReport(in, out);
+  ASSERT_TRUE(status.ok()) << status.error().Line();
+  const std::string html = ReadFile(out).value();
+  EXPECT_TRUE(Holds(html, "<th scope=\"row\">3</th><td class=\"strong\">0.181</td>"));
+  EXPECT_TRUE(Holds(html, "There is no conicity curve of PHS: its wheels are cones."));
 }
 
 }  // namespace
