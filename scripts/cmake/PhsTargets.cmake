@@ -65,9 +65,7 @@ function(phs_test_folder name)
   add_executable(test_${name} ${sources})
   target_link_libraries(test_${name} PRIVATE phs_options ${ARG_DEPENDS} GTest::gmock GTest::gtest_main
                         rapidcheck::rapidcheck)
-  target_compile_definitions(test_${name} PRIVATE
-    PHS_SOURCE_DIR="${PROJECT_SOURCE_DIR}" PHS_BINARY_DIR="${PROJECT_BINARY_DIR}"
-    PHS_TEST_DATA="${PROJECT_SOURCE_DIR}/models/reference")
+  target_include_directories(test_${name} PRIVATE ${PROJECT_BINARY_DIR}/tests/places)
   if(NOT ARG_OPTIMISED)
     target_compile_options(test_${name} PRIVATE $<$<CONFIG:Release>:-O1>)
   endif()

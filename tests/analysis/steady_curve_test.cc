@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "analysis/curve_family.h"
+#include "phs_places.h"
 #include "tests/base/scratch_dir.h"
 #include "vehicle/simulation.h"
 #include "vehicle/summary.h"

@@ -8,6 +8,8 @@
 #include <cstdio>
 #include <string>
 
+#include "phs_places.h"
+
 namespace phs {
 
 struct Output {
@@ -29,7 +31,6 @@ inline Output Execute(const std::string& commands) {
   return out;
 }
 
-#ifdef PHS_BINARY_DIR
 /// The program of this build with its arguments, as a shell command.
 inline std::string PhsCommand(const std::string& arguments) {
   return PHS_BINARY_DIR "/src/cli/phs " + arguments;

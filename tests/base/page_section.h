@@ -9,6 +9,8 @@
 #include <iterator>
 #include <string>
 
+#include "phs_places.h"
+
 namespace phs {
 
 /// The part `name` of docs/`page` says what `expected` says; with PHS_WRITE_DOCS it is made to.

@@ -9,6 +9,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "phs_places.h"
 #include "tests/base/execute.h"
 #include "tests/base/scratch_dir.h"
 

@@ -9,6 +9,7 @@
 #include "base/origin.h"
 #include "base/result_dir.h"
 #include "base/sha256.h"
+#include "phs_places.h"
 #include "tests/base/execute.h"
 #include "tests/base/scratch_dir.h"
 

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "base/result_dir.h"
+#include "phs_places.h"
 #include "tests/base/execute.h"
 #include "tests/base/scratch_dir.h"
 

@@ -9,6 +9,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "phs_places.h"
 #include "tests/base/execute.h"
 #include "tests/base/scratch_dir.h"
 

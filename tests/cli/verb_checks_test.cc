@@ -8,6 +8,7 @@
 #include <iterator>
 #include <string>
 
+#include "phs_places.h"
 #include "tests/base/execute.h"
 #include "tests/base/scratch_dir.h"
 

@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "phs_model/phs_model.h"
+#include "phs_places.h"
 #include "tests/effects/driven_cylinder.h"
 
 namespace phs::effects {

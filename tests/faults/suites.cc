@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "base/result_dir.h"
+#include "phs_places.h"
 
 namespace phs::faults {
 namespace {

@@ -10,6 +10,7 @@
 #include <iterator>
 
 #include "hydraulics/bwr_nitrogen.h"
+#include "phs_places.h"
 #include "test_systems.h"
 
 namespace phs::hydraulics {

@@ -10,6 +10,7 @@
 
 #include "base/table.h"
 #include "identify/steps_run.h"
+#include "phs_places.h"
 #include "rigs/rig_signal.h"
 #include "tests/base/scratch_dir.h"
 

@@ -9,6 +9,7 @@
 #include "identify/steps_run.h"
 #include "identify/steps_search.h"
 #include "phs_model/phs_model.h"
+#include "phs_places.h"
 #include "tests/base/scratch_dir.h"
 
 namespace phs::identify {

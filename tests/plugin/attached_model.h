@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "phs_places.h"
 #include "plugin/registry.h"
 #include "plugin/settle.h"
 #include "tests/base/scratch_dir.h"

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "phs_places.h"
 #include "tests/base/execute.h"
 #include "tests/base/scratch_dir.h"
 #include "tests/plugin/attached_model.h"

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "phs_places.h"
 #include "rail/wheel_rail.h"
 
 namespace phs::rail {

@@ -7,6 +7,7 @@
 #include <set>
 #include <sstream>
 
+#include "phs_places.h"
 #include "rail/creep_law.h"
 
 namespace phs::rail {

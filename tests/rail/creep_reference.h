@@ -7,6 +7,7 @@
 #include <string>
 
 #include "base/table.h"
+#include "phs_places.h"
 #include "rail/creep_law.h"
 
 namespace phs::rail {

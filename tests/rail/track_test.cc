@@ -9,6 +9,7 @@
 #include <fstream>
 #include <string>
 
+#include "phs_places.h"
 #include "tests/base/scratch_dir.h"
 
 namespace phs::rail {

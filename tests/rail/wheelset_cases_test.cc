@@ -13,6 +13,7 @@
 
 #include "contact_pair.h"
 #include "creep_reference.h"
+#include "phs_places.h"
 #include "rail/contact_reference.h"
 
 namespace phs::rail {

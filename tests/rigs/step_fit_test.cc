@@ -9,6 +9,7 @@
 
 #include "phs_model/bogie_spread.h"
 #include "phs_model/phs_model.h"
+#include "phs_places.h"
 #include "rigs/step_relaxation.h"
 
 namespace phs::rigs {

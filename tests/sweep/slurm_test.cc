@@ -11,6 +11,7 @@
 #include <string>
 
 #include "base/result_dir.h"
+#include "phs_places.h"
 #include "sweep/slurm_client.h"
 #include "tests/sweep/sweep_folder.h"
 

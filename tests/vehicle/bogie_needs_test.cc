@@ -9,6 +9,7 @@
 
 #include "analysis/axle_modes.h"
 #include "analysis/load_cases.h"
+#include "phs_places.h"
 #include "tests/base/scratch_dir.h"
 #include "vehicle/scenario_file.h"
 #include "vehicle/simulation.h"

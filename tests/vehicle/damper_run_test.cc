@@ -7,6 +7,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "phs_places.h"
 #include "tests/base/scratch_dir.h"
 #include "vehicle/scenario_file.h"
 #include "vehicle/simulation.h"

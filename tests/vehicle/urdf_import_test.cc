@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "base/result_dir.h"
+#include "phs_places.h"
 #include "tests/base/scratch_dir.h"
 #include "vehicle/bogie_import.h"
 #include "vehicle/simulation.h"

@@ -5,6 +5,7 @@
 #include <cstring>
 #include <filesystem>
 
+#include "phs_places.h"
 #include "vehicle/compose.h"
 #include "vehicle/scenario_file.h"
 #include "view/stage.h"
