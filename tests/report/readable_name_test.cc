@@ -24,6 +24,8 @@ TEST(Readable, ChannelsAndParameters) {
   Expect("lead_outer_T_gamma_N", "lead outer T gamma", "N", 1);
   Expect("free_air_m3", "free air", "cm³", 1e6);
   Expect("friction", "friction", "–", 1);
+  Expect("hour_h", "hour", "h", 1);
+  Expect("speed_km_h", "speed", "km/h", 1);
 }
 
 TEST(Readable, QuotientsKeepTheirUnit) {

@@ -21,12 +21,18 @@ const phs = (() => {
   const colour = (number) => theme("c" + number);
   const dashes = [[], [8, 4], [2, 3], [10, 3, 2, 3]];
 
+  /** "4.100e+8" → "4.1·10⁸". */
+  function withPower(text) {
+    const [size, power] = text.split("e");
+    const raised = String(Number(power)).replace(/./g, (c) => (c === "-" ? "⁻" : "⁰¹²³⁴⁵⁶⁷⁸⁹"[c]));
+    return `${Number(size)}·10${raised}`;
+  }
   /** A number with enough digits to read off a plot, with a true minus sign. */
   function number(value, digits = 4) {
     if (value === null || value === undefined || !isFinite(value)) return "–";
     if (value === 0) return "0";
     const size = Math.abs(value);
-    const text = size >= 1e6 || size < 1e-4 ? size.toExponential(digits - 2)
+    const text = size >= 1e6 || size < 1e-4 ? withPower(size.toExponential(digits - 2))
       : size >= 10 ** (digits - 1) ? size.toFixed(0)
       : String(Number(size.toPrecision(digits)));
     return (value < 0 ? "−" : "") + text;
