@@ -6,6 +6,7 @@
 #include <mutex>
 #include <set>
 
+#include "effects/unlisted.h"
 #include "identify/accept.h"
 #include "identify/formula_rounds.h"
 #include "identify/near_fit.h"
@@ -237,7 +238,7 @@ class Search {
       }
       const std::string gone = out_.effects[i].candidate.effect;
       Withdraw(gone, "superfluous beside the later ones", &out_.candidates);
-      if (gone == "unlisted") out_.formula = {};
+      if (gone == effects::UnlistedInfo().name) out_.formula = {};
       out_.effects.erase(out_.effects.begin() + static_cast<long>(i));
       out_.corrected = model, out_.after = std::move(rest);
       i = 0;

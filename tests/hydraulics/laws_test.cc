@@ -8,6 +8,7 @@
 
 #include "hydraulics/extension.h"
 #include "hydraulics/mount.h"
+#include "hydraulics/node.h"
 #include "tests/hydraulics/test_systems.h"
 
 namespace phs::hydraulics {
@@ -179,6 +180,30 @@ TEST(LevelLawsTest, ALevelKnowsPressureMemoryAndWarmth) {
   EXPECT_NEAR(rate[static_cast<size_t>(wear)], 0.01 - 2 * 0.3, 1e-12);
 }
 
+/// Two memories that move each in its own way, exactly over a step.
+struct Remembers final : LevelLaw {
+  Remembers(std::string of, double a_second) : name(std::move(of)), slope(a_second) {}
+  void Add(const LevelPlace&, LevelParts*) const noexcept override {}
+  std::string MemoryName() const override { return name; }
+  double AdvanceMemory(double h, double, double memory) const noexcept override {
+    return memory + slope * h;
+  }
+  std::string name;
+  double slope;
+};
+
+TEST(LevelLawsTest, EveryMemoryOfACylinderHasItsOwnRate) {
+  const PhsSystem s = With(Quarter(), [](Extension* e) {
+    e->AddLevel(0, std::make_unique<Remembers>("first", 3));
+    e->AddLevel(0, std::make_unique<Remembers>("second", -5));
+  });
+  std::vector<double> state(static_cast<size_t>(s.num_states()), 0), rate(state);
+  const double x[] = {0}, v[] = {0.01};
+  s.CalcStateRate(0, 0.1, x, v, state.data(), rate.data());
+  EXPECT_DOUBLE_EQ(rate[static_cast<size_t>(StateNamed(s, "first"))], 3);
+  EXPECT_DOUBLE_EQ(rate[static_cast<size_t>(StateNamed(s, "second"))], -5);
+}
+
 struct Column final : FlowLaw {
   Column(double resistance, double inertance) : R(resistance), I(inertance) {}
   double Flow(const FlowPlace&, double dp, double* slope) const noexcept override {
@@ -218,21 +243,38 @@ TEST(FlowLawsTest, ResistanceLowersTheFrequencyOfAColumn) {
   EXPECT_NEAR(damped * damped, free * free - std::pow(R / (2 * I), 2), 1e-6 * free * free);
 }
 
-TEST(FlowLawsTest, ASplitChamberHoldsTheOilAndAirOfItsLineOnce) {
-  PhsParams params = Quarter();
-  for (LineParams& l : params.lines) l.free_air_m3 = 2e-5;
+/// Pressure of the bore at x in the line as it is, and with its oil split by a hose that equalises.
+std::pair<double, double> WholeAndSplit(const PhsParams& params, double x) {
   const PhsSystem whole = Make(params), split = Split(params, 1e6, 0);
-  const double x[] = {-2e-3}, v[] = {0};
+  const double v[] = {0};
   std::vector<double> none(static_cast<size_t>(whole.num_states()), 0);
   std::vector<double> state(static_cast<size_t>(split.num_states()), 0), rate(state);
   for (int i = 0; i < 200; ++i) {
-    split.CalcStateRate(0, 0.5, x, v, state.data(), rate.data());
+    split.CalcStateRate(0, 0.5, &x, v, state.data(), rate.data());
     for (size_t k = 0; k < state.size(); ++k) state[k] += 0.5 * rate[k];
   }
   Evaluation one(whole), two(split);
-  whole.Calc(0, x, v, none.data(), &one.out);
-  split.Calc(0, x, v, state.data(), &two.out);
-  EXPECT_NEAR(two.p_bore[0], one.p_bore[0], 1e-5 * one.p_bore[0]);
+  whole.Calc(0, &x, v, none.data(), &one.out);
+  split.Calc(0, &x, v, state.data(), &two.out);
+  return {one.p_bore[0], two.p_bore[0]};
+}
+
+TEST(FlowLawsTest, ASplitChamberHoldsTheOilAndAirOfItsLineOnce) {
+  PhsParams params = Quarter();
+  for (LineParams& l : params.lines) l.free_air_m3 = 2e-5;
+  const auto [whole, split] = WholeAndSplit(params, -2e-3);
+  EXPECT_NEAR(split, whole, 1e-5 * whole);
+}
+
+TEST(FlowLawsTest, AnEmptySplitLineHasThePressureOfItsTraceOfAir) {
+  PhsParams params = Quarter();
+  for (LineParams& l : params.lines) l.gas_volume_m3 = 0;
+  const LineParams& l = params.lines[1];
+  // Drawn 1e-7 m3 beyond where the oil stands without pressure; the trace alone fills it.
+  const double drawn = l.oil_volume_m3 * l.static_pressure_Pa / l.bulk_modulus_Pa + 1e-7;
+  const auto [whole, split] = WholeAndSplit(params, drawn / params.cylinders[0].BoreArea());
+  EXPECT_NEAR(whole, kTraceAir * l.oil_volume_m3 * kAtmosphere / 1e-7, 0.05 * whole);
+  EXPECT_NEAR(split, whole, 1e-3 * whole);
 }
 
 TEST(SequentialBalance, PressureIsContinuousWhereTheReservoirIsFull) {

@@ -29,6 +29,8 @@ if command -v lintian >/dev/null; then
 fi
 "$packaging/try_installed" "$scratch/root/usr" "$here/consumer"
 if [ -d "$build/python/phs" ]; then
+  dpkg-deb --ctrl-tarfile "$scratch"/deb/python3-phs_*.deb | tar -t | grep -q prerm ||
+    fail "python3-phs would leave behind what Python compiled"
   grep -q 'phs (= .*python3 (<< 3' "$scratch/python3-phs.depends" || fail "python3-phs: $(cat "$scratch/python3-phs.depends")"
   cd "$scratch"
   PYTHONPATH="$scratch/root/usr/lib/python3/dist-packages" /usr/bin/python3 -c '
