@@ -36,6 +36,5 @@ inline std::string PhsCommand(const std::string& arguments) {
   return PHS_BINARY_DIR "/src/cli/phs " + arguments;
 }
 inline Output ExecutePhs(const std::string& arguments) { return Execute(PhsCommand(arguments)); }
-#endif
 
 }  // namespace phs
