@@ -4,6 +4,7 @@
 #include <cmath>
 #include <new>
 
+#include "plugin/active_steering.h"
 #include "plugin/binding_work.h"
 #include "plugin/guest.h"
 
@@ -258,6 +259,7 @@ void Binding::Passive(const mjModel* m, mjData* d) const noexcept {
 }
 
 void Binding::Control(const mjModel* m, mjData* d) const noexcept {
+  ControlSteering(m, d);
   if (!has_rail() || target_speed_ <= 0 || root_body_ < 0) return;
   for (const WheelsetBinding& w : wheelsets_) {
     if (w.drive_actuator >= 0) d->ctrl[w.drive_actuator] = DriveControl(m, d, w);

@@ -5,6 +5,7 @@
 
 #include "base/words.h"
 #include "phs_model/phs_model.h"
+#include "plugin/active_steering.h"
 #include "plugin/elements.h"
 #include "plugin/model_text.h"
 
@@ -14,9 +15,9 @@ namespace {
 using Names = std::vector<std::string>;
 
 const Names& TextNames() {
-  static const Names names = {"phs_track",     "phs_wheel",   "phs_rail",
-                              "phs_creep",     "phs_contact", "phs_friction_condition",
-                              "phs_yardstick", "phs_car_body"};
+  static const Names names = {"phs_track",     "phs_wheel",    "phs_rail",
+                              "phs_creep",     "phs_contact",  "phs_friction_condition",
+                              "phs_yardstick", "phs_car_body", "phs_vehicle"};
   return names;
 }
 
@@ -76,7 +77,7 @@ Status CheckFields(const mjModel* m) {
 
 /// `kind:NAME` of tuples and texts.
 Status CheckKinds(const mjModel* m) {
-  Names kinds = {"wheelset", "phs"};
+  Names kinds = {"wheelset", "phs", "steering"};
   for (const ElementKind& kind : ElementKinds()) {
     if (!kind.keys.empty()) kinds.emplace_back(kind.name);
   }
@@ -163,11 +164,24 @@ Status CheckKey(const mjModel* m) {
                "<keyframe><key name=\"test\"/></keyframe>", "phs adds it by itself"};
 }
 
+/// A bogie that is linked to the car body steers under a whole one alone: half a body on one bogie
+/// has no yaw of its own.
+Status CheckVehicle(const mjModel* m) {
+  const auto vehicle = CustomText(m, "phs_vehicle");
+  if (!vehicle) return {};
+  const std::string where = "MJCF text 'phs_vehicle'";
+  if (*vehicle != "locomotive") return Error{where, "is " + Quoted(*vehicle), "locomotive", ""};
+  if (mj_name2id(m, mjOBJ_BODY, "front_frame") >= 0) return {};
+  return Error{where, "asks for a locomotive: this bogie is steered by its car body",
+               "two bogies under a body", "vehicle: locomotive in the scenario"};
+}
+
 }  // namespace
 
 Status CheckModel(const mjModel* m, const AttachOptions& options) {
-  for (const Status& s : {CheckFields(m), CheckKinds(m), CheckTwice(m), CheckSpeed(m, options),
-                          CheckFailures(m, options), CheckKey(m)}) {
+  for (const Status& s :
+       {CheckFields(m), CheckKinds(m), CheckTwice(m), CheckSpeed(m, options),
+        CheckFailures(m, options), CheckKey(m), CheckVehicle(m), CheckActiveSteering(m)}) {
     if (!s.ok()) return s;
   }
   return {};

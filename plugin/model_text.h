@@ -10,7 +10,7 @@
 //   <tuple name="wheelset:NAME">  body, spin joint, primary yaw joint, optional drive actuator
 //   <tuple name="phs:NAME">       actuators: the cylinders in order, then carriers of extra states
 //   <text  name="phs:NAME" data="bo_bo"/>           PHS model (models/phs or a path)
-//   <tuple name="KIND:NAME"> and <text name="KIND:NAME">   an element (declared_element.h)
+//   <tuple name="KIND:NAME">, <text name="KIND:NAME">  element, steering (active_steering.h)
 #pragma once
 
 #include <mujoco/mujoco.h>

@@ -3,6 +3,8 @@
 #include <complex>
 #include <numbers>
 
+#include "plugin/active_steering.h"
+
 namespace phs::analysis {
 namespace {
 
@@ -17,6 +19,10 @@ double CalcSprings(const plugin::Binding& binding, const mjModel* m, const mjDat
   for (const auto& elements : binding.elements()) {
     elements->AddStiffness(m, d, along.data(), &sum);
   }
+  plugin::ForEachSteering(m, [&](const plugin::ActiveSteering& servo) {  // told nothing: a spring
+    const double moved = mju_dot(along.data(), d->actuator_moment + servo.actuator * m->nv, m->nv);
+    sum -= m->actuator_biasprm[mjNBIAS * servo.actuator + 1] * moved * moved;
+  });
   return sum;
 }
 

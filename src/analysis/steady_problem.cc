@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "plugin/active_steering.h"
 #include "plugin/settle.h"
 
 namespace phs::analysis {
@@ -175,10 +176,12 @@ void SteadyProblem::MoveVehicle(double s) {
 }
 
 void SteadyProblem::AdvanceStates() {
-  if (binding_.phs().empty()) return;
+  if (m_->na == 0) return;
   mjData* d = data_.get();
   mj_kinematics(m_, d);
   mj_comPos(m_, d);
+  mj_comVel(m_, d);
+  plugin::SettleSteering(m_, d);
   mj_tendon(m_, d);
   mj_transmission(m_, d);
   size_t kept = 0;

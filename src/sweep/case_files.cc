@@ -13,6 +13,7 @@
 #include "base/words.h"
 #include "hydraulics/phs_params.h"
 #include "phs_model/phs_model.h"
+#include "vehicle/bogie_values.h"
 #include "vehicle/compose.h"
 #include "vehicle/scenario_file.h"
 
@@ -147,6 +148,7 @@ class CaseBuilder {
     PutPaths(study_.path);
     if (Status s = WriteTrack(); !s.ok()) return s.error();
     if (Status s = WriteModel(); !s.ok()) return s.error();
+    if (Status s = WriteBogie(); !s.ok()) return s.error();
     return File("scenario.yaml", YAML::Dump(scenario_) + "\n");
   }
 
@@ -235,6 +237,31 @@ class CaseBuilder {
     const auto file = File("model.yaml", phs_model::ToYaml(params.value()));
     if (!file.ok()) return file.error();
     scenario_["phs"] = file.value();
+    return {};
+  }
+
+  /// An empty value leaves the file's: a list may hold bogies with different elements.
+  Status WriteBogie() {
+    constexpr std::string_view kPrefix = "bogie.";
+    vehicle::BogieValues values;
+    for (const auto& [key, value] : set_) {
+      if (key.starts_with(kPrefix) && !value.empty()) {
+        values.emplace_back(key.substr(kPrefix.size()), value);
+      }
+    }
+    if (values.empty()) return {};
+    const auto made =
+        vehicle::VaryBogie(scenario_["bogie"] ? scenario_["bogie"].Scalar() : "phs", values);
+    if (!made.ok()) return AtAxis("bogie." + made.error().where, made.error());
+    const vehicle::VariedBogie& varied = made.value();
+    if (!varied.car_body.empty()) {
+      if (const auto file = File(varied.car_body_file, varied.car_body); !file.ok()) {
+        return file.error();
+      }
+    }
+    const auto file = File(varied.name + ".xml", varied.text);
+    if (!file.ok()) return file.error();
+    scenario_["bogie"] = file.value();
     return {};
   }
 

@@ -1,12 +1,12 @@
 // A study: one scenario, the keys that are varied, and the list of runs that follows from them.
-// Read from a YAML file (docs/sweep.md).
-//
-// Keys of axes:
+// Read from a YAML file (docs/sweep.md). Keys of axes, `*` for every element with the next key:
 //   scenario.KEY       any key of the scenario file, also nested: scenario.friction
-//   track.KEY          any key of the scenario's track file; lists by number or `*` for every
-//                      element that has the next key: track.segments.*.radius_m
-//   model.PARAMETER    any number of the PHS model: model.friction.scale, model.L1.gas_volume_m3,
-//   note.NAME          nothing; `*` for every line or cylinder above: model.*.gas_volume_m3
+//   track.KEY          any key of the scenario's track file; lists by number or `*`:
+//                      track.segments.*.radius_m
+//   model.PARAMETER    any number of the PHS model: model.friction.scale, model.*.gas_volume_m3
+//   bogie.ELEMENT.ATTRIBUTE   a value of the bogie's file (vehicle/bogie_values.h):
+//                      bogie.coupling_*.stiffness; empty in a list: as in the file
+//   note.NAME          nothing
 #pragma once
 
 #include <cstdint>

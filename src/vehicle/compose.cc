@@ -49,6 +49,14 @@ std::string TextOf(const XMLElement* root, const std::string& name) {
   return "";
 }
 
+/// The same of a bogie by name or path.
+std::string TextOfBogie(const std::string& bogie, const std::string& name) {
+  auto path = FindData("bogie", "bogie_xml", bogie, {".xml"});
+  if (!path.ok()) return "";
+  auto document = ReadMjcf(path.value());
+  return document.ok() ? TextOf(document.value()->RootElement(), name) : "";
+}
+
 /// Calls `visit(class)` for every named default class in `parent`, nested ones too.
 template <typename Visit>
 void ForEachClass(const XMLElement* parent, Visit visit) {
@@ -82,7 +90,8 @@ Status AddClassesOfCarBody(XMLElement* root) {
 Status PutBogiesUnderBody(const std::string& bogie_path, XMLElement* root) {
   const std::string named = TextOf(root, "phs_car_body");
   auto body_path =
-      FindData("car body", "bogie_xml/shared", named.empty() ? "locomotive_body" : named, {".xml"});
+      FindData("car body", "bogie_xml/shared",
+               named.empty() ? "locomotive_body" : BesideFile(bogie_path, named), {".xml"});
   if (!body_path.ok()) return body_path.error();
   auto body = ReadMjcf(body_path.value());
   if (!body.ok()) return body.error();
@@ -263,7 +272,9 @@ std::vector<ComparedBogie> ListComparedBogies() {
   std::vector<ComparedBogie> bogies;
   for (const std::string& name : ListData("bogie_xml", {".xml"})) {
     const std::string yardstick = YardstickOf(name);
-    if (!yardstick.empty()) bogies.push_back({name, yardstick});
+    if (!yardstick.empty() && TextOfBogie(name, "phs_vehicle").empty()) {
+      bogies.push_back({name, yardstick});
+    }
   }
   // A yardstick stands before those measured with it.
   std::stable_sort(bogies.begin(), bogies.end(), [](const auto& a, const auto& b) {
@@ -274,12 +285,7 @@ std::vector<ComparedBogie> ListComparedBogies() {
   return bogies;
 }
 
-std::string YardstickOf(const std::string& bogie) {
-  auto path = FindData("bogie", "bogie_xml", bogie, {".xml"});
-  if (!path.ok()) return "";
-  auto document = ReadMjcf(path.value());
-  return document.ok() ? TextOf(document.value()->RootElement(), "phs_yardstick") : "";
-}
+std::string YardstickOf(const std::string& bogie) { return TextOfBogie(bogie, "phs_yardstick"); }
 
 std::string TrackOf(const std::string& bogie) {
   auto path = FindData("bogie", "bogie_xml", bogie, {".xml"});

@@ -39,7 +39,7 @@ struct ComparedBogie {
   std::string name;
   std::string yardstick;
 };
-/// All of them, each yardstick first.
+/// All that run as a single bogie (<text name="phs_vehicle" …/> asks for more); yardsticks first.
 std::vector<ComparedBogie> ListComparedBogies();
 /// The yardstick of one bogie, "" if it names none.
 std::string YardstickOf(const std::string& bogie);

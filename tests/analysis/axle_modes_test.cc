@@ -94,7 +94,8 @@ TEST(AxleModesTest, SealsThatStickMakeBendingStiffAtSmallAmplitudeOnly) {
 TEST(AxleModesTest, EveryBogieFollowsTheClosedFormInSmallMotion) {
   for (const char* bogie :
        {"phs", "phs_declared", "rigid_link", "soft_link", "emd_radial", "ge_coupling_shaft",
-        "adtranz_shifting", "phs_coco", "rigid_link_coco"}) {
+        "adtranz_shifting", "phs_coco", "rigid_link_coco", "scheffel_cross_anchors",
+        "ge_coupling_shaft_coco", "adtranz_shifting_coco", "active_steering"}) {
     AxleModeOptions faster;
     faster.frequency_Hz = 2;
     for (const AxleMode& mode : MeasureOn(bogie, faster).small) {

@@ -103,6 +103,26 @@ TEST(Study, EachWrongStudyIsNamed) {
               HasSubstr("count"));
 }
 
+TEST(CaseFiles, ABogieIsVariedWhereTheCellHoldsAValue) {
+  std::ofstream(ScratchFile("bogies.csv"))
+      << "scenario.bogie,bogie.coupling_*.stiffness,bogie.anchor_1.stiffness\n"
+         "ge_coupling_shaft,x2,\nscheffel_cross_anchors,,1e6\nphs,,\n";
+  const Study study = Loaded("scenario: curve_r550\ndesign: list\ncases: bogies.csv\n");
+  const ScratchDir dir;
+  for (const int run : {0, 1, 2}) {
+    ASSERT_TRUE(WriteCaseFiles(study, run, dir.path()).ok());
+    const std::string scenario = ReadFile(dir.File("scenario.yaml")).value();
+    if (run == 2) EXPECT_THAT(scenario, HasSubstr("bogie: phs\n"));
+  }
+  EXPECT_THAT(ReadFile(dir.File("ge_coupling_shaft.xml")).value(),
+              HasSubstr("stiffness=\"12600000\""));
+  EXPECT_THAT(ReadFile(dir.File("scheffel_cross_anchors.xml")).value(),
+              HasSubstr("stiffness=\"1e6\""));
+  const std::string head = "scenario: curve_r550\naxes:\n  - ";
+  EXPECT_THAT(Fault(head + "{key: bogie.lead_left_brackt.pos, values: [x2]}\n"),
+              HasSubstr("did you mean 'lead_left_bracket'?"));
+}
+
 TEST(CaseFiles, WildcardSetsEveryElementThatHasTheKey) {
   const Study study = Loaded(
       "scenario: curve_r550\naxes:\n"

@@ -33,7 +33,8 @@ TEST(ViewModel, ShapesWeighNothingOnEveryShippedBogie) {
     const std::string bogie = entry.path().stem().string();
     // The Cooperrider bogie is a set of published equations: it has no shape.
     if (entry.path().extension() != ".xml" || bogie == "cooperrider") continue;
-    for (const char* kind : {"bogie", "locomotive"}) {
+    for (const std::string kind : {"bogie", "locomotive"}) {
+      if (bogie == "forced_steering" && kind == "bogie") continue;  // linked to a whole car body
       SCOPED_TRACE(bogie + " as " + kind);
       const vehicle::Scenario scenario = ScenarioOf(bogie, kind);
       auto bare = vehicle::ComposeVehicle(scenario);
