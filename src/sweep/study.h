@@ -1,4 +1,4 @@
-// A study: one scenario, the keys that are varied, and the list of runs that follows from them.
+// A study: one scenario or rig, the keys that are varied, and the list of runs that follows from them.
 // Read from a YAML file (docs/sweep.md).
 //
 // Keys of axes:
@@ -6,7 +6,10 @@
 //   track.KEY          any key of the scenario's track file; lists by number or `*` for every
 //                      element that has the next key: track.segments.*.radius_m
 //   model.PARAMETER    any number of the PHS model: model.friction.scale, model.L1.gas_volume_m3,
-//   note.NAME          nothing; `*` for every line or cylinder above: model.*.gas_volume_m3
+//                      `*` for every line or cylinder: model.*.gas_volume_m3
+//   rig.KEY            instead of the first two, where the study is over a rig: any key of its
+//                      manifest: rig.signal.actuator_m.amplitude_m
+//   note.NAME          nothing
 #pragma once
 
 #include <cstdint>
