@@ -38,7 +38,7 @@ inline constexpr Verb kVerbs[] = {
      &AddCurving},
     {"report", "Draw report.html of a result again, or a page of all results in a folder",
      &AddReport},
-    {"sweep", "Many runs of one scenario or rig, resumable, on all cores or a cluster", &AddSweep},
+    {"sweep", "Many runs of one scenario, resumable, on all cores or a cluster", &AddSweep},
     {"study", "A design study repeated: a question, its parts, a report", &AddStudy},
     {"alarms", "Which pair of line pressures tells a lost hose, how soon, how often falsely",
      &AddAlarms},

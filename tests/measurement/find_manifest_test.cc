@@ -27,7 +27,7 @@ TEST(FindManifest, AWrongNameIsToldWithAllOfThem) {
   const auto fault = [](const std::string& name) { return FindManifest(name).error().Line(); };
   EXPECT_THAT(fault("lowe/fig_6_1"),
               testing::AllOf(testing::HasSubstr("manifest 'lowe/fig_6_1': was not found"),
-                             testing::HasSubstr(", lowe/fig_7_5_final, quarter_sine,"),
+                             testing::HasSubstr(", lowe/fig_C_5_final, quarter_sine,"),
                              testing::HasSubstr("did you mean 'lowe/fig_6_10'?")));
   EXPECT_THAT(fault("fig_6_10_finl"), testing::HasSubstr("did you mean 'lowe/fig_6_10_final'?"));
   EXPECT_THAT(fault("quarter_sin"), testing::HasSubstr("did you mean 'quarter_sine'?"));

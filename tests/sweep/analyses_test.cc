@@ -25,7 +25,7 @@ TEST(AnalysesDoc, HasEveryAnalysisAsTheTableSaysIt) {
 
 TEST(AnalysesTest, EveryAnalysisHasTheOutputsThatItNamesFirst) {
   for (const Analysis& analysis : Analyses()) {
-    const std::string base = std::string(analysis.of) == "rig"             ? "rigs/quarter_sine"
+    const std::string base = std::string(analysis.of) == "rig"           ? "rigs/quarter_sine"
                              : std::string(analysis.name) == "stability" ? "scenarios/straight"
                                                                          : "scenarios/curve_r550";
     const std::string file = PHS_SOURCE_DIR "/models/" + base + ".yaml";

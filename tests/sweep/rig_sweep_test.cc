@@ -58,7 +58,7 @@ TEST_F(RigSweep, TheNumbersAreThoseOfPhsRigToTheBit) {
       JoinWords(outputs));
   Write("bench.yaml", Bench("0.5", "phs_parameters: {filled_at_K: 293.15}\n"));
   ASSERT_EQ(Sweep("out", "--workers 2").code, 0);
-  const Table table = ReadCsv(dir_.File("out/sweep.csv")).value();
+  const phs::Table table = ReadCsv(dir_.File("out/sweep.csv")).value();
   const int last = table.num_columns() - 1;  // the outputs stand between `status` and `reason`
   const int first = table.Find("status") + 1;
   ASSERT_EQ(last - first, static_cast<int>(outputs.size()));
