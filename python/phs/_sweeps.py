@@ -1,4 +1,4 @@
-"""phs.sweep: many runs of one scenario, and the table they give."""
+"""phs.sweep: many runs of one scenario or rig, and the table they give."""
 
 from __future__ import annotations
 
@@ -72,10 +72,10 @@ class Sweep(Mapping[str, Column]):
 
 def sweep(study: FileLike, *, out: Named | None = None, workers: int = 0, resume: bool = False,
           overwrite: bool = False, progress: Progress | None = None) -> Sweep:
-    """Many runs of one scenario on all cores: `phs sweep`. The same table, to the bit.
+    """Many runs of one scenario or rig on all cores: `phs sweep`. The same table, to the bit.
 
-    `study` is a name, a YAML file or its content as a dict (docs/sweep.md); `scenario` in the dict
-    may be a dict, `cases` a dict of columns. Each run is made by one of `workers` processes (one per
+    `study` is a name, a YAML file or its content as a dict (docs/sweep.md); `scenario` or `rig` in
+    the dict may be a dict, `cases` a dict of columns. Each run is made by one of `workers` processes (one per
     core without it). Ctrl-C keeps in OUT.unfinished what is made; `resume=True` goes on from there.
 
     >>> t = phs.sweep({"scenario": "curve_r550", "analysis": "curving",
@@ -112,6 +112,8 @@ def _study(inputs: Inputs, given: FileLike) -> str:
             if isinstance(scenario.get(key), Mapping):
                 scenario[key] = inputs.file(key, scenario[key])
         whole["scenario"] = inputs.file("scenario", scenario)
+    if isinstance(whole.get("rig"), Mapping):
+        whole["rig"] = inputs.manifest(whole["rig"])
     if "cases" in whole:
         whole["cases"] = _cases(inputs, whole["cases"])
     return inputs.file("study", whole)

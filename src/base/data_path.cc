@@ -52,18 +52,40 @@ bool IsFile(const fs::path& path) {
   return fs::is_regular_file(path, ignored);
 }
 
+/// Files of folder/family by name: "quarter_sine", "lowe/fig_6_10".
+void AddNames(const fs::path& folder, const std::string& family,
+              const std::vector<std::string>& extensions, std::set<std::string>* names) {
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(folder / family, ignored)) {
+    const std::string extension = entry.path().extension().string();
+    if (std::find(extensions.begin(), extensions.end(), extension) == extensions.end()) continue;
+    names->insert((fs::path(family) / entry.path().stem()).string());
+  }
+}
+
+/// "did you mean …?": by the whole name or, for one given without its folder, by its last part.
+std::string Nearest(const std::string& name, const std::vector<std::string>& known) {
+  const std::string stem = fs::path(name).stem().string();
+  const std::string whole = DidYouMean((fs::path(name).parent_path() / stem).string(), known);
+  if (!whole.empty()) return whole;
+  std::vector<std::string> stems;
+  for (const std::string& one : known) stems.push_back(fs::path(one).stem().string());
+  const std::string nearest = NearestWord(stem, stems);
+  const auto at = std::find(stems.begin(), stems.end(), nearest);
+  if (nearest.empty() || at == stems.end()) return "check the name";
+  return "did you mean '" + known[static_cast<size_t>(at - stems.begin())] + "'?";
+}
+
 }  // namespace
 
 std::vector<std::string> ListData(const std::string& folder,
-                                  const std::vector<std::string>& extensions) {
+                                  const std::vector<std::string>& extensions,
+                                  const std::vector<std::string>& families) {
   std::set<std::string> names;
   for (const fs::path& root : Roots()) {
-    std::error_code ignored;
-    for (const auto& entry : fs::directory_iterator(root / folder, ignored)) {
-      const std::string extension = entry.path().extension().string();
-      if (std::find(extensions.begin(), extensions.end(), extension) != extensions.end()) {
-        names.insert(entry.path().stem().string());
-      }
+    AddNames(root / folder, "", extensions, &names);
+    for (const std::string& family : families) {
+      AddNames(root / folder, family, extensions, &names);
     }
   }
   return {names.begin(), names.end()};
@@ -85,7 +107,8 @@ std::string Anywhere(const std::string& name) {
 }
 
 Result<std::string> FindData(const std::string& kind, const std::string& folder,
-                             const std::string& name, const std::vector<std::string>& extensions) {
+                             const std::string& name, const std::vector<std::string>& extensions,
+                             const std::vector<std::string>& families) {
   // A bare word is a name first: a program called phs beside one must not hide the bogie phs.
   const bool bare = !fs::path(name).has_parent_path() && !fs::path(name).has_extension();
   if (!bare && IsFile(name)) return name;
@@ -99,10 +122,10 @@ Result<std::string> FindData(const std::string& kind, const std::string& folder,
     }
   }
   if (bare && IsFile(name)) return name;
-  const std::vector<std::string> known = ListData(folder, extensions);
+  const std::vector<std::string> known = ListData(folder, extensions, families);
   return Error{kind + " " + Quoted(name), "was not found",
                "a path, or one of: " + (known.empty() ? "(none installed)" : JoinWords(known)),
-               DidYouMean(fs::path(name).stem().string(), known, "check the name")};
+               Nearest(name, known)};
 }
 
 }  // namespace phs

@@ -7,6 +7,7 @@
 
 #include "base/data_path.h"
 #include "effects/catalogue.h"
+#include "measurement/manifest.h"
 #include "vehicle/running_effects.h"
 
 namespace phs::cli {
@@ -36,12 +37,11 @@ std::vector<ShippedItem> Profiles() {
   return items;
 }
 
-/// Manifests, and those of the figures of the thesis: "lowe/fig_6_4_setup2".
 std::vector<ShippedItem> Rigs() {
-  std::vector<ShippedItem> items = ItemsOf("models/rigs", ".yaml");
-  for (ShippedItem& item : ItemsOf("models/rigs/lowe", ".yaml")) {
-    item.name = "lowe/" + item.name;
-    items.push_back(std::move(item));
+  std::vector<ShippedItem> items;
+  for (const std::string& name : measurement::ListManifests()) {
+    const auto path = measurement::FindManifest(name);
+    if (path.ok()) items.push_back({name, FirstSentence(path.value()), path.value()});
   }
   return items;
 }

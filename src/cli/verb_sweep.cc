@@ -1,4 +1,4 @@
-// phs sweep: many runs of one scenario, resumable, on all cores or a cluster.
+// phs sweep: many runs of one scenario or rig, resumable, on all cores or a cluster.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -99,7 +99,8 @@ int RunOnly(const SweepOptions& options, const Study& study) {
     fmt::print(" {} = {}", study.axes[i].key,
                study.runs[static_cast<std::size_t>(options.only)][i]);
   }
-  fmt::print("\nphs simulate {}/scenario.yaml --out {}/result\n", out, out);
+  const sweep::Subject& subject = *study.CaseOf(options.only).subject;
+  fmt::print("\nphs {} {}/{} --out {}/result\n", subject.verb, out, subject.file, out);
   return kDone;
 }
 
@@ -220,7 +221,7 @@ void AddSweep(CLI::App* verb, Action* action) {
   auto options = std::make_shared<SweepOptions>();
   AddCommonOptions(verb, &options->common);
   options->checks.AddOptions(verb);
-  verb->add_option("study", options->study, "Scenario, axes and design (YAML)")->required();
+  verb->add_option("study", options->study, "Scenario or rig, axes and design (YAML)")->required();
   verb->add_option("--engine", options->engine, "Where the runs are made")
       ->check(CLI::IsMember({"local", "slurm"}))
       ->capture_default_str();

@@ -9,6 +9,7 @@
 #include "base/result_dir.h"
 #include "base/words.h"
 #include "base/yaml.h"
+#include "sweep/subjects.h"
 
 namespace phs::jobs {
 namespace {
@@ -130,7 +131,9 @@ Result<DesignStudy> LoadDesignStudy(const std::string& name) {
   if (!path.ok()) return path.error();
   auto document = YamlMap::Load(path.value());
   if (!document.ok()) return document.error();
-  if (!document.value().Has("scenario")) return ReadDesignStudy(path.value());
+  const bool sweep = std::any_of(sweep::Subjects().begin(), sweep::Subjects().end(),
+                                 [&](const auto& of) { return document.value().Has(of.key); });
+  if (!sweep) return ReadDesignStudy(path.value());
   auto study = Begin(path.value());
   if (!study.ok()) return study.error();
   return OfSweep(std::move(study).value());

@@ -1,8 +1,5 @@
 #include "jobs/rig_job.h"
 
-#include <filesystem>
-
-#include "base/data_path.h"
 #include "base/origin.h"
 #include "identify/identify_run.h"
 #include "identify/rig_run.h"
@@ -15,14 +12,6 @@ namespace phs::jobs {
 namespace {
 
 using identify::search::IdentifyOutcome;
-
-/// The file behind the name of a manifest that ships; anything else is a path and stays one.
-Result<std::string> ManifestPath(const std::string& manifest) {
-  const std::filesystem::path given(manifest);
-  if (given.has_extension()) return manifest;
-  if (given.has_parent_path() && std::filesystem::is_regular_file(given)) return manifest;
-  return FindData("manifest", "models/rigs", manifest, {".yaml"});
-}
 
 /// A clocked measurement has the report of an identification without its findings.
 Status WriteRigPage(const ResultDir& dir, const measurement::Manifest& manifest,
@@ -68,7 +57,7 @@ Result<IdentifyOutcome> Search(const std::string& path,
 }  // namespace
 
 Result<identify::RigOutcome> RunRig(const std::string& name, const ResultDir& dir) {
-  const auto path = ManifestPath(name);
+  const auto path = measurement::FindManifest(name);
   if (!path.ok()) return path.error();
   Result<measurement::Manifest> manifest =
       measurement::LoadManifest(path.value(), measurement::WindowNeed::kNone);
@@ -82,7 +71,7 @@ Result<identify::RigOutcome> RunRig(const std::string& name, const ResultDir& di
 Result<Identified> Identify(const std::string& manifest,
                             const identify::search::SearchOptions& options, const Watch& watch,
                             const ResultDir& dir) {
-  const auto path = ManifestPath(manifest);
+  const auto path = measurement::FindManifest(manifest);
   if (!path.ok()) return path.error();
   Result<IdentifyOutcome> outcome = Search(path.value(), options, watch, dir);
   if (!outcome.ok()) return outcome.error();

@@ -15,6 +15,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr char kFolder[] = "models/rigs";
+constexpr char kThesis[] = "lowe";  ///< below it: the tests behind the figures of the thesis
+
 Window ReadWindow(YamlMap& map, const std::string& key,
                   const char* allowed = "[begin, end] in seconds, begin < end") {
   if (!map.Has(key)) return {};
@@ -222,7 +225,29 @@ void ReadCandidates(YamlMap& map, Manifest* m) {
   }
 }
 
+/// Another manifest; to be fitted to, there is none.
+std::string ReadComparison(YamlMap& map, const Manifest& manifest, WindowNeed need) {
+  if (!map.Has("compare_with")) return "";
+  if (need == WindowNeed::kEstimation || !HasClock(manifest)) {
+    map.Fail("compare_with", "is for phs rig, and rigs driven over time", kRigsWithClock);
+  }
+  return BesideFile(manifest.path, map.Text("compare_with"));
+}
+
 }  // namespace
+
+Result<std::string> FindManifest(const std::string& name) {
+  const fs::path given(name);
+  if (given.has_extension()) return name;
+  if (given.has_parent_path() && fs::is_regular_file(given)) return name;
+  return FindData("manifest", kFolder, name, {".yaml"}, {kThesis});
+}
+
+std::vector<std::string> ListManifests() { return ListData(kFolder, {".yaml"}, {kThesis}); }
+
+bool HasClock(const Manifest& manifest) {
+  return manifest.rig != "steps" && manifest.rig != "bogie";
+}
 
 Result<Manifest> LoadManifest(const std::string& path, WindowNeed need) {
   Result<YamlMap> loaded = YamlMap::Load(path);
@@ -256,6 +281,7 @@ Result<Manifest> LoadManifest(const std::string& path, WindowNeed need) {
   if (map.Has("limits")) m.limits = ReadLimits(map.Map("limits"));
   m.compare_below_Hz = map.Number("compare_below_Hz", {.min = 0}, 0.0);
   m.low_pass_Hz = map.Number("low_pass_Hz", {.min = 0}, 0.0);
+  m.compare_with = ReadComparison(map, m, need);
   bool any_estimation = false;
   for (const RunSpec& run : m.runs) any_estimation |= !run.estimation.empty();
   if (need == WindowNeed::kEstimation && !any_estimation && m.rig != "steps") {

@@ -35,6 +35,8 @@
 //                                         position and both pressures given, force predicted
 //   phs_parameters: {temperature_K: 253}  changes of the declared model, as in a scenario; with
 //   effects: {…}, failures: [{…}]         effects beside its own, and failures at their times
+//   compare_with: quarter_sine            phs rig: another manifest, whose prediction this one is
+//                                         compared with (rig_numbers.h)
 #pragma once
 
 #include <map>
@@ -90,7 +92,17 @@ struct Manifest {
   rigs::RigOptions options;
   phs_model::PhsChanges changes;  ///< of the declared model
   TestLimits limits;
+  std::string compare_with;  ///< manifest, name or path already resolved; empty: none
 };
+
+/// A manifest as a user names it: one that ships ("quarter_sine", "lowe/fig_6_10"), or a file.
+Result<std::string> FindManifest(const std::string& name);
+/// Those that ship.
+std::vector<std::string> ListManifests();
+
+/// Cylinder, quarter, full, element: driven over time, by one motion.
+bool HasClock(const Manifest& manifest);
+inline constexpr char kRigsWithClock[] = "cylinder, quarter, full, element";
 
 enum class WindowNeed {
   kEstimation,  ///< some run has an estimation window, nothing is generated: to fit

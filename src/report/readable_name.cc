@@ -16,14 +16,14 @@ struct Unit {
 
 // Longer names first: sizes of the track and the vehicle stay in metres, strokes become
 // millimetres.
-constexpr std::array<Unit, 26> kUnits = {
+constexpr std::array<Unit, 27> kUnits = {
     {{"radius_m", "m", 1},  {"distance_m", "m", 1},  {"wheelbase_m", "m", 1}, {"_s_m", "m", 1},
      {"T_gamma_N", "N", 1}, {"speed_m_s", "m/s", 1}, {"_km_h", "km/h", 1},    {"_m_s2", "m/s²", 1},
      {"_m_s", "mm/s", 1e3}, {"_rad_s", "rad/s", 1},  {"_1_m", "1/m", 1},      {"_1_s", "1/s", 1},
      {"_Nm", "kN m", 1e-3}, {"_kN", "kN", 1},        {"_N", "kN", 1e-3},      {"_MPa", "MPa", 1},
      {"_Pa", "MPa", 1e-6},  {"_mm", "mm", 1},        {"_m3", "cm³", 1e6},     {"_m", "mm", 1e3},
      {"_rad", "mrad", 1e3}, {"_kg", "kg", 1},        {"_J", "kJ", 1e-3},      {"_K", "K", 1},
-     {"_s", "s", 1},        {"_h", "h", 1}}};
+     {"_percent", "%", 1},  {"_s", "s", 1},          {"_h", "h", 1}}};
 
 constexpr std::array<std::pair<const char*, const char*>, 7> kWords = {
     {{"p_end", "settled pressure"},

@@ -51,6 +51,28 @@ std::vector<int> Largest(const Sweep& sweep, int output) {
 /// What lies below is noise of the estimate.
 double Thousandths(double share) { return std::round(1e3 * share) / 1e3 + 0.0; }
 
+/// "0.774 (0.482 … 1.066)": an estimate with its interval of 95 %, of a normal error.
+std::string WithInterval(double share, double standard_error) {
+  const double half = 1.96 * standard_error;
+  return fmt::format("{:.3f} ({:.3f} … {:.3f})", Thousandths(share), Thousandths(share - half),
+                     Thousandths(share + half));
+}
+
+void AddIndexTable(const SweepReportInput& input, ReportPage* page) {
+  DataTable table{.caption = "Sobol indices with their intervals of 95 %",
+                  .head = {"Parameter", "first order", "total"},
+                  .rows = {}};
+  for (const OutputIndices& of : input.indices) {
+    table.rows.push_back({TableCell(Readable(of.output).words)});
+    for (std::size_t i = 0; i < input.parameters.size(); ++i) {
+      table.rows.push_back({TableCell(Readable(input.parameters[i]).words),
+                            TableCell(WithInterval(of.first[i], of.first_error[i])),
+                            TableCell(WithInterval(of.total[i], of.total_error[i]))});
+    }
+  }
+  page->Add(table);
+}
+
 }  // namespace
 
 void AddCorrelations(const Sweep& sweep, ReportPage* page) {
@@ -92,6 +114,7 @@ void AddSobolIndices(const SweepReportInput& input, ReportPage* page) {
     page->Add(chart);
   }
   page->EndGrid();
+  AddIndexTable(input, page);
 }
 
 void AddWorst(const Sweep& sweep, const std::string& study, ReportPage* page) {

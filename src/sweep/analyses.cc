@@ -7,7 +7,10 @@
 #include "analysis/load_cases.h"
 #include "analysis/stability.h"
 #include "analysis/steady_curve.h"
+#include "base/words.h"
+#include "sweep/rig_run.h"
 #include "sweep/run_in_time.h"
+#include "vehicle/scenario_file.h"
 #include "vehicle/simulation.h"
 
 namespace phs::sweep {
@@ -92,6 +95,27 @@ Result<Analysed> NamesOfWhatIsLeft(const vehicle::Scenario& scenario,
   return RunToItsEnd(own, 0.05);
 }
 
+/// An analysis of a scenario, from its file.
+template <Result<Analysed> (*Of)(const vehicle::Scenario&)>
+Result<Analysed> OfScenario(const std::string& file) {
+  const auto scenario = vehicle::LoadScenario(file);
+  if (!scenario.ok()) return scenario.error();
+  return Of(scenario.value());
+}
+
+template <Result<Analysed> (*Of)(const vehicle::Scenario&, const std::vector<std::string>&)>
+Result<Analysed> NamesOfScenario(const std::string& file, const std::vector<std::string>& outputs) {
+  const auto scenario = vehicle::LoadScenario(file);
+  if (!scenario.ok()) return scenario.error();
+  return Of(scenario.value(), outputs);
+}
+
+Result<Analysed> DriveOneRig(const std::string& file) {
+  auto numbers = CalcRig(file);
+  if (!numbers.ok()) return numbers.error();
+  return Analysed{.numbers = std::move(numbers).value()};
+}
+
 std::vector<Analysis> MakeAnalyses() {
   const auto steady_and = [](std::initializer_list<const char*> more) {
     std::vector<std::string> outputs = {"steady_curve.wheelsets.lead.angle_of_attack_rad",
@@ -105,60 +129,76 @@ std::vector<Analysis> MakeAnalyses() {
   };
   const std::vector<std::string> steady_lists = {"wheelsets", "wheels", "cylinders", "lines"};
   return {
-      {"simulate", "the run in time: `summary.json`",
+      {"simulate", "the run in time: `summary.json`", "scenario",
        steady_and({"run.T_gamma_total_J", "run.max_Y_over_Q", "run.max_sum_Y_N",
                    "run.max_angle_of_attack_rad", "run.energy_error_relative"}),
-       steady_lists, "assessment", &RunInTime, &NamesOfRun},
+       steady_lists, "assessment", &OfScenario<&RunInTime>, &NamesOfScenario<&NamesOfRun>},
       {"curving",
        "the steady state found directly, 20 times faster: `steady_curve.…`, `totals.T_gamma_N`, "
        "`totals.largest_Y_N`, `totals.largest_Y_over_Q`",
+       "scenario",
        steady_and({"totals.T_gamma_N", "totals.largest_Y_N", "totals.largest_Y_over_Q"}),
-       steady_lists, "", &SolveCurve, nullptr},
+       steady_lists, "", &OfScenario<&SolveCurve>, nullptr},
       {"stability",
        "`critical_speed_m_s`; `stable_up_to_m_s`: the same, or 120 where nothing grows up to there "
        "(scenario on straight track)",
+       "scenario",
        {"stable_up_to_m_s"},
        {},
        "",
-       &FindCriticalSpeed,
+       &OfScenario<&FindCriticalSpeed>,
        nullptr},
       {"modes",
        "`modes.json` at 0.5 Hz",
+       "scenario",
        {"bending.stiffness_Nm_per_rad", "shear.stiffness_Nm_per_rad", "traction.stiffness_N_per_m",
         "antiphase.stiffness_N_per_m"},
        {},
        "",
-       &MeasureModes,
+       &OfScenario<&MeasureModes>,
        nullptr},
       {"loads",
        "`cases.NAME.…` of `phs loads`: `largest_shift_m`, `least_pressure_Pa`, "
        "`largest_cylinder_N`, …",
+       "scenario",
        {"cases.traction, electric braking.largest_shift_m",
         "cases.traction, electric braking.least_pressure_Pa", "cases.braking.largest_shift_m",
         "cases.braking.largest_cylinder_N"},
        {"cases"},
        "",
-       &LayLoads,
+       &OfScenario<&LayLoads>,
        nullptr},
       {"held",
        "shear stiffness at rest and with the loads of `phs loads` held, seals free: "
        "`rest.shear_stiffness_Nm_per_rad`, `rest.lines.NAME.pressure_Pa`, "
        "`cases.NAME.shear_stiffness_Nm_per_rad`, `cases.NAME.held`, …",
+       "scenario",
        {"rest.shear_stiffness_Nm_per_rad",
         "cases.traction, electric braking.shear_stiffness_Nm_per_rad",
         "cases.braking.shear_stiffness_Nm_per_rad"},
        {"cases", "lines"},
        "",
-       &HoldLoads,
+       &OfScenario<&HoldLoads>,
        nullptr},
       {"last_seconds",
        "the run in time, what is left of its motion in the last 10 s: `last.largest_rms_sum_Y_N`, "
        "`last.largest_swing_m`, `last.wheelsets.NAME.…`",
+       "scenario",
        {"last.largest_rms_sum_Y_N", "last.largest_swing_m", "last.rms_grows"},
        {"wheelsets"},
        "",
-       &SeeWhatIsLeft,
-       &NamesOfWhatIsLeft},
+       &OfScenario<&SeeWhatIsLeft>,
+       &NamesOfScenario<&NamesOfWhatIsLeft>},
+      {"rig",
+       "of a study with `rig:`: `result.json` of `phs rig`: `largest.CHANNEL`, `rms.CHANNEL`, "
+       "`extremes.CHANNEL.…`, `hydraulic_force.…`, `channels.CHANNEL.…`, `compared_with.CHANNEL.…`",
+       "rig",
+       {"largest.load_cell_N", "rms.load_cell_N", "extremes.load_cell_N.least",
+        "extremes.load_cell_N.most"},
+       {},
+       "",
+       &DriveOneRig,
+       nullptr},
   };
 }
 
@@ -169,12 +209,18 @@ std::span<const Analysis> Analyses() {
   return analyses;
 }
 
-const Analysis* ReadAnalysis(YamlMap* map) {
-  std::vector<std::string> names;
-  for (const Analysis& analysis : Analyses()) names.emplace_back(analysis.name);
-  const std::string name = map->Word("analysis", names, names.front());
+const Analysis* ReadAnalysis(YamlMap* map, const std::string& of) {
+  std::vector<std::string> names, fit;
   for (const Analysis& analysis : Analyses()) {
-    if (analysis.name == name) return &analysis;
+    names.emplace_back(analysis.name);
+    if (analysis.of == of) fit.emplace_back(analysis.name);
+  }
+  const std::string name = map->Word("analysis", names, fit.front());
+  for (const Analysis& analysis : Analyses()) {
+    if (analysis.name != name) continue;
+    if (analysis.of != of)
+      map->Fail("analysis", Quoted(name) + " is none of a " + of, JoinWords(fit));
+    return &analysis;
   }
   return &Analyses().front();  // a wrong word is an error of the map
 }

@@ -11,11 +11,11 @@
 
 namespace phs::sweep {
 
-/// All of them; the first is meant where a study says nothing.
+/// All of them; the first of a subject is meant where a study says nothing.
 std::span<const Analysis> Analyses();
 
-/// Reads the word at key "analysis".
-const Analysis* ReadAnalysis(YamlMap* map);
+/// Reads the word at key "analysis"; one of another subject than that with key `of` is an error.
+const Analysis* ReadAnalysis(YamlMap* map, const std::string& of);
 
 /// True for a path below the part of an analysis that may be lacking.
 bool MayLack(const Analysis& analysis, const std::string& path);

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "base/result.h"
-#include "vehicle/scenario.h"
 
 namespace phs::sweep {
 
@@ -20,18 +19,18 @@ struct Analysed {
 struct Analysis {
   const char* name;
   const char* text;  ///< one line of docs/sweep_optimise.md
+  const char* of;    ///< key of its subject: "scenario", "rig"
   /// Paths among the numbers that an engineer looks at first.
   std::vector<std::string> outputs;
   /// Lists among the numbers: a column does without their names.
   std::vector<std::string> lists;
   /// The part whose numbers a run may lack although it ended well; "" = none.
   const char* may_lack;
-  /// Does it. Bad input, or no steady state, is an error.
-  Result<Analysed> (*run)(const vehicle::Scenario& scenario);
+  /// Does it, of a laid-out file. Bad input, or no steady state, is an error.
+  Result<Analysed> (*run)(const std::string& file);
   /// The same numbers by name, sooner, for the outputs asked for: their values mean nothing. Null:
   /// `run` is quick enough.
-  Result<Analysed> (*names)(const vehicle::Scenario& scenario,
-                            const std::vector<std::string>& outputs);
+  Result<Analysed> (*names)(const std::string& file, const std::vector<std::string>& outputs);
 };
 
 }  // namespace phs::sweep

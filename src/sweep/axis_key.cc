@@ -4,13 +4,16 @@
 
 namespace phs::sweep {
 
-Status CheckAxisKey(const std::string& key) {
-  for (const char* prefix : {"scenario.", "track.", "model.", "bogie.", "note."}) {
-    const std::size_t length = std::string(prefix).size();
-    if (key.compare(0, length, prefix) == 0 && key.size() > length && key.back() != '.') return {};
+Status CheckAxisKey(const Subject& subject, const std::string& key) {
+  std::vector<std::string> allowed, known;
+  for (const auto& [prefix, word] : subject.axes) {
+    if (key.starts_with(prefix) && key.size() > prefix.size() && key.back() != '.') return {};
+    allowed.push_back(prefix + word);
+    known.push_back(prefix.substr(0, prefix.size() - 1));
   }
-  return Error{"", Quoted(key) + " is no key of a run",
-               "scenario.KEY, track.KEY, model.PARAMETER, bogie.ELEMENT.ATTRIBUTE, note.NAME", ""};
+  const std::string first = key.substr(0, key.find('.'));
+  return Error{"", Quoted(key) + " is no key of a run", JoinWords(allowed),
+               DidYouMean(first, known)};
 }
 
 }  // namespace phs::sweep

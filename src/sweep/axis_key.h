@@ -4,10 +4,11 @@
 #include <string>
 
 #include "base/result.h"
+#include "sweep/subject_row.h"
 
 namespace phs::sweep {
 
-/// Whether `key` begins as an axis must (study.h).
-Status CheckAxisKey(const std::string& key);
+/// Whether `key` begins as an axis over that subject must (study.h).
+Status CheckAxisKey(const Subject& subject, const std::string& key);
 
 }  // namespace phs::sweep

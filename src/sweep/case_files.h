@@ -1,4 +1,4 @@
-// The files of one run: the base scenario, its track and its PHS model with the axes' values set.
+// The files of one run: the base of its case with the axes' values set.
 #pragma once
 
 #include <string>
@@ -8,9 +8,9 @@
 
 namespace phs::sweep {
 
-/// Writes scenario.yaml, and track.yaml and model.yaml where they differ from the base, into
-/// `folder`, which exists. `phs simulate FOLDER/scenario.yaml` then repeats the run. Returns the
-/// path of scenario.yaml. Errors name the axis.
+/// Writes the files of a run as its subject lays them out into `folder`, which exists: `phs simulate
+/// FOLDER/scenario.yaml`, `phs rig FOLDER/rig.yaml` then repeat it. Returns the path of that file.
+/// Errors name the axis.
 Result<std::string> WriteCaseFiles(const Study& study, int run, const std::string& folder);
 
 /// The same in `folder`, for files that will be moved to `final_folder`: they name each other
@@ -18,7 +18,7 @@ Result<std::string> WriteCaseFiles(const Study& study, int run, const std::strin
 Status LayOutRun(const Study& study, int run, const std::string& folder,
                  const std::string& final_folder);
 
-/// Lays out the first run of each case and reads its scenario: finds wrong keys before anything
+/// Lays out the first run of each case and reads its file: finds wrong keys before anything
 /// runs.
 Status CheckCases(const Study& study);
 

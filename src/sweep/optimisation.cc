@@ -14,9 +14,9 @@ namespace phs::sweep {
 namespace {
 
 /// The key of a choice or parameter: known, and given once.
-std::string ReadKey(YamlMap* entry, std::set<std::string>* keys) {
+std::string ReadKey(const Subject& subject, YamlMap* entry, std::set<std::string>* keys) {
   const std::string key = entry->Text("key");
-  if (Status s = CheckAxisKey(key); !s.ok()) {
+  if (Status s = CheckAxisKey(subject, key); !s.ok()) {
     entry->Fail("key", s.error().what, s.error().allowed, s.error().mend);
   }
   if (!keys->insert(key).second) {
@@ -26,9 +26,9 @@ std::string ReadKey(YamlMap* entry, std::set<std::string>* keys) {
   return key;
 }
 
-DesignParameter ReadParameter(YamlMap* entry, std::set<std::string>* keys) {
+DesignParameter ReadParameter(const Subject& subject, YamlMap* entry, std::set<std::string>* keys) {
   DesignParameter p;
-  p.key = ReadKey(entry, keys);
+  p.key = ReadKey(subject, entry, keys);
   p.logarithmic = entry->Bool("logarithmic", false);
   p.min =
       p.logarithmic ? entry->Number("min", {.min = 0, .open_min = true}) : entry->Number("min", {});
@@ -37,17 +37,21 @@ DesignParameter ReadParameter(YamlMap* entry, std::set<std::string>* keys) {
   return p;
 }
 
-StudyCase ReadCase(YamlMap* entry, const std::string& scenario) {
+StudyCase ReadCase(const Subject& subject, YamlMap* entry, const std::string& base) {
   StudyCase c;
   c.name = entry->Text("name");
   if (!IsFileName(c.name)) entry->Fail("name", Quoted(c.name) + " is no file name", kFileNames);
-  c.analysis = ReadAnalysis(entry);
-  c.scenario = entry->Text("scenario", scenario);
-  if (c.scenario.empty()) entry->Fail("scenario", "is missing", "a scenario here or in the study");
+  c.subject = &subject;
+  c.analysis = ReadAnalysis(entry, subject.key);
+  c.base = entry->Text(subject.key, base);
+  if (c.base.empty()) {
+    entry->Fail(subject.key, "is missing",
+                std::string("a ") + subject.key + " here or in the study");
+  }
   if (entry->Has("set")) {
     YamlMap set = entry->Map("set");
     for (const std::string& key : set.Keys()) {
-      if (Status s = CheckAxisKey(key); !s.ok()) {
+      if (Status s = CheckAxisKey(subject, key); !s.ok()) {
         set.Fail(key, s.error().what, s.error().allowed, s.error().mend);
       }
       c.set.emplace_back(key, set.Text(key));
@@ -93,10 +97,11 @@ void ReadConstraint(YamlMap* entry, std::vector<StudyCase>* cases,
   }
 }
 
-void ReadCases(YamlMap* map, const std::string& scenario, std::vector<StudyCase>* cases) {
+void ReadCases(const Subject& subject, YamlMap* map, const std::string& base,
+               std::vector<StudyCase>* cases) {
   std::set<std::string> names;
   for (YamlMap& entry : map->Maps("cases")) {
-    cases->push_back(ReadCase(&entry, scenario));
+    cases->push_back(ReadCase(subject, &entry, base));
     if (!names.insert(cases->back().name).second) {
       entry.Fail("name", Quoted(cases->back().name) + " is given twice", "each name once", "");
     }
@@ -136,7 +141,7 @@ std::vector<std::string> Optimisation::Combination(int i) const {
   return values;
 }
 
-OptimisationBlock ReadOptimisation(YamlMap map, const std::string& scenario) {
+OptimisationBlock ReadOptimisation(const Subject& subject, YamlMap map, const std::string& base) {
   OptimisationBlock block;
   Optimisation& o = block.optimisation;
   const std::string method = map.Word("method", {"cobyla", "direct", "isres"}, "cobyla");
@@ -147,16 +152,16 @@ OptimisationBlock ReadOptimisation(YamlMap map, const std::string& scenario) {
   o.tolerance = map.Number("tolerance", {.min = 1e-6, .max = 0.5}, o.tolerance);
   std::set<std::string> keys;
   for (YamlMap& entry : map.Maps("choices")) {
-    DesignChoice choice{ReadKey(&entry, &keys), entry.Texts("values")};
+    DesignChoice choice{ReadKey(subject, &entry, &keys), entry.Texts("values")};
     if (choice.values.empty()) entry.Fail("values", "is empty", "at least one value");
     o.choices.push_back(std::move(choice));
   }
   for (YamlMap& entry : map.Maps("parameters"))
-    o.parameters.push_back(ReadParameter(&entry, &keys));
+    o.parameters.push_back(ReadParameter(subject, &entry, &keys));
   if (o.choices.empty() && o.parameters.empty()) {
     map.Fail("parameters", "is empty or missing", "parameters, choices or both", "add one");
   }
-  ReadCases(&map, scenario, &block.cases);
+  ReadCases(subject, &map, base, &block.cases);
   for (YamlMap& entry : map.Maps("objective")) {
     o.objective.push_back({ReadNumber(&entry, &block.cases), entry.Number("weight", {}, 1)});
   }

@@ -70,11 +70,11 @@ struct Optimisation {
 
 struct OptimisationBlock {
   Optimisation optimisation;
-  std::vector<StudyCase> cases;  ///< scenario: as named, not yet looked up
+  std::vector<StudyCase> cases;  ///< base: as named, not yet looked up
 };
 
-/// Reads the block `optimise:`; `scenario` is that of cases without their own. Errors stay in the
-/// map.
-OptimisationBlock ReadOptimisation(YamlMap map, const std::string& scenario);
+/// Reads the block `optimise:` of a search over `subject`; `base` is that of cases without their own.
+/// Errors stay in the map.
+OptimisationBlock ReadOptimisation(const Subject& subject, YamlMap map, const std::string& base);
 
 }  // namespace phs::sweep

@@ -7,7 +7,6 @@
 #include "base/local_folder.h"
 #include "sweep/analyses.h"
 #include "sweep/case_files.h"
-#include "vehicle/scenario_file.h"
 
 namespace phs::sweep {
 namespace {
@@ -21,20 +20,18 @@ std::optional<Json> NumbersOf(const Study& study, int run) {
   const LocalFolder scratch;
   const auto file = WriteCaseFiles(study, run, scratch.path());
   if (!file.ok()) return std::nullopt;
-  const auto scenario = vehicle::LoadScenario(file.value());
-  if (!scenario.ok()) return std::nullopt;
   const Analysis& analysis = *study.CaseOf(run).analysis;
-  auto made = analysis.names != nullptr ? analysis.names(scenario.value(), study.outputs)
-                                        : analysis.run(scenario.value());
+  auto made = analysis.names != nullptr ? analysis.names(file.value(), study.outputs)
+                                        : analysis.run(file.value());
   return made.ok() ? std::optional(std::move(made).value().numbers) : std::nullopt;
 }
 
-/// What tells one vehicle of a study from another: the words among a run's values, and its case.
+/// What tells one vehicle or rig of a study from another: the words among a run's values, and its case.
 std::string VehicleOf(const Study& study, int run) {
   std::string words = std::to_string(
       study.case_of_run.empty() ? 0 : study.case_of_run[static_cast<std::size_t>(run)]);
   for (std::size_t i = 0; i < study.axes.size(); ++i) {
-    for (const char* key : {"scenario.bogie", "scenario.vehicle", "scenario.phs"}) {
+    for (const std::string& key : study.CaseOf(run).subject->kinds) {
       if (study.axes[i].key == key) words += "," + study.runs[static_cast<std::size_t>(run)][i];
     }
   }
@@ -56,9 +53,8 @@ Status CheckOutputs(const Study& study) {
     if (!first) first = numbers;
   }
   if (open.empty() || !first) return {};
-  Error error = NumberAt(*first, open.front()).error();
-  error.where = study.path + ": outputs: " + open.front();
-  return error;
+  return AtOutput(study.path + ": outputs: " + open.front(), NumberAt(*first, open.front()).error(),
+                  study.cases.front());
 }
 
 }  // namespace phs::sweep

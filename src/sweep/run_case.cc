@@ -12,7 +12,6 @@
 #include "base/json_path.h"
 #include "base/result_dir.h"
 #include "sweep/case_files.h"
-#include "vehicle/scenario_file.h"
 
 namespace phs::sweep {
 namespace {
@@ -29,13 +28,11 @@ std::string Without(std::string text, const std::string& place) {
   return text;
 }
 
-Result<RunRecord> Simulate(const Study& study, int run, const std::string& scratch) {
+Result<RunRecord> Calculate(const Study& study, int run, const std::string& scratch) {
   const auto file = WriteCaseFiles(study, run, scratch);
   if (!file.ok()) return file.error();
-  const auto scenario = vehicle::LoadScenario(file.value());
-  if (!scenario.ok()) return scenario.error();
   const StudyCase& own = study.CaseOf(run);
-  const auto made = own.analysis->run(scenario.value());
+  const auto made = own.analysis->run(file.value());
   if (!made.ok()) return made.error();
   const Json& summary = made.value().numbers;
   RunRecord record{run, made.value().status, made.value().reason, {}};
@@ -50,9 +47,7 @@ Result<RunRecord> Simulate(const Study& study, int run, const std::string& scrat
     if (value.ok()) {
       record.outputs.push_back(value.value());
     } else if (record.status == "ok" && !MayLack(*own.analysis, path)) {
-      Error error = value.error();
-      error.where = "outputs: " + path;
-      return error;
+      return AtOutput("outputs: " + path, value.error(), own);
     } else {  // a run that ended early has no steady curve; one without hunting no frequency
       record.outputs.push_back(kNoNumber);
     }
@@ -66,7 +61,7 @@ Result<RunRecord> RunCase(const Study& study, int run, const std::string& scratc
   std::error_code fault, ignored;
   fs::create_directories(scratch, fault);
   if (fault) return WriteFault(scratch, fault.value());
-  const auto made = Simulate(study, run, scratch);
+  const auto made = Calculate(study, run, scratch);
   const bool there = fs::is_directory(scratch, fault);
   fs::remove_all(scratch, ignored);
   if (made.ok()) return made.value();

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "sweep/analysis_row.h"
+#include "vehicle/scenario.h"
 
 namespace phs::sweep {
 

@@ -1,11 +1,16 @@
-// A study: one scenario, the keys that are varied, and the list of runs that follows from them.
-// Read from a YAML file (docs/sweep.md). Keys of axes, `*` for every element with the next key:
+// A study: one scenario or rig, the keys that are varied, and the list of runs that follows from them.
+// Read from a YAML file (docs/sweep.md).
+//
+// Keys of axes:
 //   scenario.KEY       any key of the scenario file, also nested: scenario.friction
-//   track.KEY          any key of the scenario's track file; lists by number or `*`:
-//                      track.segments.*.radius_m
-//   model.PARAMETER    any number of the PHS model: model.friction.scale, model.*.gas_volume_m3
+//   track.KEY          any key of the scenario's track file; lists by number or `*` for every
+//                      element that has the next key: track.segments.*.radius_m
+//   model.PARAMETER    any number of the PHS model: model.friction.scale, model.L1.gas_volume_m3,
+//                      `*` for every line or cylinder: model.*.gas_volume_m3
 //   bogie.ELEMENT.ATTRIBUTE   a value of the bogie's file (vehicle/bogie_values.h):
 //                      bogie.coupling_*.stiffness; empty in a list: as in the file
+//   rig.KEY            instead of scenario, track and bogie, where the study is over a rig: any key of its
+//                      manifest: rig.signal.actuator_m.amplitude_m
 //   note.NAME          nothing
 #pragma once
 

@@ -14,6 +14,7 @@
 #include "sweep/axis_key.h"
 #include "sweep/case_files.h"
 #include "sweep/outputs.h"
+#include "sweep/subjects.h"
 
 namespace phs::sweep {
 namespace {
@@ -52,7 +53,7 @@ void ReadAxes(YamlMap* map, Study* study) {
   for (YamlMap& entry : map->Maps("axes")) {
     Axis axis;
     axis.key = entry.Text("key");
-    if (Status s = CheckAxisKey(axis.key); !s.ok()) {
+    if (Status s = CheckAxisKey(*study->cases.front().subject, axis.key); !s.ok()) {
       entry.Fail("key", s.error().what, s.error().allowed, s.error().mend);
     }
     if (!keys.insert(axis.key).second) {
@@ -120,7 +121,7 @@ Status LayOutList(YamlMap* map, Study* study) {
   const auto table = ReadCsv(file.string());
   if (!table.ok()) return table.error();
   for (const std::string& name : table.value().names) {
-    if (Status s = CheckAxisKey(name); !s.ok()) {
+    if (Status s = CheckAxisKey(*study->cases.front().subject, name); !s.ok()) {
       return Error{file.string() + ":1: " + name, s.error().what, s.error().allowed,
                    s.error().mend};
     }
@@ -185,12 +186,12 @@ Status LayOut(YamlMap* map, Study* study) {
   return study->design == DesignKind::kGrid ? LayOutGrid(study) : LayOutSamples(map, study);
 }
 
-/// The base scenario: a path beside the study file, or a name.
-Result<std::string> FindScenario(const Study& study, const std::string& name) {
-  const fs::path beside = fs::path(study.path).parent_path() / name;
+/// The base of a case: a path beside the study file, or a name.
+Result<std::string> FindBase(const Study& study, const StudyCase& of) {
+  const fs::path beside = fs::path(study.path).parent_path() / of.base;
   std::error_code ignored;
   if (fs::is_regular_file(beside, ignored)) return beside.string();
-  return FindData("scenario", "models/scenarios", name, {".yaml"});
+  return of.subject->find(of.base);
 }
 
 /// The axes of a search, and its first candidate as runs, to be checked.
@@ -215,25 +216,27 @@ void LayOutSearch(Study* study) {
   }
 }
 
-Status FindScenarios(YamlMap* map, Study* study) {
+Status FindBases(YamlMap* map, Study* study) {
   for (StudyCase& c : study->cases) {
-    const auto base = FindScenario(*study, c.scenario);
+    const auto base = FindBase(*study, c);
     if (!base.ok()) {
       const std::string where =
-          c.name.empty() ? map->Where("scenario") : map->Where("optimise") + ".cases." + c.name;
-      return Error{where, Quoted(c.scenario) + " " + base.error().what, base.error().allowed,
+          c.name.empty() ? map->Where(c.subject->key) : map->Where("optimise") + ".cases." + c.name;
+      return Error{where, Quoted(c.base) + " " + base.error().what, base.error().allowed,
                    base.error().mend};
     }
-    c.scenario = base.value();
+    c.base = base.value();
   }
   return {};
 }
 
 Status ReadSearch(YamlMap* map, Study* study) {
-  for (const char* key : {"axes", "design", "samples", "outputs", "analysis"}) {
+  for (const char* key : {"axes", "design", "samples", "outputs", "analysis", "rig"}) {
     if (map->Has(key)) map->Fail(key, "has no place beside `optimise`", "", "remove it");
   }
-  OptimisationBlock block = ReadOptimisation(map->Map("optimise"), map->Text("scenario", ""));
+  const Subject& searched = Subjects().front();
+  OptimisationBlock block =
+      ReadOptimisation(searched, map->Map("optimise"), map->Text(searched.key, ""));
   study->optimisation = std::move(block.optimisation);
   study->cases = std::move(block.cases);
   if (Status s = map->Finish(); !s.ok()) return s;
@@ -243,8 +246,9 @@ Status ReadSearch(YamlMap* map, Study* study) {
 
 Status ReadPlain(YamlMap* map, Study* study) {
   StudyCase only;
-  only.scenario = map->Text("scenario");
-  only.analysis = ReadAnalysis(map);
+  only.subject = ReadSubject(map);
+  only.base = map->Text(only.subject->key);
+  only.analysis = ReadAnalysis(map, only.subject->key);
   study->cases = {only};
   study->design = ReadDesign(map);
   if (IsSampled(study->design)) study->samples = map->Integer("samples", 1, kMostRuns);
@@ -276,7 +280,7 @@ Result<Study> LoadStudy(const std::string& name) {
   const Status read = map.Has("optimise") ? ReadSearch(&map, &study) : ReadPlain(&map, &study);
   if (!read.ok()) return read.error();
   NameColumns(&study.axes);
-  if (Status s = FindScenarios(&map, &study); !s.ok()) return s.error();
+  if (Status s = FindBases(&map, &study); !s.ok()) return s.error();
   if (Status s = CheckCases(study); !s.ok()) return s.error();
   return study;
 }

@@ -39,11 +39,10 @@ struct Shelf {
   std::vector<std::string> extensions;
 };
 const std::vector<Shelf>& Shelves() {
-  static const std::vector<Shelf> shelves = {{"models/tracks", {".yaml"}},
-                                             {"models/phs", {".yaml"}},
-                                             {"models/profiles", {".prw", ".prr", ".yaml", ".csv"}},
-                                             {"bogie_xml", {".xml"}},
-                                             {"bogie_xml/shared", {".xml"}}};
+  static const std::vector<Shelf> shelves = {
+      {"models/tracks", {".yaml"}}, {"models/phs", {".yaml"}},
+      {"models/rigs", {".yaml"}},   {"models/profiles", {".prw", ".prr", ".yaml", ".csv"}},
+      {"bogie_xml", {".xml"}},      {"bogie_xml/shared", {".xml"}}};
   return shelves;
 }
 
@@ -150,11 +149,15 @@ std::vector<std::string> InputFiles(const Study& study) {
   finder.Follow(fs::absolute(study.path, none).string(), {fs::path("/")});
   for (const std::string& name : DefaultNames()) finder.Follow(name, {});
   for (const StudyCase& c : study.cases) {
-    finder.Follow(fs::absolute(c.scenario, none).string(), folders);
+    finder.Follow(fs::absolute(c.base, none).string(), folders);
+    if (c.subject->inputs == nullptr) continue;
+    for (const std::string& file : c.subject->inputs(c.base)) {
+      finder.Follow(fs::absolute(file, none).string(), folders);
+    }
   }
-  // Values of axes may name files too, from the place of the scenario.
+  // Values of axes may name files too, from the place of the scenario or manifest.
   Folders places = folders;
-  for (const StudyCase& c : study.cases) places.push_back(fs::absolute(c.scenario).parent_path());
+  for (const StudyCase& c : study.cases) places.push_back(fs::absolute(c.base).parent_path());
   std::set<std::string> values;
   for (const auto& run : study.runs) values.insert(run.begin(), run.end());
   for (const StudyCase& c : study.cases) {

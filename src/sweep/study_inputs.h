@@ -1,6 +1,6 @@
-// The files that decide the runs of a study: the scenarios, and whatever these name (track,
-// profiles, bogie with its includes, PHS models, records of irregularity …), and what the product
-// takes when nothing is named.
+// The files that decide the runs of a study: the scenarios or manifests, and whatever these name
+// (track, profiles, bogie with its includes, PHS models, records …), and what the product takes when
+// nothing is named.
 //
 // Every text in those files that names a file is followed: beside the file it stands in, from the
 // current directory, or in the product's folders. So a file may be listed that no run reads; none

@@ -8,7 +8,7 @@
 #include "base/data_path.h"
 #include "base/table.h"
 #include "measurement/manifest.h"
-#include "measurement/rig_motion.h"
+#include "measurement/rig_numbers.h"
 #include "phs_model/phs_model.h"
 #include "validate/source_tables.h"
 
@@ -233,27 +233,13 @@ Status AddFreeFriction(const PhsParams& measured, MadeTable* table) {
 }  // namespace
 
 Result<ChannelScore> CalcFrictionError(const PhsParams& quarter, const std::string& name) {
-  const auto path = FindData("rig", "models/rigs", name, {".yaml"});
+  const auto path = measurement::FindManifest(name);
   if (!path.ok()) return path.error();
   const auto manifest = measurement::LoadManifest(path.value(), measurement::WindowNeed::kNone);
   if (!manifest.ok()) return manifest.error();
-  const auto model =
-      rigs::RigModel::Create(rigs::RigKind::kQuarter, quarter, manifest.value().options);
-  if (!model.ok()) return model.error();
-  const auto loaded = measurement::ReadRigCase(manifest.value(), model.value());
-  if (!loaded.ok()) return loaded.error();
-  rigs::RigPrediction out;
-  const rigs::RigMotion& motion = loaded.value().motion;
-  if (Status s = model.value().Run(motion, &out); !s.ok()) return s.error();
-  const auto& cylinder = quarter.cylinders[0];
-  std::vector<double> time, hydraulic;
-  for (size_t i = 0; i < out.channels[0].size(); ++i) {
-    time.push_back(motion.t0_s + static_cast<double>(i) * motion.step_s);
-    hydraulic.push_back(out.channels[3][i] * cylinder.RodArea() -
-                        out.channels[2][i] * cylinder.BoreArea());
-  }
-  const double period = 1 / manifest.value().signal->signals[0][0].frequency_Hz;
-  return measurement::Score(time, out.channels[1], hydraulic, {period, time.back()});
+  const auto driven = measurement::DriveRig(manifest.value(), quarter);
+  if (!driven.ok()) return driven.error();
+  return measurement::ScoreHydraulicForce(manifest.value(), driven.value());
 }
 
 Result<FreeFriction> FitFrictionScale(const PhsParams& quarter) {

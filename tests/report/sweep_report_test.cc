@@ -108,6 +108,7 @@ TEST_F(SweepReport, SamplesAreShownOverTheParameterThatMattersMost) {
   EXPECT_TRUE(Holds(html, "-1.00"));  // Spearman: falls always, however curved
   EXPECT_TRUE(Holds(html, "Sobol indices"));
   EXPECT_TRUE(Holds(html, "first order"));
+  EXPECT_TRUE(Holds(html, "0.800 (0.761 … 0.839)")) << "1.96 standard errors to each side";
 }
 
 TEST_F(SweepReport, UnknownColumnsAreNamed) {

@@ -1,0 +1,65 @@
+#include "measurement/driven_rig.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace phs::measurement {
+namespace {
+
+Status CheckFinite(const DrivenRig& rig) {
+  const auto& channels = rig.predicted.channels;
+  for (size_t k = 0; k < channels.size(); ++k) {
+    for (size_t i = 0; i < channels[k].size(); ++i) {
+      if (std::isfinite(channels[k][i])) continue;
+      const double t = rig.input.motion.t0_s + static_cast<double>(i) * rig.input.motion.step_s;
+      return Error{rig.model.output_names()[k],
+                   fmt::format("the model has no finite value at {:.6g} s", t), "",
+                   "check the model's parameters; raise `substeps` in the manifest"};
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+std::vector<double> DrivenRig::Times() const {
+  std::vector<double> t;
+  for (int i = 0; i < input.motion.num_samples(); ++i) {
+    t.push_back(input.motion.t0_s + i * input.motion.step_s);
+  }
+  return t;
+}
+
+Result<DrivenRig> DriveRig(const Manifest& manifest, const hydraulics::PhsParams& params) {
+  const Result<rigs::RigKind> kind = rigs::ParseRigKind(manifest.rig);
+  if (!kind.ok()) return kind.error();
+  Result<rigs::RigModel> made = rigs::RigModel::Create(kind.value(), params, manifest.options);
+  if (!made.ok()) return made.error();
+  Result<RigCase> input = ReadRigCase(manifest, made.value());
+  if (!input.ok()) return input.error();
+  if (input.value().run.extra) {  // further channels of the record, which its laws may read
+    rigs::RigOptions options = manifest.options;
+    options.extra = input.value().run.extra;
+    made = rigs::RigModel::Create(kind.value(), params, options);
+    if (!made.ok()) return made.error();
+  }
+  DrivenRig rig{std::move(made).value(), std::move(input).value(), {}};
+  if (Status s = rig.model.Run(rig.input.motion, &rig.predicted); !s.ok()) return s.error();
+  if (Status s = CheckFinite(rig); !s.ok()) return s.error();
+  if (Status s = CheckStroke(rig.model, rig.input.motion, rig.predicted.channels); !s.ok()) {
+    Error error = s.error();
+    error.where =
+        (rig.input.measured() ? rig.input.run.source : manifest.path) + ": " + error.where;
+    return error;
+  }
+  return rig;
+}
+
+Result<DrivenRig> DriveRig(const Manifest& manifest) {
+  const Result<hydraulics::PhsParams> params = DeclaredModel(manifest);
+  if (!params.ok()) return params.error();
+  return DriveRig(manifest, params.value());
+}
+
+}  // namespace phs::measurement
