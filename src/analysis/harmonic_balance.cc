@@ -196,7 +196,9 @@ Result<PeriodicMotion> SolveBalance(const VibratingSystem& system, const Periodi
     if (!step.allFinite()) return failed;
     const double length = step.head(size).norm() / amplitude + std::abs(step[size]) / m.omega +
                           std::abs(step[size + 1]) / std::abs(m.parameter);
-    if (getenv("HB")) fprintf(stderr,"  it %d length %g res %g omega %g p %g\n",i,length,residual.norm(),m.omega,m.parameter);
+    if (getenv("HB"))
+      fprintf(stderr, "  it %d length %g res %g omega %g p %g\n", i, length, residual.norm(),
+              m.omega, m.parameter);
     if (length < options.tolerance) return Moved(m, step, 1);
     double share = 1;
     for (;; share /= 2) {

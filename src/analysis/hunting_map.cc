@@ -180,16 +180,18 @@ Result<std::vector<HuntingPoint>> FindHuntingMap(vehicle::Simulation* simulation
   PeriodicMotion before = first.value(), last = before;
   double ratio = options.ratio, last_ratio = 1;
   while (map.back().amplitude < options.largest_m && ratio > kLeastRatio) {
-    const double amplitude = std::min(map.back().amplitude * ratio, options.largest_m);
+    const double here = map.back().amplitude;
+    const double amplitude = std::min({here * ratio, here + options.step_m, options.largest_m});
     PeriodicMotion guess = last;
-    guess.coefficients *= amplitude / map.back().amplitude;
-    if (last_ratio > 1) guess = Ahead(before, last, std::log(ratio) / std::log(last_ratio));
+    guess.coefficients *= amplitude / here;
+    if (last_ratio > 1)
+      guess = Ahead(before, last, std::log(amplitude / here) / std::log(last_ratio));
     const auto found = SolveBalance(system, guess, amplitude, solver);
     if (!found.ok()) {
-      ratio = std::sqrt(ratio);
+      ratio = std::sqrt(amplitude / here);
       continue;
     }
-    last_ratio = amplitude / map.back().amplitude;
+    last_ratio = amplitude / here;
     before = last;
     last = found.value();
     map.push_back(PointOf(last, system.watched, &vehicle));
