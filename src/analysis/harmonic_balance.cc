@@ -1,6 +1,7 @@
 #include "analysis/harmonic_balance.h"
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace phs::analysis {
@@ -9,6 +10,8 @@ namespace {
 /// Of the mean of a state that nothing else brings back, a seal that sticks: it creeps home within
 /// this part of a radian.
 constexpr double kForgetting = 1e-4;
+/// Newton steps below this go on as long as they shrink: down to the noise of the differences.
+constexpr double kNearEnough = 1e-3;
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
@@ -153,6 +156,13 @@ PeriodicMotion Moved(const PeriodicMotion& m, const VectorXd& step, double share
   return out;
 }
 
+/// Of a step, relative: coefficients over the amplitude, omega, parameter.
+double Length(const VectorXd& step, const PeriodicMotion& m, double amplitude) {
+  const Eigen::Index size = m.coefficients.size();
+  return step.head(size).norm() / amplitude + std::abs(step[size]) / m.omega +
+         std::abs(step[size + 1]) / std::abs(m.parameter);
+}
+
 }  // namespace
 
 VectorXd PeriodicMotion::At(double phase, int positions) const {
@@ -187,19 +197,19 @@ Result<PeriodicMotion> SolveBalance(const VibratingSystem& system, const Periodi
                      "found no motion of amplitude " + std::to_string(amplitude), "",
                      "a smaller step of the amplitude, more samples"};
   const Balance balance(system, near.coefficients.cols(), options.samples);
-  const Eigen::Index size = near.coefficients.size();
   PeriodicMotion m = near;
   VectorXd residual = balance.Residual(m, amplitude);
+  double before = std::numeric_limits<double>::infinity();
   for (int i = 0; i < options.iterations; ++i) {
     const Eigen::PartialPivLU<MatrixXd> slope(balance.Slope(m));
     const VectorXd step = slope.solve(-residual);
-    if (!step.allFinite()) return failed;
-    const double length = step.head(size).norm() / amplitude + std::abs(step[size]) / m.omega +
-                          std::abs(step[size + 1]) / std::abs(m.parameter);
-    if (getenv("HB"))
-      fprintf(stderr, "  it %d length %g res %g omega %g p %g\n", i, length, residual.norm(),
-              m.omega, m.parameter);
-    if (length < options.tolerance) return Moved(m, step, 1);
+    const double length = Length(step, m, amplitude);
+    if (!std::isfinite(length)) return failed;
+    const bool near_enough = length < kNearEnough;
+    if (length < options.tolerance || (near_enough && length > before / 2)) {
+      return Moved(m, step, 1);
+    }
+    before = length;
     double share = 1;
     for (;; share /= 2) {
       if (share < 1.0 / 64) return failed;
@@ -207,11 +217,8 @@ Result<PeriodicMotion> SolveBalance(const VibratingSystem& system, const Periodi
       if (!(next.omega > 0)) continue;
       const VectorXd left = balance.Residual(next, amplitude);
       if (!left.allFinite()) continue;
-      const VectorXd then = slope.solve(-left);
-      const double next_length = then.head(size).norm() / amplitude +
-                                 std::abs(then[size]) / m.omega +
-                                 std::abs(then[size + 1]) / std::abs(m.parameter);
-      if (next_length > (1 - share / 4) * length) continue;
+      const double then = Length(slope.solve(-left), m, amplitude);
+      if (!near_enough && then > (1 - share / 4) * length) continue;
       m = next;
       residual = left;
       break;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "analysis/drives_off.h"
@@ -201,6 +202,18 @@ Result<std::vector<HuntingPoint>> FindHuntingMap(vehicle::Simulation* simulation
     if (progress && !progress(share)) return Error{"map of hunting", "was interrupted", "", ""};
   }
   return map;
+}
+
+HuntingAt HuntingAtSpeed(const std::vector<HuntingPoint>& map, double speed) {
+  HuntingAt at{std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
+  for (size_t i = 1; i < map.size(); ++i) {
+    const HuntingPoint &a = map[i - 1], &b = map[i];
+    if ((a.speed > speed) == (b.speed > speed)) continue;
+    const double amplitude =
+        a.amplitude + (b.amplitude - a.amplitude) * (speed - a.speed) / (b.speed - a.speed);
+    (b.speed > speed ? at.cycle : at.brink) = amplitude;
+  }
+  return at;
 }
 
 const HuntingPoint* LeastSpeed(const std::vector<HuntingPoint>& map) {

@@ -41,6 +41,14 @@ Result<std::vector<HuntingPoint>> FindHuntingMap(vehicle::Simulation* simulation
                                                  const HuntingMapOptions& options,
                                                  const vehicle::Progress& progress = {});
 
+/// Amplitudes at a speed, between the points [m]; NaN where the map has none. `brink`: where the
+/// speed falls with the amplitude, a smaller motion dies and a larger one grows; `cycle`: above it.
+struct HuntingAt {
+  double brink = 0;
+  double cycle = 0;
+};
+HuntingAt HuntingAtSpeed(const std::vector<HuntingPoint>& map, double speed);
+
 /// The lowest point; null if it is an end of the map.
 const HuntingPoint* LeastSpeed(const std::vector<HuntingPoint>& map);
 
