@@ -42,6 +42,16 @@ void PrintSpectra(const analysis::StabilityResult& result) {
   }
 }
 
+void PrintMap(const std::vector<analysis::HuntingPoint>& map) {
+  if (map.empty()) return;
+  fmt::print("\n{:>12}{:>10}{:>10}{:>16}\n", "amplitude", "speed", "", "2nd harmonic");
+  fmt::print("{:>12}{:>10}{:>10}{:>16}\n", "mm", "km/h", "Hz", "mm");
+  for (const analysis::HuntingPoint& p : map) {
+    fmt::print("{:>12.3f}{:>10.1f}{:>10.3f}{:>16.3f}\n", 1e3 * p.amplitude, 3.6 * p.speed,
+               p.frequency, p.harmonics.empty() ? 0 : 1e3 * p.harmonics.front());
+  }
+}
+
 void PrintText(const jobs::StabilityRequest& request, const jobs::Stability& stability) {
   const analysis::StabilityResult& result = stability.linear;
   const std::optional<analysis::LimitCycle>& cycle = stability.cycle;
@@ -64,6 +74,7 @@ void PrintText(const jobs::StabilityRequest& request, const jobs::Stability& sta
     fmt::print("and becomes {} at {:.3f} m/s\n", c.to_unstable ? "unstable again" : "stable",
                c.speed);
   }
+  PrintMap(stability.map);
   if (!cycle) return;
   if (std::isfinite(cycle->critical_speed)) {
     fmt::print(
@@ -164,6 +175,14 @@ void AddStability(CLI::App* verb, Action* action) {
                    "Start of the down ramp, m/s; default 1.2 times the critical speed");
   verb->add_option("--ramp-to", o->request.cycle.low_speed_m_s,
                    "Its end at the latest, m/s; default a sixth of the critical speed");
+  verb->add_flag("--map", o->request.map,
+                 "Map of hunting by harmonic balance: speed over amplitude");
+  verb->add_option("--harmonics", o->request.balance.harmonics, "Of the map")
+      ->check(CLI::Range(1, 15))
+      ->capture_default_str();
+  verb->add_option("--samples", o->request.balance.samples, "Of the map, over one period")
+      ->check(CLI::Range(16, 1024))
+      ->capture_default_str();
   AddTimestepOption(verb, &o->request.timestep_s, "Step of the ramps (default chosen)");
   verb->add_option("--ramp-rate", o->request.cycle.rate_m_s2, "m/s^2")->capture_default_str();
   verb->callback([=] { *action = [=] { return RunStability(*o); }; });

@@ -35,6 +35,13 @@ Result<Stability> AnalyseStability(const StabilityRequest& asked, const Watch& w
   if (!result.ok()) return result.error();
   Stability stability{std::move(result).value(), {}, request.cycle, {}};
   stability.json = analysis::StabilityJson(simulation.value(), stability.linear);
+  if (request.map) {
+    auto map = analysis::FindHuntingMap(&simulation.value(), stability.linear.mode, request.balance,
+                                        [&](double share) { return watch.GoesOn(share); });
+    if (!map.ok()) return map.error();
+    stability.map = std::move(map).value();
+    stability.json["hunting_map"] = analysis::HuntingMapJson(stability.map, request.balance);
+  }
   if (!request.ramp) return stability;
   stability.ramp = analysis::ChooseRamp(request.scan, stability.linear, request.cycle);
   auto runs = ForTimeRuns(request, simulation.value().largest_stable_step());

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "analysis/axle_modes_json.h"
+#include "analysis/hunting_map.h"
 #include "analysis/last_seconds.h"
 #include "analysis/load_cases.h"
 #include "analysis/stability.h"
@@ -46,6 +47,27 @@ Result<Analysed> FindCriticalSpeed(const vehicle::Scenario& scenario) {
   numbers["critical_speed_m_s"] = std::isnan(critical) ? Json(nullptr) : Json(critical);
   numbers["stable_up_to_m_s"] = up_to;
   return Analysed{.numbers = numbers};
+}
+
+Result<Analysed> MapHunting(const vehicle::Scenario& scenario) {
+  vehicle::Scenario own = scenario;
+  own.timestep_s = 1e-4;  // as in FindCriticalSpeed
+  auto simulation = vehicle::Simulation::Create(own);
+  if (!simulation.ok()) return simulation.error();
+  analysis::StabilityOptions scan;
+  scan.speeds = 24;
+  const auto linear = analysis::AnalyseStability(&simulation.value(), scan);
+  if (!linear.ok()) return linear.error();
+  const auto map = analysis::FindHuntingMap(&simulation.value(), linear.value().mode, {});
+  if (!map.ok()) return map.error();
+  const auto number = [](double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); };
+  const analysis::HuntingPoint* least = analysis::LeastSpeed(map.value());
+  const auto at = analysis::HuntingAtSpeed(map.value(), scenario.speed_m_s);
+  return Analysed{.numbers = {{"linear_m_s", number(linear.value().critical_speed)},
+                              {"least_speed_m_s", least ? Json(least->speed) : Json(nullptr)},
+                              {"least_amplitude_m", least ? Json(least->amplitude) : Json(nullptr)},
+                              {"brink_m", number(at.brink)},
+                              {"cycle_m", number(at.cycle)}}};
 }
 
 Result<Analysed> MeasureModes(const vehicle::Scenario& scenario) {
@@ -147,6 +169,16 @@ std::vector<Analysis> MakeAnalyses() {
        {},
        "",
        &OfScenario<&FindCriticalSpeed>,
+       nullptr},
+      {"hunting",
+       "map of hunting (scenario on straight track): `least_speed_m_s` at which it keeps itself "
+       "up, "
+       "`least_amplitude_m` there; at the scenario's speed `brink_m`, beyond which a motion grows, "
+       "and `cycle_m`",
+       {"linear_m_s", "least_speed_m_s", "least_amplitude_m", "brink_m", "cycle_m"},
+       {},
+       "",
+       &MapHunting,
        nullptr},
       {"modes",
        "`modes.json` at 0.5 Hz",
