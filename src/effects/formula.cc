@@ -8,7 +8,7 @@
 namespace phs::effects {
 namespace {
 
-using Code = Formula::Code;
+using Code = FormulaCode;
 
 /// What a formula may give: its dimension, its suffix, and in words.
 struct Kind {
@@ -37,7 +37,7 @@ Result<Formula> Formula::Parse(const std::string& text,
 
 Result<Formula> Formula::Parse(const std::string& text, const FormulaNames& names,
                                const Dimension& whole, const std::string& words) {
-  Result<std::vector<Formula::Step>> steps = ParseFormula(text, names, whole, words);
+  Result<std::vector<FormulaStep>> steps = ParseFormula(text, names, whole, words);
   if (!steps.ok()) return steps.error();
   return Formula(std::move(steps.value()));
 }
@@ -88,7 +88,7 @@ std::string Formula::VariableOtherThan(const std::string& allowed) const {
 double Formula::Value(const hydraulics::ForcePlace& place) const noexcept {
   const double variables[] = {place.piston,   place.speed, place.direction,  place.bore_rise,
                               place.rod_rise, place.time,  place.temperature};
-  double stack[kMaxDepth + 1];
+  double stack[kMaxFormulaDepth + 1];
   int top = -1;
   for (const Step& step : steps_) {
     if (step.code == Code::kNumber) {

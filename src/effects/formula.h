@@ -14,34 +14,20 @@
 // Evaluation does not allocate.
 #pragma once
 
-#include <array>
 #include <map>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "base/result.h"
+#include "effects/formula_words.h"
 #include "hydraulics/extension.h"
 
 namespace phs::effects {
 
-/// Exponents of m, kg, s, K, A.
-using Dimension = std::array<double, 5>;
-
 /// Dimension of a name's ending: "N_per_m", "m3_per_s", "m_s" (m/s), "Ns_per_m", "V"; "" is a plain
 /// number. Error: an unknown unit.
 Result<Dimension> DimensionOf(const std::string& ending);
-
-/// What the words of a law mean beyond the variables of every formula.
-struct FormulaNames {
-  struct Number {
-    double value = 0;
-    Dimension dimension = {};
-  };
-  std::map<std::string, Number> numbers;
-  /// States of the law and further channels, in the order of ForcePlace::state and ::extra.
-  std::vector<std::pair<std::string, Dimension>> states, extra;
-};
 
 /// What a formula gives.
 enum class FormulaUnit { kForce, kVolume, kFlow, kLength, kPressure };
@@ -62,36 +48,9 @@ class Formula {
   /// Symbol of the first variable that is not among `allowed`; empty if there is none.
   std::string VariableOtherThan(const std::string& allowed) const;
 
-  static constexpr int kMaxDepth = 24;  ///< of the evaluation stack
-
-  enum class Code {
-    kNumber,
-    kVariable,
-    kAdd,
-    kSubtract,
-    kMultiply,
-    kDivide,
-    kMax,
-    kPower,
-    kNegate,
-    kSin,
-    kCos,
-    kExp,
-    kTanh,
-    kAbs,
-    kSqrt
-  };
-  /// One step of the reverse Polish form.
-  struct Step {
-    Code code = Code::kNumber;
-    double number = 0;
-    int variable = 0;
-    bool free = false;  ///< a coefficient: another number in the next fit
-  };
-
  private:
-  explicit Formula(std::vector<Step> steps) : steps_(std::move(steps)) {}
-  std::vector<Step> steps_;
+  explicit Formula(std::vector<FormulaStep> steps) : steps_(std::move(steps)) {}
+  std::vector<FormulaStep> steps_;
 };
 
 }  // namespace phs::effects

@@ -12,8 +12,8 @@
 namespace phs::effects {
 namespace {
 
-using Step = Formula::Step;
-using Code = Formula::Code;
+using Step = FormulaStep;
+using Code = FormulaCode;
 
 struct Function {
   const char* name;
@@ -72,7 +72,7 @@ class Parser {
     const bool leaf = step.code == Code::kNumber || step.code == Code::kVariable;
     const bool binary = step.code >= Code::kAdd && step.code <= Code::kPower;
     stack_ += leaf ? 1 : binary ? -1 : 0;
-    if (stack_ > Formula::kMaxDepth || steps_.size() > 400) Fail("too long");
+    if (stack_ > kMaxFormulaDepth || steps_.size() > 400) Fail("too long");
     steps_.push_back(step);
     FoldFixed(step, leaf, binary);
   }

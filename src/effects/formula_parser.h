@@ -4,13 +4,14 @@
 #include <string>
 #include <vector>
 
-#include "effects/formula.h"
+#include "base/result.h"
+#include "effects/formula_words.h"
 
 namespace phs::effects {
 
 /// Steps of `text`. Errors: syntax, unknown names, dimensions (`whole`, in words `words`), depth, a
 /// part that never has a finite value.
-Result<std::vector<Formula::Step>> ParseFormula(const std::string& text, const FormulaNames& names,
-                                                const Dimension& whole, const std::string& words);
+Result<std::vector<FormulaStep>> ParseFormula(const std::string& text, const FormulaNames& names,
+                                              const Dimension& whole, const std::string& words);
 
 }  // namespace phs::effects

@@ -3,11 +3,56 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-
-#include "effects/formula.h"
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace phs::effects {
+
+/// Exponents of m, kg, s, K, A.
+using Dimension = std::array<double, 5>;
+
+/// What the words of a law mean beyond the variables of every formula.
+struct FormulaNames {
+  struct Number {
+    double value = 0;
+    Dimension dimension = {};
+  };
+  std::map<std::string, Number> numbers;
+  /// States of the law and further channels, in the order of ForcePlace::state and ::extra.
+  std::vector<std::pair<std::string, Dimension>> states, extra;
+};
+
+/// Of the evaluation stack.
+inline constexpr int kMaxFormulaDepth = 24;
+
+enum class FormulaCode {
+  kNumber,
+  kVariable,
+  kAdd,
+  kSubtract,
+  kMultiply,
+  kDivide,
+  kMax,
+  kPower,
+  kNegate,
+  kSin,
+  kCos,
+  kExp,
+  kTanh,
+  kAbs,
+  kSqrt
+};
+/// One step of the reverse Polish form.
+struct FormulaStep {
+  FormulaCode code = FormulaCode::kNumber;
+  double number = 0;
+  int variable = 0;
+  bool free = false;  ///< a coefficient: another number in the next fit
+};
 
 inline constexpr Dimension kPlain = {0, 0, 0, 0, 0};
 inline constexpr Dimension kNewton = {1, 1, -2, 0};
@@ -38,36 +83,36 @@ inline Dimension Joined(const Dimension& a, const Dimension& b, double sign) {
   return out;
 }
 
-inline double Apply(Formula::Code code, double a, double b) {
+inline double Apply(FormulaCode code, double a, double b) {
   switch (code) {
-    case Formula::Code::kAdd:
+    case FormulaCode::kAdd:
       return a + b;
-    case Formula::Code::kSubtract:
+    case FormulaCode::kSubtract:
       return a - b;
-    case Formula::Code::kMultiply:
+    case FormulaCode::kMultiply:
       return a * b;
-    case Formula::Code::kDivide:
+    case FormulaCode::kDivide:
       return a / b;
-    case Formula::Code::kMax:
+    case FormulaCode::kMax:
       return std::max(a, b);
     default:
       return std::pow(a, b);
   }
 }
 
-inline double Apply(Formula::Code code, double a) {
+inline double Apply(FormulaCode code, double a) {
   switch (code) {
-    case Formula::Code::kNegate:
+    case FormulaCode::kNegate:
       return -a;
-    case Formula::Code::kSin:
+    case FormulaCode::kSin:
       return std::sin(a);
-    case Formula::Code::kCos:
+    case FormulaCode::kCos:
       return std::cos(a);
-    case Formula::Code::kExp:
+    case FormulaCode::kExp:
       return std::exp(a);
-    case Formula::Code::kTanh:
+    case FormulaCode::kTanh:
       return std::tanh(a);
-    case Formula::Code::kAbs:
+    case FormulaCode::kAbs:
       return std::abs(a);
     default:
       return std::sqrt(std::max(a, 0.0));

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "measurement/manifest.h"
+#include "phs_places.h"
 
 namespace phs::measurement {
 namespace {

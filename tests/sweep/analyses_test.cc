@@ -8,6 +8,7 @@
 #include <set>
 
 #include "base/json_path.h"
+#include "phs_places.h"
 #include "tests/base/page_section.h"
 
 namespace phs::sweep {
