@@ -77,7 +77,7 @@ Result<Dimension> DimensionOf(const std::string& ending) {
 }
 
 std::string Formula::VariableOtherThan(const std::string& allowed) const {
-  for (const Step& step : steps_) {
+  for (const FormulaStep& step : steps_) {
     if (step.code != Code::kVariable || step.variable >= kFirstState) continue;
     const std::string name = kVariables[step.variable].name;
     if (allowed.find(name) == std::string::npos) return name;
@@ -90,7 +90,7 @@ double Formula::Value(const hydraulics::ForcePlace& place) const noexcept {
                               place.rod_rise, place.time,  place.temperature};
   double stack[kMaxFormulaDepth + 1];
   int top = -1;
-  for (const Step& step : steps_) {
+  for (const FormulaStep& step : steps_) {
     if (step.code == Code::kNumber) {
       stack[++top] = step.number;
     } else if (step.code == Code::kVariable) {

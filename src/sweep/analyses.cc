@@ -175,10 +175,11 @@ std::vector<Analysis> MakeAnalyses() {
        "up, "
        "`least_amplitude_m` there; at the scenario's speed `brink_m`, beyond which a motion grows, "
        "and `cycle_m`",
+       "scenario",
        {"linear_m_s", "least_speed_m_s", "least_amplitude_m", "brink_m", "cycle_m"},
        {},
        "",
-       &MapHunting,
+       &OfScenario<MapHunting>,
        nullptr},
       {"modes",
        "`modes.json` at 0.5 Hz",
