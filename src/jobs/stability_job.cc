@@ -33,7 +33,7 @@ Result<Stability> AnalyseStability(const StabilityRequest& asked, const Watch& w
   auto result = analysis::AnalyseStability(&simulation.value(), request.scan,
                                            [&](double share) { return watch.GoesOn(share); });
   if (!result.ok()) return result.error();
-  Stability stability{std::move(result).value(), {}, request.cycle, {}};
+  Stability stability{std::move(result).value(), {}, {}, request.cycle, {}};
   stability.json = analysis::StabilityJson(simulation.value(), stability.linear);
   if (request.map) {
     auto map = analysis::FindHuntingMap(&simulation.value(), stability.linear.mode, request.balance,
