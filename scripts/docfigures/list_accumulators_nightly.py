@@ -65,6 +65,21 @@ def loads(phs, model):
     return cells
 
 
+def quarter(model):
+    """Its cylinder 1 with lines L1 and L2."""
+    model = re.sub(r'  - \{name: "[234]".*\n', "", model)
+    model = re.sub(r"  - name: L[34].*\n(?:    .*\n)*", "", model)
+    return model.replace("[L1, L4]", "[L1]")
+
+
+def steps(phs, model):
+    """Mean relative errors of Table B-1, setup 2: just after the step, settled."""
+    rig = {"rig": "steps", "model": phs.file(quarter(model)),
+           "data": str(phs.source / "models/rigs/lowe_table_b1.csv"), "setup": 2}
+    channels = phs.result("rig " + phs.file(rig), "result.json")["channels"]
+    return [number(channels[c]["m_re_percent"]) + " %" for c in ("p_begin_Pa", "p_end_Pa")]
+
+
 def curve(phs, scenario):
     asked = ",".join("phs@models/phs/" + name + ".yaml" for _, name in MODELS)
     runs = phs(f"compare {scenario} --bogies {asked}", codes=(0, 1))["bogies"]
@@ -83,6 +98,8 @@ def figures(phs):
         rows.append([f"{words}: angle of attack, leading [mrad]"] +
                     [number(1e3 * abs(wheelset(r)["angle_of_attack_rad"]), 3) for r in runs])
         rows.append([f"{words}: T-gamma, all wheels [N]"] + [number(t_gamma(r), 1) for r in runs])
+    for words, cells in zip(("just after", "settled"), zip(*(steps(phs, m) for m in models))):
+        rows.append([f"Table B-1, setup 2: mean error, {words}"] + list(cells))
     for T in (253.15, 323.15):
         rows.append([f"bore lines at {T - 273.15:.0f} °C, filled at 20 °C [MPa]".replace("-", "−")] +
                     [number(rest(phs, settled(m), T), 2) for m in models])

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <string>
 
 #include "analysis/drives_off.h"
 #include "vehicle/tangent_state.h"
@@ -170,6 +171,10 @@ Result<std::vector<HuntingPoint>> FindHuntingMap(vehicle::Simulation* simulation
                                                  const VibrationMode& mode,
                                                  const HuntingMapOptions& options,
                                                  const vehicle::Progress& progress) {
+  if (options.samples < 4 * options.harmonics + 1) {
+    return Error{"samples of the map of hunting", "are too few: " + std::to_string(options.samples),
+                 "at least four for each harmonic, and one", ""};
+  }
   GuidedVehicle vehicle(simulation);
   const VibratingSystem system = vehicle.System();
   PeriodicMotion start = vehicle.Of(mode, system.watched).WithHarmonics(options.harmonics);

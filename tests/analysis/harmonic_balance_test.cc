@@ -154,5 +154,30 @@ TEST(HuntingMapTest, TheCooperriderMapHasItsLeastSpeedWhereHuntingDiesInTime) {
   EXPECT_GT(least->amplitude, 8.5e-3);
 }
 
+TEST(HuntingMapTest, BrinkAndHuntingAreReadOffTheMap) {
+  const auto at = [](double amplitude, double speed) {
+    HuntingPoint p;
+    p.amplitude = amplitude;
+    p.speed = speed;
+    return p;
+  };
+  const std::vector<HuntingPoint> map = {at(1e-3, 100), at(2e-3, 80), at(3e-3, 60), at(4e-3, 90)};
+  EXPECT_NEAR(HuntingAtSpeed(map, 70).brink, 2.5e-3, 1e-12);
+  EXPECT_NEAR(HuntingAtSpeed(map, 70).cycle, 3e-3 + 1e-3 / 3, 1e-12);
+  EXPECT_TRUE(std::isnan(HuntingAtSpeed(map, 95).cycle)) << "beyond the last point";
+  EXPECT_TRUE(std::isnan(HuntingAtSpeed(map, 50).brink));
+  ASSERT_NE(LeastSpeed(map), nullptr);
+  EXPECT_EQ(LeastSpeed(map)->amplitude, 3e-3);
+  EXPECT_EQ(LeastSpeed({map[0], map[1]}), nullptr) << "still falling at its end";
+}
+
+TEST(HuntingMapTest, TooFewSamplesAreRefused) {
+  auto simulation = Cooperrider();
+  ASSERT_TRUE(simulation.ok()) << simulation.error().Line();
+  const auto map = FindHuntingMap(&simulation.value(), {}, {.harmonics = 5, .samples = 20});
+  ASSERT_FALSE(map.ok());
+  EXPECT_EQ(map.error().Line().find("samples of the map of hunting"), 0u) << map.error().Line();
+}
+
 }  // namespace
 }  // namespace phs::analysis
