@@ -4,7 +4,8 @@ from docfigures.form import kmh, table
 DOCUMENT = "docs/bogies.md"
 PART = "straight."
 BOGIES = ("rigid_link", "soft_link", "phs", "emd_radial", "ge_coupling_shaft", "adtranz_shifting",
-          "rigid_link_coco", "phs_coco", "emd_radial_coco")
+          "scheffel_cross_anchors", "active_steering", "rigid_link_coco", "phs_coco",
+          "emd_radial_coco", "ge_coupling_shaft_coco", "adtranz_shifting_coco")
 
 
 def critical(speeds):

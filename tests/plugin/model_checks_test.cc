@@ -93,6 +93,13 @@ TEST_F(ModelChecksTest, BackwardsIsRefused) {
   EXPECT_THAT(Says(Model(""), options), HasSubstr("speed_m_s: is -5"));
 }
 
+TEST_F(ModelChecksTest, ABogieLinkedToTheBodyAsksForALocomotive) {
+  EXPECT_THAT(Says(Model("<text name='phs_vehicle' data='locomotive'/>")),
+              HasSubstr("vehicle: locomotive"));
+  EXPECT_THAT(Says(Model("<text name='phs_vehicle' data='tram'/>")),
+              AllOf(HasSubstr("'tram'"), HasSubstr("allowed: locomotive")));
+}
+
 TEST_F(ModelChecksTest, TheKeyOfTheStartIsAskedFor) {
   EXPECT_THAT(Says(Model(Wheelset("lead", "lead"), "", "")),
               AllOf(HasSubstr("key 'test'"), HasSubstr("<key name=\"test\"/>")));
