@@ -1,4 +1,5 @@
 // Channels of each wheelset.
+#include "plugin/active_steering.h"
 #include "plugin/channels.h"
 
 namespace phs::plugin {
@@ -24,7 +25,7 @@ double Slip(const Instant& at, ChannelPlace place) {
   return state.spin * at.binding->wheel_rail().params().wheel_radius / state.speed - 1;
 }
 
-/// Moment of springs, dampers and linkages on the yaw joint.
+/// Moment of springs, dampers, linkages and servos on the yaw joint.
 double PrimaryMoment(const Instant& at, ChannelPlace place) {
   const int joint = YawJoint(at, place);
   if (joint < 0) return 0;
@@ -32,6 +33,11 @@ double PrimaryMoment(const Instant& at, ChannelPlace place) {
   for (const auto& elements : at.binding->elements()) {
     elements->AddForceOnDof(at.m, at.d, at.binding->Speed(at.d), at.m->jnt_dofadr[joint], &moment);
   }
+  ForEachSteering(at.m, [&](const ActiveSteering& servo) {
+    const int dof = at.m->jnt_dofadr[joint];
+    moment += at.d->actuator_force[servo.actuator] *
+              at.d->actuator_moment[servo.actuator * at.m->nv + dof];
+  });
   return moment;
 }
 
@@ -83,7 +89,8 @@ constexpr ChannelRow kRows[] = {
     {"slip", "1", "spin times tape circle radius over speed, less 1; > 0 driving", &Slip},
     {"steering_moment_Nm", "N m", "yaw moment of the wheel-rail forces",
      [](const Instant& at, ChannelPlace of) { return State(at, of).moment_T[2]; }},
-    {"primary_moment_Nm", "N m", "yaw moment of the primary suspension and links", &PrimaryMoment},
+    {"primary_moment_Nm", "N m", "yaw moment of the primary suspension, links and servos",
+     &PrimaryMoment},
     {"phs_pressure_moment_Nm", "N m", "yaw moment of the cylinder pressures", &PressureMoment},
     {"phs_friction_moment_Nm", "N m", "yaw moment of the cylinder friction", &FrictionMoment},
     {"x_m", "m", "world position of the centre",

@@ -230,5 +230,43 @@ TEST(LinkageTest, ServosAreToldTheCurvature) {
   EXPECT_NEAR(ahead, 3.1, 1e-12);  // there were two
 }
 
+TEST(LinkageTest, LinkagesKeepTheBooksOfEnergyAndMoments) {
+  for (const char* bogie : {"ge_coupling_shaft", "adtranz_shifting", "phs_coco",
+                            "scheffel_cross_anchors", "adtranz_shifting_coco", "active_steering"}) {
+    auto sim = Simulation::Create(OnTrack(bogie, "curve_r400", 65 / 3.6));
+    ASSERT_TRUE(sim.ok()) << sim.error().Line();
+    auto run = sim.value().Run();
+    ASSERT_TRUE(run.ok());
+    EXPECT_EQ(run.value().status, "ok") << run.value().reason;
+    EXPECT_LT(std::abs(run.value().energy.RelativeError()), 1e-3) << bogie;
+    const Json summary = Summarise(sim.value(), run.value());
+    for (const char* axle : {"lead", "trail"}) {
+      const Json& b = summary["budget"][axle];
+      const double creep = b["creep_Nm"];
+      const double sum = creep + b["primary_Nm"].get<double>() +
+                         b["phs_pressure_Nm"].get<double>() + b["phs_friction_Nm"].get<double>();
+      EXPECT_NEAR(sum, 0, 60) << bogie << " " << axle << " of " << creep;
+    }
+  }
+}
+
+TEST(LinkageTest, ThreeAxleBogiesMakeALocomotive) {
+  Scenario s = OnTrack("phs_coco", "straight", 20);
+  s.vehicle = "locomotive";
+  auto sim = Simulation::Create(s);
+  ASSERT_TRUE(sim.ok()) << sim.error().Line();
+  const auto& binding = sim.value().binding();
+  EXPECT_EQ(binding.wheelsets().size(), 6u);
+  EXPECT_EQ(binding.phs().size(), 2u);
+  EXPECT_NEAR(sim.value().model()->body_subtreemass[0], 6 * 26000, 1e-6);
+  const mjModel* m = sim.value().model();
+  mjData* d = sim.value().data();
+  plugin::ResetToStart(m, d);
+  mj_forward(m, d);
+  double sum = 0;
+  for (int i = 0; i < 6; ++i) sum += binding.CalcWheelset(m, d, i).force[2];
+  EXPECT_NEAR(sum / (6 * 26000 * 9.81), 1, 1e-6);
+}
+
 }  // namespace
 }  // namespace phs::vehicle
