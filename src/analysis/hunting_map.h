@@ -20,11 +20,11 @@ namespace phs::analysis {
 
 struct HuntingMapOptions {
   int harmonics = 5;
-  int samples = 64;         ///< of one period
-  double least_m = 2e-5;    ///< first amplitude
+  int samples = 64;           ///< of one period
+  double least_m = 2e-5;      ///< first amplitude
   double largest_m = 6.3e-3;  ///< last amplitude
-  double ratio = 1.25;      ///< of one amplitude to the one before, at most
-  double step_m = 1e-4;     ///< between them, at most
+  double ratio = 1.25;        ///< of one amplitude to the one before, at most
+  double step_m = 1e-4;       ///< between them, at most
 };
 
 struct HuntingPoint {

@@ -177,6 +177,9 @@ void AddStability(CLI::App* verb, Action* action) {
                    "Its end at the latest, m/s; default a sixth of the critical speed");
   verb->add_flag("--map", o->request.map,
                  "Map of hunting by harmonic balance: speed over amplitude");
+  verb->add_option("--map-to", o->request.balance.largest_m, "Largest amplitude of the map, m")
+      ->check(CLI::Range(1e-4, 0.03))
+      ->capture_default_str();
   verb->add_option("--harmonics", o->request.balance.harmonics, "Of the map")
       ->check(CLI::Range(1, 15))
       ->capture_default_str();
