@@ -34,6 +34,31 @@ bool IsEffectOf(const PhsParams& params, const std::string& name) {
                      [&](const EffectParams& e) { return e.name == name; });
 }
 
+/// `free` with each "lines.KEY" taken apart, "L1.KEY", "L2.KEY" …, where the lines differ in it:
+/// one number for all would make them alike.
+std::vector<std::string> TakenApart(const PhsParams& params, const std::vector<std::string>& free) {
+  const std::string every = "lines.";
+  std::vector<std::string> out;
+  for (const std::string& name : free) {
+    std::vector<std::string> each;
+    std::set<double> values;
+    if (name.starts_with(every)) {
+      for (const auto& line : params.lines) {
+        each.push_back(line.name + "." + name.substr(every.size()));
+        if (auto value = phs_model::GetParameter(params, each.back()); value.ok()) {
+          values.insert(value.value());
+        }
+      }
+    }
+    if (values.size() > 1) {
+      out.insert(out.end(), each.begin(), each.end());
+    } else {
+      out.push_back(name);
+    }
+  }
+  return out;
+}
+
 }  // namespace
 
 Result<BogieModel> LoadBogieModel(const std::string& scenario, const std::vector<std::string>& free,
@@ -59,6 +84,7 @@ Result<BogieModel> LoadBogieModel(const std::string& scenario, const std::vector
   }
   model.free = free;
   if (free.empty()) model.free = {"friction.scale", "lines.gas_volume_m3", "lines.oil_volume_m3"};
+  model.free = TakenApart(model.phs, model.free);
   if (Status st = CheckFree(model.phs, model.free); !st.ok()) return st.error();
   if (Status st = CheckAsked(candidates, BogieCandidateNames(), "a bogie"); !st.ok()) {
     return st.error();

@@ -108,6 +108,22 @@ TEST_F(BogieTest, CantErrorIsNamedAndTheModelRunsAsItIs) {
   EXPECT_TRUE(phs_model::LoadPhsParams(scratch_.File("out/phs.yaml")).ok());
 }
 
+// bo_bo_measured: gas 7.76e-6 m3 in the cross lines, 8.85e-6 m3 in the others.
+TEST_F(BogieTest, LinesThatDifferStayApart) {
+  const auto model = LoadBogieModel("curve_r550", {}, {});
+  ASSERT_TRUE(model.ok()) << model.error().Line();
+  const auto scenario = ScenarioWith(model.value(), model.value().phs);
+  ASSERT_TRUE(scenario.ok()) << scenario.error().Line();
+  hydraulics::PhsParams runs = model.value().phs;
+  for (const auto& [name, value] : scenario.value().phs_changes.parameters) {
+    ASSERT_TRUE(phs_model::SetParameter(&runs, name, value).ok()) << name;
+  }
+  EXPECT_EQ(runs.lines, model.value().phs.lines);
+  EXPECT_NE(runs.lines[0].gas_volume_m3, runs.lines[1].gas_volume_m3);
+  EXPECT_THAT(model.value().free, testing::Contains("L2.gas_volume_m3"));
+  EXPECT_THAT(model.value().free, testing::Contains("lines.oil_volume_m3")) << "alike in all";
+}
+
 TEST_F(BogieTest, PoorDataEndWithAClearWord) {
   Measure("", kOff);
   const auto refusal = [&](const std::string& data) {

@@ -1,6 +1,7 @@
 // generate_rig_data: writes quarter-rig records with something hidden in them.
 //   generate_rig_data --effect NAME[+NAME]|none [--grade strong|weak] --seed N --out DIR
 //   generate_rig_data --suite tune|score|holdout --out DIR [--only KIND] [--jobs N]
+//   generate_rig_data --sets K --seed N --out DIR [--only KIND] [--jobs N]
 #include <atomic>
 #include <cstdio>
 #include <cstdlib>
@@ -25,6 +26,7 @@ constexpr const char* kUsage =
     "                  [--seed N] [--motion FILE.csv] [--then FILE.csv] --out DIR\n"
     "generate_rig_data --suite tune|score|holdout --out DIR\n"
     "                  [--only clean|single|pair|off_list] [--jobs N]\n"
+    "generate_rig_data --sets K --seed N --out DIR [--only …] [--jobs N]   K sets drawn blindly\n"
     "generate_rig_data --list\n"
     "--motion: t_s,actuator_m on a uniform clock, in place of a drawn motion; --then: the effect\n"
     "is scaled on the motion, the record made on this one (the same rig in another test).\n"
@@ -45,8 +47,8 @@ std::map<std::string, std::string> ParseOptions(int argc, char** argv) {
       continue;
     }
     bool known = false;
-    for (const char* name : {"--effect", "--grade", "--seed", "--out", "--suite", "--only",
-                             "--jobs", "--motion", "--then"}) {
+    for (const char* name : {"--effect", "--grade", "--seed", "--out", "--suite", "--sets",
+                             "--only", "--jobs", "--motion", "--then"}) {
       known = known || key == name;
     }
     if (!known) throw Usage{"unknown option " + key};
@@ -160,6 +162,26 @@ void WriteSuite(const std::vector<SuiteEntry>& suite, const std::string& out, ui
   if (failure) std::rethrow_exception(failure);
 }
 
+std::vector<SuiteEntry> SuiteFrom(std::map<std::string, std::string>& options) {
+  std::vector<SuiteEntry> suite;
+  if (options.count("--sets") > 0) {
+    const uint64_t count = ParseCount(options["--sets"], "--sets");
+    if (count < 1 || count > 999) throw Usage{"--sets must be 1 to 999"};
+    if (options.count("--seed") == 0) throw Usage{"--sets needs --seed"};
+    suite = DrawSuite(ParseCount(options["--seed"], "--seed"), static_cast<int>(count));
+  } else {
+    auto named = ComposeSuite(options["--suite"]);
+    if (!named) throw Usage{"no suite '" + options["--suite"] + "'; tune, score or holdout"};
+    suite = std::move(*named);
+  }
+  if (options.count("--only") > 0) {
+    std::erase_if(suite,
+                  [&](const SuiteEntry& e) { return KindName(e.kind) != options["--only"]; });
+    if (suite.empty()) throw Usage{"no sets of kind '" + options["--only"] + "'"};
+  }
+  return suite;
+}
+
 int Run(int argc, char** argv) {
   std::map<std::string, std::string> options = ParseOptions(argc, argv);
   if (options.count("--help") > 0) {
@@ -173,22 +195,16 @@ int Run(int argc, char** argv) {
   }
   if (options.count("--out") == 0) throw Usage{"--out is missing"};
   const std::string out = options["--out"];
-  if ((options.count("--suite") > 0) == (options.count("--effect") > 0)) {
-    throw Usage{"give either --effect or --suite"};
+  if (options.count("--effect") + options.count("--suite") + options.count("--sets") != 1) {
+    throw Usage{"give one of --effect, --suite and --sets"};
   }
   if (options.count("--effect") > 0) {
     WriteSet(MakeRigSet(WishFrom(options)), out, out + "/truth.json");
     return 0;
   }
-  auto suite = ComposeSuite(options["--suite"]);
-  if (!suite) throw Usage{"no suite '" + options["--suite"] + "'; tune, score or holdout"};
-  if (options.count("--only") > 0) {
-    std::erase_if(*suite,
-                  [&](const SuiteEntry& e) { return KindName(e.kind) != options["--only"]; });
-    if (suite->empty()) throw Usage{"no sets of kind '" + options["--only"] + "'"};
-  }
+  std::vector<SuiteEntry> suite = SuiteFrom(options);
   const uint64_t jobs = options.count("--jobs") > 0 ? ParseCount(options["--jobs"], "--jobs") : 1;
-  WriteSuite(*suite, out, std::min<uint64_t>(jobs, 64));
+  WriteSuite(suite, out, std::min<uint64_t>(jobs, 64));
   return 0;
 }
 

@@ -64,7 +64,7 @@ Threshold Share(const std::string& what, double limit, bool at_most) {
 }
 
 std::string SummaryTable(const SuiteScore& score) {
-  std::string text = "| measure | reached | asked | |\n|---|---|---|---|\n";
+  std::string text = "| measure | reached | 95 % interval | asked | |\n|---|---|---|---|---|\n";
   for (const Threshold& t : score.thresholds) {
     std::string reached = "no such sets";
     if (t.measured) {
@@ -72,10 +72,15 @@ std::string SummaryTable(const SuiteScore& score) {
                                " of " + std::to_string(t.of) + ")"
                          : Format("%.3f", t.value);
     }
+    std::string interval;
+    if (t.measured && t.of > 0) {
+      const auto [low, high] = ShareInterval(t.good, t.of);
+      interval = Format("%.0f", 100 * low) + " … " + Format("%.0f %%", 100 * high);
+    }
     const std::string asked =
         std::string(t.at_most ? "≤ " : "≥ ") +
         (t.limit <= 1.0 ? Format("%.0f %%", 100 * t.limit) : Format("%.2f", t.limit));
-    text += "| " + t.what + " | " + reached + " | " + asked + " | " +
+    text += "| " + t.what + " | " + reached + " | " + interval + " | " + asked + " | " +
             (!t.measured  ? "not measured"
              : t.Passed() ? "met"
                           : "**missed**") +
@@ -181,6 +186,33 @@ SetScore JudgeSet(const std::string& set, const std::string& kind, const Json& t
     score.accepted.clear();
   }
   return score;
+}
+
+namespace {
+
+// P(X <= k) of n draws, each with chance p.
+double AtMost(int k, int n, double p) {
+  double sum = 0;
+  for (int i = 0; i <= k; ++i) {
+    const double ways = std::lgamma(n + 1.0) - std::lgamma(i + 1.0) - std::lgamma(n - i + 1.0);
+    sum += std::exp(ways + i * std::log(p) + (n - i) * std::log1p(-p));
+  }
+  return sum;
+}
+
+}  // namespace
+
+std::array<double, 2> ShareInterval(int good, int of) {
+  // The p at which so many or fewer are as rare as `tail`; AtMost falls with p.
+  const auto p_where = [&](int k, double tail) {
+    double low = 0, high = 1;
+    for (int i = 0; i < 60; ++i) {
+      const double p = 0.5 * (low + high);
+      (AtMost(k, of, p) > tail ? low : high) = p;
+    }
+    return 0.5 * (low + high);
+  };
+  return {good == 0 ? 0.0 : p_where(good - 1, 0.975), good == of ? 1.0 : p_where(good, 0.025)};
 }
 
 bool Threshold::Passed() const {

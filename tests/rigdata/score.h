@@ -10,6 +10,7 @@
 // as bent when a listed one is.
 #pragma once
 
+#include <array>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -49,6 +50,9 @@ struct Threshold {
   double Value() const { return of > 0 ? static_cast<double>(good) / of : value; }
   bool Passed() const;
 };
+
+// Exact 95 % interval of a share (Clopper and Pearson 1934), `good` of `of` > 0.
+std::array<double, 2> ShareInterval(int good, int of);
 
 struct SuiteScore {
   std::vector<SetScore> sets;

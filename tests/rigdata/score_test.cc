@@ -73,6 +73,20 @@ TEST(Score, AnUnreadableResultIsNoAnswer) {
   EXPECT_FALSE(JudgeSet("s", "single", Truth({"a"}), no_channels).answered);
 }
 
+// Clopper and Pearson's limits: 0 of 20: 1 - 0.025^(1/20); 8 of 10: 44.4 to 97.5 % (tables, e.g.
+// Documenta Geigy).
+TEST(Score, ASharesIntervalIsTheBinomialOne) {
+  const auto none = ShareInterval(0, 20);
+  EXPECT_EQ(none[0], 0);
+  EXPECT_NEAR(none[1], 1 - std::pow(0.025, 0.05), 1e-9);
+  const auto all = ShareInterval(20, 20);
+  EXPECT_NEAR(all[0], std::pow(0.025, 0.05), 1e-9);
+  EXPECT_EQ(all[1], 1);
+  const auto most = ShareInterval(8, 10);
+  EXPECT_NEAR(most[0], 0.4439, 1e-4);
+  EXPECT_NEAR(most[1], 0.9748, 1e-4);
+}
+
 std::vector<SetScore> Repeat(int right, int wrong, const std::string& kind) {
   std::vector<SetScore> sets;
   const std::vector<std::string> hidden =

@@ -41,6 +41,18 @@ std::string Manifest(const RigSet& set) {
   return text;
 }
 
+// What makes the set again; a motion from a file is not in it.
+std::string Command(const SetWish& wish) {
+  std::string names, grades;
+  for (const EffectWish& e : wish.effects) {
+    names += (names.empty() ? "" : "+") + e.name;
+    grades +=
+        std::string(grades.empty() ? "" : "+") + (e.grade == Grade::kStrong ? "strong" : "weak");
+  }
+  return "generate_rig_data --effect " + (names.empty() ? "none" : names) +
+         (grades.empty() ? "" : " --grade " + grades) + " --seed " + std::to_string(wish.seed);
+}
+
 Json PerChannel(const ChannelNumbers& numbers) {
   Json json;
   for (const Channel c : {kPiston, kLoad, kPBore, kPRod}) json[kChannelNames[c]] = numbers[c];
@@ -51,6 +63,7 @@ Json PerChannel(const ChannelNumbers& numbers) {
 
 std::string TruthJson(const RigSet& set) {
   Json json;
+  if (set.wish.motion.position.empty()) json["command"] = Command(set.wish);
   json["rig"] = "quarter";
   json["seed"] = set.wish.seed;
   json["effects"] = Json::array();

@@ -22,4 +22,8 @@ struct SuiteEntry {
 // "tune", "score" or "holdout"; nothing for another name.
 std::optional<std::vector<SuiteEntry>> ComposeSuite(const std::string& name);
 
+// `count` sets drawn from `seed` alone: of ten, two clean, five with one effect, two with two and
+// one with an effect that no list holds, on average. Their seeds lie beyond those of the suites.
+std::vector<SuiteEntry> DrawSuite(uint64_t seed, int count);
+
 }  // namespace rigdata
