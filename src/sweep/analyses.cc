@@ -49,6 +49,16 @@ Result<Analysed> FindCriticalSpeed(const vehicle::Scenario& scenario) {
   return Analysed{.numbers = numbers};
 }
 
+Analysed HuntingNumbers(double linear, const analysis::HuntingPoint* least,
+                        const analysis::HuntingAt& at) {
+  const auto number = [](double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); };
+  return {.numbers = {{"linear_m_s", number(linear)},
+                      {"least_speed_m_s", least ? Json(least->speed) : Json(nullptr)},
+                      {"least_amplitude_m", least ? Json(least->amplitude) : Json(nullptr)},
+                      {"brink_m", number(at.brink)},
+                      {"cycle_m", number(at.cycle)}}};
+}
+
 Result<Analysed> MapHunting(const vehicle::Scenario& scenario) {
   vehicle::Scenario own = scenario;
   own.timestep_s = 1e-4;  // as in FindCriticalSpeed
@@ -60,14 +70,14 @@ Result<Analysed> MapHunting(const vehicle::Scenario& scenario) {
   if (!linear.ok()) return linear.error();
   const auto map = analysis::FindHuntingMap(&simulation.value(), linear.value().mode, {});
   if (!map.ok()) return map.error();
-  const auto number = [](double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); };
-  const analysis::HuntingPoint* least = analysis::LeastSpeed(map.value());
-  const auto at = analysis::HuntingAtSpeed(map.value(), scenario.speed_m_s);
-  return Analysed{.numbers = {{"linear_m_s", number(linear.value().critical_speed)},
-                              {"least_speed_m_s", least ? Json(least->speed) : Json(nullptr)},
-                              {"least_amplitude_m", least ? Json(least->amplitude) : Json(nullptr)},
-                              {"brink_m", number(at.brink)},
-                              {"cycle_m", number(at.cycle)}}};
+  return HuntingNumbers(linear.value().critical_speed, analysis::LeastSpeed(map.value()),
+                        analysis::HuntingAtSpeed(map.value(), scenario.speed_m_s));
+}
+
+/// Without the map, which takes most of a minute.
+Result<Analysed> NamesOfMap(const vehicle::Scenario&, const std::vector<std::string>&) {
+  const analysis::HuntingPoint any;
+  return HuntingNumbers(0, &any, {});
 }
 
 Result<Analysed> MeasureModes(const vehicle::Scenario& scenario) {
@@ -180,7 +190,7 @@ std::vector<Analysis> MakeAnalyses() {
        {},
        "",
        &OfScenario<MapHunting>,
-       nullptr},
+       &NamesOfScenario<&NamesOfMap>},
       {"modes",
        "`modes.json` at 0.5 Hz",
        "scenario",
