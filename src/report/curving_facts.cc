@@ -60,6 +60,40 @@ std::string WheelName(const CurvingResults& results, const std::string& wheel) {
   return wheel;
 }
 
+/// "S1002 on UIC60, friction 0.35."; empty if the results do not say.
+std::string PairWords(const json& all) {
+  const json scenario = all.value("scenario", json::object());
+  if (!scenario.contains("wheel") || !scenario.contains("rail")) return "";
+  std::string text = fmt::format(" Wheels {} on rails {}", scenario.value("wheel", ""),
+                                 scenario.value("rail", ""));
+  if (scenario.contains("friction") && scenario["friction"].is_number()) {
+    text += fmt::format(", friction {:g}", scenario["friction"].get<double>());
+  }
+  return text + ".";
+}
+
+/// How much of the yaw between its outer axles that a radial position asks for a bogie has: it lacks
+/// what their angles of attack differ by.
+std::string RadialWords(const CurvingResults& results, const BogieRun& run) {
+  std::string text;
+  for (const std::string& prefix : results.prefixes) {
+    const auto axles = results.Axles(prefix);
+    if (axles.size() < 2) continue;
+    const auto between = [&](const char* key) {
+      return run.Steady("wheelsets", prefix + axles.front().name, key) -
+             run.Steady("wheelsets", prefix + axles.back().name, key);
+    };
+    const double bent = between("yaw_rad"), needed = bent - between("angle_of_attack_rad");
+    if (!std::isfinite(needed) || std::abs(needed) < 1e-4) continue;
+    text +=
+        fmt::format(" {}The axles stand {} mrad to each other; radial they would stand {} ({} %).",
+                    prefix.empty() ? "" : "The " + prefix.substr(0, prefix.size() - 1) + " bogie: ",
+                    FormatNumber(1e3 * std::abs(bent)), FormatNumber(1e3 * std::abs(needed)),
+                    FormatNumber(100 * bent / needed));
+  }
+  return text;
+}
+
 }  // namespace
 
 void AddTrackWords(const CurvingResults& results, ReportPage* page) {
@@ -79,8 +113,18 @@ void AddTrackWords(const CurvingResults& results, ReportPage* page) {
                   "towards the {} rail.",
                   results.hand > 0 ? "Left" : "Right", FormatNumber(results.radius),
                   FormatNumber(1e3 * cant), balance, FormatNumber(3.6 * speed),
-                  FormatNumber(std::abs(left)), left >= 0 ? "outer" : "inner"),
+                  FormatNumber(std::abs(left)), left >= 0 ? "outer" : "inner") +
+          PairWords(results.all),
       "The curve.");
+  for (const BogieRun& run : results.runs) {
+    if (!run.label.starts_with("PHS")) continue;
+    page->Paragraph(
+        "Passive hydraulic steering: four cylinders between axle boxes and frame, linked by four "
+        "lines (L1 and L4 across the bogie at each axle, L2 and L3 diagonally), in place of rigid "
+        "links.",
+        "PHS.");
+    break;
+  }
 }
 
 void AddWheelWords(const CurvingResults& results, ReportPage* page) {
@@ -101,6 +145,7 @@ void AddWheelWords(const CurvingResults& results, ReportPage* page) {
                                 WheelName(results, flange.name))
                   : " no flange carries anything.";
     }
+    text += RadialWords(results, run);
     page->Paragraph(text, "Wheels of the " + run.label + " bogie.");
   }
 }

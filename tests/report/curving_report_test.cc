@@ -113,12 +113,23 @@ TEST_F(CurvingReport, SaysHowTheCurveLiesAndWhichWheelCarriesMost) {
   steady["wheels"] = {wheel("lead_outer", 6e3, 0.04, 0.14, 0),
                       wheel("lead_inner", -7e3, -0.07, 0.01, 0),
                       wheel("trail_outer", 8.58e3, 0.057, 0.1, 0)};
+  all["scenario"] = {{"wheel", "S1002"}, {"rail", "UIC60"}, {"friction", 0.35}};
+  const auto axle = [](const char* name, double yaw, double attack) {
+    return nlohmann::ordered_json{
+        {"name", name}, {"yaw_rad", yaw}, {"angle_of_attack_rad", attack}};
+  };
+  steady["wheelsets"] = {axle("lead", 2.8e-3, 5.5e-5), axle("trail", -2.59e-3, 2.91e-4)};
   ASSERT_TRUE(WriteFileAtomically(path, all.dump()).ok());
   // 80 km/h: v²/R cos - g sin = 0.8966 - 0.5167 m/s2; balance sqrt(g R tan) = 16.87 m/s.
   std::string html = Remake();
   EXPECT_TRUE(Holds(html,
                     "Left curve of R = 550 m, canted by 52.7 mrad; it balances 60.7 km/h. At "
                     "80.0 km/h 0.380 m/s² are left towards the outer rail."));
+  // Angles of attack differ by -0.236 mrad: 3.1 m/550 m less what the axles turn.
+  EXPECT_TRUE(Holds(
+      html, "The axles stand 5.39 mrad to each other; radial they would stand 5.63 (95.8 %)"));
+  EXPECT_TRUE(Holds(html, "Wheels S1002 on rails UIC60, friction 0.35."));
+  EXPECT_TRUE(Holds(html, "Passive hydraulic steering: four cylinders"));
   EXPECT_TRUE(Holds(html,
                     "largest guiding force is 8.58 kN (trailing outer wheel), the largest Y/Q "
                     "0.0700 (leading inner wheel)"));
