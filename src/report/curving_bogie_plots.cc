@@ -123,6 +123,9 @@ void AddHydraulicPlots(const CurvingResults& results, ReportPage* page) {
                    page);
     for (const BogieRun& run : results.runs) AddCylinderPlots(results, run, prefix, page);
     page->EndGrid();
+    for (const BogieRun& run : results.runs) {
+      AddHydraulicTable(results, run, prefix, HydraulicPrefix(run, prefix), page);
+    }
   }
 }
 

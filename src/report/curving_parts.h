@@ -43,6 +43,11 @@ void AddMomentBudget(const CurvingResults& results, ReportPage* page);
 void AddMomentPlots(const CurvingResults& results, ReportPage* page);
 void AddHydraulicPlots(const CurvingResults& results, ReportPage* page);
 
+// curving_hydraulic_table.cc
+/// `system`: prefix of the hydraulics' channels, "" or "front_bogie_". Nothing where there are none.
+void AddHydraulicTable(const CurvingResults& results, const BogieRun& run, const std::string& bogie,
+                       const std::string& system, ReportPage* page);
+
 // curving_plots.cc
 void AddTrackPlots(const CurvingResults& results, ReportPage* page);
 

@@ -44,6 +44,8 @@ TEST_F(CurvingReport, ShowsTheNumbersOfTheResult) {
       Holds(html, "<td class=\"strong\">1.04 outer</td><td>3.01 outer</td><td>1.89 outer</td>"));
   EXPECT_TRUE(Holds(html, "R = 550 m to the left"));
   EXPECT_TRUE(Holds(html, "rigid link / PHS"));
+  // A diagonal line of the example begins at 1.8 MPa and falls by 8 kPa in the curve.
+  EXPECT_TRUE(Holds(html, "line L2 [MPa absolute]</th><td>1.80</td><td>1.79</td><td>1.79 at "));
 }
 
 TEST_F(CurvingReport, ATrackCannotBringAScript) {
