@@ -226,7 +226,7 @@ void Binding::Passive(const mjModel* m, mjData* d) const noexcept {
   work.row = mj_stackAlloc(d, m->nv);
   work.slope = mj_stackAlloc(d, kCylinderNumbers * static_cast<int>(phs_.size()) + 1);
   work.contact = mj_stackAlloc(d, m->nM);
-  work.entries = mj_stackAlloc(d, m->nM);
+  work.entries = mj_stackAlloc(d, m->nM + m->nv);
   StepMatrix matrix(m, work.entries);
   work.matrix = &matrix;
   constexpr int kNumbers = (sizeof(PressedWheelset) + sizeof(mjtNum) - 1) / sizeof(mjtNum);
@@ -243,6 +243,10 @@ void Binding::Passive(const mjModel* m, mjData* d) const noexcept {
           d->act[p.state_actuator[i] - (m->nu - m->na)];
     }
   }
+  constexpr int kInstant = (sizeof(hydraulics::Instant) + sizeof(mjtNum) - 1) / sizeof(mjtNum);
+  work.instants = reinterpret_cast<hydraulics::Instant*>(
+      mj_stackAlloc(d, kInstant * static_cast<int>(phs_.size()) + 1));
+  SolveCylinders(d, &work);
   std::fill(work.drive, work.drive + m->nv, 0.0);
   AddDrives(m, d, &work);
   const bool instant = m->opt.integrator == mjINT_RK4;
@@ -253,7 +257,7 @@ void Binding::Passive(const mjModel* m, mjData* d) const noexcept {
   } else {
     HalfStep(m, d, &work);
   }
-  CalcRates(d, 2 * work.half);
+  CalcRates(d, 2 * work.half, work);
   BookPowers(m, d, &work);
   mjFREESTACK;
 }

@@ -50,10 +50,11 @@ struct Binding::Work {
   double* drive = nullptr;     ///< the part of actuators that are no cylinders [nv]
   double* row = nullptr;       ///< scratch [nv]
   double* contact = nullptr;   ///< M + h/2 (C of all but cylinders) [nM]
-  double* entries = nullptr;   ///< the same with cylinders, factorised [nM]
+  double* entries = nullptr;   ///< the same with cylinders, factorised [nM + nv]
   double half = 0;             ///< h/2 [s]
   StepMatrix* matrix = nullptr;
-  double* slope = nullptr;  ///< kCylinderNumbers of each PHS
+  double* slope = nullptr;                  ///< kCylinderNumbers of each PHS
+  hydraulics::Instant* instants = nullptr;  ///< of each PHS
 };
 
 }  // namespace phs::plugin

@@ -9,11 +9,13 @@
 
 namespace phs::plugin {
 
+inline constexpr int kMaxChain = 64;  ///< freedoms of a wheelset and the bodies that carry it
+
 /// Storage belongs to the caller. Factor: L^T D L without fill (Featherstone, Rigid Body Dynamics
 /// Algorithms, 2008, section 8.3).
 class StepMatrix {
  public:
-  /// `entries`: room for m->nM numbers.
+  /// `entries`: room for m->nM + m->nv numbers.
   StepMatrix(const mjModel* m, double* entries) : m_(m), entries_(entries) {}
 
   /// Starts again as the mass matrix of `d`, in MuJoCo's layout.
@@ -22,14 +24,21 @@ class StepMatrix {
   void AddDiagonal(int dof, double value) { entries_[m_->dof_Madr[dof]] += value; }
   /// Adds coefficient g g^T for a row g of nv numbers; entries outside the pattern are dropped.
   void AddOuter(double coefficient, const double* row);
-  /// The same for a chain of dofs, each the parent of the next: g as long as `dofs`, which rise.
+  /// The same for a chain of dofs from the root on, each the parent of the next: g as long as
+  /// `dofs`, at most kMaxChain.
   void AddOuter(double coefficient, const double* row, const int* dofs, int count);
-  /// Factorises in place. False if it is not positive definite.
+  /// Factorises in place; the diagonal then holds the inverse of D. False if it is not positive
+  /// definite.
   bool Factor();
   /// x = matrix^-1 x, after Factor.
   void Solve(double* x) const;
 
  private:
+  /// A dof and its ancestors.
+  int RowLength(int dof) const {
+    return (dof + 1 < m_->nv ? m_->dof_Madr[dof + 1] : m_->nM) - m_->dof_Madr[dof];
+  }
+
   const mjModel* m_;
   double* entries_;
 };

@@ -190,6 +190,11 @@ void CalcCylinderFrictionRate(const CompiledPhs& sys, const Instant& at, int cyl
   for (int k = 0; k < c.friction.num_memories(); ++k) rate[c.memory + k] = (next[k] - now[k]) / h;
 }
 
+// Whether rates of states ask for pressures.
+bool NeedsPressures(const CompiledPhs& sys) {
+  return sys.friction_needs_pressure || sys.num_states() > sys.first_slow;
+}
+
 // Speed at the end of a step whose mean is `now`, after one of the same length with mean `before`;
 // what stands or is about to turn does not turn.
 double GoneOn(double before, double now) {
@@ -199,17 +204,27 @@ double GoneOn(double before, double now) {
 
 }  // namespace
 
+void PhsSystem::Solve(double time, const double* x, const double* state,
+                      Instant* at) const noexcept {
+  SolveInstant(*impl_, time, x, state, at);
+}
+
 void PhsSystem::Calc(double time, const double* x, const double* v, const double* state,
                      PhsOutputs* out) const noexcept {
-  const CompiledPhs& sys = *impl_;
   Instant at;
-  SolveInstant(sys, time, x, state, &at);
+  SolveInstant(*impl_, time, x, state, &at);
+  CalcAt(at, x, v, state, out);
+}
+
+void PhsSystem::CalcAt(const Instant& at, const double* x, const double* v, const double* state,
+                       PhsOutputs* out) const noexcept {
+  const CompiledPhs& sys = *impl_;
   out->stored_energy = out->lost_power = 0;
   double speed[kMaxCylinders];
   double rate[kMaxStates];
   std::copy(v, v + sys.cylinders.size(), speed);
   if (sys.has_mounts && out->energy) {
-    CalcMountRates(sys, time, 0, x, v, state, &at, speed, rate);
+    CalcMountRates(sys, at.time, 0, x, v, state, &at, speed, rate);
   }
   for (size_t i = 0; i < sys.cylinders.size(); ++i) {
     CalcCylinder(sys, at, static_cast<int>(i), speed[i], state, out);
@@ -218,38 +233,48 @@ void PhsSystem::Calc(double time, const double* x, const double* v, const double
     for (size_t n = 0; n < sys.line_names.size(); ++n) out->pressure[n] = at.node[n].p;
   }
   if (!out->energy) return;
+  out->lost_power += CalcHydraulicLoss(sys, at.time, at, state);
+  if (!out->stored) {
+    out->stored_energy = 0;
+    return;
+  }
   for (size_t n = 0; n < sys.nodes.size(); ++n) {
     out->stored_energy += CalcNodeEnergy(sys.nodes[n], at.node[n].p, at.ambient, state);
   }
   out->stored_energy += CalcPathEnergy(sys, state);
-  out->lost_power += CalcHydraulicLoss(sys, time, at, state);
 }
 
 void PhsSystem::CalcStateRate(double time, double h, const double* x, const double* v,
                               const double* state, double* rate,
                               const double* before) const noexcept {
+  Instant at;
+  if (NeedsPressures(*impl_)) {
+    SolveInstant(*impl_, time, x, state, &at);
+  } else {
+    PlacePistons(*impl_, time, x, state, &at);
+  }
+  CalcStateRateAt(at, h, x, v, state, rate, before);
+}
+
+void PhsSystem::CalcStateRateAt(const Instant& at, double h, const double* x, const double* v,
+                                const double* state, double* rate,
+                                const double* before) const noexcept {
   const CompiledPhs& sys = *impl_;
   double speed[kMaxCylinders];
   std::copy(v, v + sys.cylinders.size(), speed);
-  const bool hydraulic = sys.num_states() > sys.first_slow;
-  const bool solved = sys.friction_needs_pressure || hydraulic;
-  Instant at;
-  if (solved) {
-    SolveInstant(sys, time, x, state, &at);
-  } else {
-    PlacePistons(sys, time, x, state, &at);
+  if (sys.has_mounts) {
+    const Instant* near = NeedsPressures(sys) ? &at : nullptr;
+    CalcMountRates(sys, at.time, h, x, v, state, near, speed, rate);
   }
-  if (sys.has_mounts)
-    CalcMountRates(sys, time, h, x, v, state, solved ? &at : nullptr, speed, rate);
   for (size_t i = 0; i < sys.cylinders.size(); ++i) {
     CalcCylinderFrictionRate(sys, at, static_cast<int>(i), h, speed[i], state, rate);
   }
-  if (!hydraulic) return;
+  if (sys.num_states() == sys.first_slow) return;
   double end[kMaxCylinders] = {};
   for (size_t i = 0; i < sys.cylinders.size(); ++i) {
     end[i] = before != nullptr ? GoneOn(before[i], speed[i]) : speed[i];
   }
-  CalcHydraulicRates(sys, time, h, at, {speed, end}, state, rate);
+  CalcHydraulicRates(sys, at.time, h, at, {speed, end}, state, rate);
 }
 
 void PhsSystem::CalcHydraulics(double time, double h, const double* x, const StepSpeeds& v,
