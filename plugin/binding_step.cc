@@ -5,6 +5,7 @@
 #include <new>
 
 #include "plugin/active_steering.h"
+#include "plugin/bias.h"
 #include "plugin/binding_work.h"
 #include "plugin/guest.h"
 

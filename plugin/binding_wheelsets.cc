@@ -32,6 +32,23 @@ void PlaceOnTrack(const mjData* d, const rail::Track& track, int body, WheelsetS
   out->roll = std::asin(std::clamp(axle[2], -1.0, 1.0));
 }
 
+/// Adds `scale` times the dampers of a wheel, about the point from which `arm` leads to the
+/// wheelset's centre; world axes.
+void AddDampers(const rail::WheelDamping& dampers, Side side, const rail::TrackFrame& frame,
+                const Vec3& arm, double scale, SpatialMatrix* sum) {
+  for (int k = 0; k < dampers.count; ++k) {
+    const auto& damper = dampers.damper[static_cast<size_t>(k)];
+    const Vec3 force = ToWorld(frame, rail::MirrorPolar(damper.force, side));
+    Vec3 turn = ToWorld(frame, rail::MirrorAxial(damper.moment, side));
+    Add(&turn, Cross(arm, force));
+    const std::array<double, 6> g = {turn[0], turn[1], turn[2], force[0], force[1], force[2]};
+    for (size_t i = 0; i < 6; ++i) {
+      const double scaled = scale * damper.coefficient * g[i];
+      for (size_t j = 0; j < 6; ++j) (*sum)[i][j] += scaled * g[j];
+    }
+  }
+}
+
 }  // namespace
 
 BodyVelocity VelocityOf(const mjModel* m, const mjData* d, int body, const std::vector<int>& dofs,
@@ -131,23 +148,11 @@ void Binding::AddWheelsetForces(const mjModel* m, mjData* d, const double* speed
     }
     user[UserData::kMaxLateral] = std::max(user[UserData::kMaxLateral], std::abs(state.lateral));
     if (!slopes) continue;
-    const int count = static_cast<int>(w.dofs.size());
+    SpatialMatrix sum{};
     for (const Side side : {Side::kLeft, Side::kRight}) {
-      const rail::WheelDamping& dampers = damping[static_cast<int>(side)];
-      for (int k = 0; k < dampers.count; ++k) {
-        const auto& damper = dampers.damper[static_cast<size_t>(k)];
-        const Vec3 force = ToWorld(state.frame, rail::MirrorPolar(damper.force, side));
-        Vec3 turn = ToWorld(state.frame, rail::MirrorAxial(damper.moment, side));
-        Add(&turn, Cross(arm, force));
-        double row[kMaxChain];
-        for (int q = 0; q < count; ++q) {
-          const mjtNum* c = d->cdof + 6 * w.dofs[static_cast<size_t>(q)];
-          row[q] = c[0] * turn[0] + c[1] * turn[1] + c[2] * turn[2] + c[3] * force[0] +
-                   c[4] * force[1] + c[5] * force[2];
-        }
-        work->matrix->AddOuter(work->half * damper.coefficient, row, w.dofs.data(), count);
-      }
+      AddDampers(damping[static_cast<int>(side)], side, state.frame, arm, work->half, &sum);
     }
+    work->matrix->AddSpatial(sum, d->cdof, w.dofs.data(), static_cast<int>(w.dofs.size()));
   }
 }
 

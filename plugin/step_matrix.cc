@@ -24,12 +24,32 @@ void StepMatrix::AddOuter(double coefficient, const double* row) {
   }
 }
 
-void StepMatrix::AddOuter(double coefficient, const double* row, const int* dofs, int count) {
-  // Entries begin at the dof itself and go up: so does the row, turned round.
-  double up[kMaxChain];
-  for (int i = 0; i < count; ++i) up[count - 1 - i] = row[i];
-  for (int i = 0; i < count; ++i) {
-    AddScaled(coefficient * row[i], up + (count - 1 - i), i + 1, entries_ + m_->dof_Madr[dofs[i]]);
+void StepMatrix::AddSpatial(const SpatialMatrix& damping, const double* motions, const int* dofs,
+                            int count) {
+  // Component by component, so that neighbouring dofs go side by side; four at a time.
+  constexpr int kBlock = 4;
+  double c[6][kMaxChain], y[6][kMaxChain];
+  const int padded = (count + kBlock - 1) / kBlock * kBlock;
+  for (int k = 0; k < 6; ++k) {
+    for (int p = 0; p < count; ++p) c[k][p] = motions[6 * dofs[p] + k];
+    for (int p = count; p < padded; ++p) c[k][p] = 0;
+  }
+  for (int k = 0; k < 6; ++k) {
+    for (int p = 0; p < padded; p += kBlock) {
+      double sum[kBlock] = {};
+      for (int l = 0; l < 6; ++l) AddScaled(damping[k][l], c[l] + p, kBlock, sum);
+      std::copy(sum, sum + kBlock, y[k] + p);
+    }
+  }
+  for (int q = 0; q < count; ++q) {
+    double* entry = entries_ + m_->dof_Madr[dofs[q]] + q;  // of the root; the way up goes back
+    double row[kMaxChain];
+    for (int p = 0; p <= q; p += kBlock) {
+      double sum[kBlock] = {};
+      for (int k = 0; k < 6; ++k) AddScaled(y[k][q], c[k] + p, kBlock, sum);
+      std::copy(sum, sum + kBlock, row + p);
+    }
+    for (int p = 0; p <= q; ++p) entry[-p] += row[p];
   }
 }
 

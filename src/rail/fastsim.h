@@ -84,8 +84,9 @@ class Fastsim {
 inline NormalisedCreepage Normalise(const CreepInput& in, const KalkerCoefficients& c,
                                     double shear_modulus, bool elliptic_bound) noexcept {
   constexpr double kPi = std::numbers::pi;
-  const double top = in.friction * in.normal / (kPi * in.a * in.b) * (elliptic_bound ? 1.5 : 2.0);
-  const double s = shear_modulus / top;
+  // G over the peak f p0 of the bound.
+  const double s = shear_modulus * (kPi * in.a * in.b) /
+                   (in.friction * in.normal * (elliptic_bound ? 1.5 : 2.0));
   const double sum = in.a + in.b;
   return {s * 0.375 * c.c11 * in.xi, s * 0.375 * c.c22 * in.eta,
           s * (4 / kPi) * c.c23 * std::sqrt(in.b / in.a) * sum * in.phi, in.a / sum};

@@ -20,7 +20,7 @@ class SimplifiedTheoryLaw : public CreepLaw {
   CreepForce Calc(const CreepInput& in) const noexcept override {
     if (!InContact(in)) return {};
     const double shear = params_.material.shear_modulus_Pa;
-    const KalkerCoefficients c = curve_.At(in.a / in.b);
+    const KalkerCoefficients c = curve_.AtShare(in.a / (in.a + in.b));
     CreepInput changed = in;
     if (params_.slope_reduction.active()) {
       changed = WithSlopeReduction(changed, c, shear, params_.slope_reduction);
@@ -46,7 +46,7 @@ class SimplifiedTheoryLaw : public CreepLaw {
 
   /// With the source's own slope: u and v are proportional to xi and eta.
   CreepForce CalcClosed(const CreepInput& in, CreepSlope* slope) const noexcept {
-    const KalkerCoefficients c = curve_.At(in.a / in.b);
+    const KalkerCoefficients c = curve_.AtShare(in.a / (in.a + in.b));
     const double shear = params_.material.shear_modulus_Pa;
     const bool elliptic = params_.elliptic_bound;
     NormalisedSlope s;
