@@ -154,13 +154,17 @@ class Binding {
   /// Speed of the instant of every dof [nv], as the last call of Passive left it.
   const double* Speed(const mjData* d) const { return d->userdata + UserData::kHeader; }
 
+  /// A wheelset where it stands, ready for its forces at any speed; of the plugin alone.
+  struct PressedWheelset;
+
  private:
   Status LoadRail(mjModel* m, const AttachOptions& options);
   Status BindWheelsets(mjModel* m);
   Status BindCoupler(const mjModel* m, const AttachOptions& options);
   Status BindPhs(mjModel* m, const AttachOptions& options);
-  struct PressedWheelset;
   struct Work;
+  /// All wheelsets, on MuJoCo's stack or where somebody keeps them.
+  void PressWheelsets(mjData* d, Work* work) const noexcept;
   void PressWheelset(const mjData* d, int index, PressedWheelset* at) const noexcept;
   void MoveWheelset(const mjModel* m, const mjData* d, int index, const double* speed,
                     PressedWheelset* at, rail::WheelDamping* damping) const noexcept;

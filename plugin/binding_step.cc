@@ -230,13 +230,7 @@ void Binding::Passive(const mjModel* m, mjData* d) const noexcept {
   work.entries = mj_stackAlloc(d, m->nM + m->nv);
   StepMatrix matrix(m, work.entries);
   work.matrix = &matrix;
-  constexpr int kNumbers = (sizeof(PressedWheelset) + sizeof(mjtNum) - 1) / sizeof(mjtNum);
-  const int num_wheelsets = static_cast<int>(wheelsets_.size());
-  mjtNum* room = mj_stackAlloc(d, kNumbers * num_wheelsets + 1);
-  work.wheelsets = reinterpret_cast<PressedWheelset*>(room);
-  for (int i = 0; i < num_wheelsets; ++i) {
-    PressWheelset(d, i, new (room + kNumbers * i) PressedWheelset);
-  }
+  PressWheelsets(d, &work);
   std::copy(d->qvel, d->qvel + m->nv, d->userdata + UserData::kHeader);
   for (const PhsBinding& p : phs_) {
     for (size_t i = 0; i < p.state_actuator.size(); ++i) {

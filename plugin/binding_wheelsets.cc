@@ -1,8 +1,10 @@
 // The part of Binding that presses wheelsets on the track. No allocation, no locks, no exceptions.
 #include <algorithm>
 #include <cmath>
+#include <new>
 
 #include "plugin/binding_work.h"
+#include "plugin/kept_wheelsets.h"
 
 namespace phs::plugin {
 namespace {
@@ -118,9 +120,28 @@ void Binding::MoveWheelset(const mjModel* m, const mjData* d, int index, const d
   out.moment = ToWorld(out.frame, out.moment_T);
 }
 
+void Binding::PressWheelsets(mjData* d, Work* work) const noexcept {
+  constexpr int kNumbers = (sizeof(PressedWheelset) + sizeof(mjtNum) - 1) / sizeof(mjtNum);
+  const int count = static_cast<int>(wheelsets_.size());
+  work->wheelsets = reinterpret_cast<PressedWheelset**>(mj_stackAlloc(d, count + 1));
+  KeptWheelsets* kept = KeptWheelsets::Of(*this, d);
+  for (int i = 0; i < count; ++i) {
+    void* room =
+        kept != nullptr ? kept->Take(d, i) : static_cast<void*>(mj_stackAlloc(d, kNumbers));
+    work->wheelsets[i] = new (room) PressedWheelset;
+    PressWheelset(d, i, work->wheelsets[i]);
+  }
+}
+
 WheelsetState Binding::CalcWheelset(const mjModel* m, const mjData* d, int index) const noexcept {
+  const KeptWheelsets* kept = KeptWheelsets::Of(*this, d);
+  const PressedWheelset* found = kept != nullptr ? kept->Find(d, index) : nullptr;
   PressedWheelset at;
-  PressWheelset(d, index, &at);
+  if (found != nullptr) {
+    at = *found;
+  } else {
+    PressWheelset(d, index, &at);
+  }
   MoveWheelset(m, d, index, Speed(d), &at, nullptr);
   return at.state;
 }
@@ -130,7 +151,7 @@ void Binding::AddWheelsetForces(const mjModel* m, mjData* d, const double* speed
   mjtNum* user = d->userdata;
   for (size_t i = 0; i < wheelsets_.size(); ++i) {
     const WheelsetBinding& w = wheelsets_[i];
-    PressedWheelset& at = work->wheelsets[i];
+    PressedWheelset& at = *work->wheelsets[i];
     rail::WheelDamping damping[2];
     MoveWheelset(m, d, static_cast<int>(i), speed, &at, slopes ? damping : nullptr);
     const WheelsetState& state = at.state;

@@ -43,8 +43,8 @@ struct Binding::PressedWheelset {
 
 /// Numbers of one evaluation, on MuJoCo's stack.
 struct Binding::Work {
-  PressedWheelset* wheelsets = nullptr;
-  double* force = nullptr;     ///< of wheels, train, brakes, elements made here [nv]
+  PressedWheelset** wheelsets = nullptr;  ///< [wheelset]
+  double* force = nullptr;                ///< of wheels, train, brakes, elements made here [nv]
   double* cylinder = nullptr;  ///< the part of the cylinders, which MuJoCo adds itself [nv]
   double* rest = nullptr;      ///< all other forces but Coriolis', at v_n [nv]
   double* drive = nullptr;     ///< the part of actuators that are no cylinders [nv]
