@@ -174,7 +174,7 @@ void Binding::HalfStep(const mjModel* m, mjData* d, Work* work) const noexcept {
     CalcForces(m, d, speed, round == 0, work);
     if (round == 1) {
       CalcBiasAt(m, d, speed, bias);
-      mj_mulM(m, d, r, a);
+      MulMass(m, d, a, r);
     }
     for (int i = 0; i < nv; ++i) {
       r[i] = work->rest[i] + work->force[i] + work->cylinder[i] - bias[i] - r[i];
@@ -190,7 +190,7 @@ void Binding::HalfStep(const mjModel* m, mjData* d, Work* work) const noexcept {
   }
   FollowCylinders(m, d, speed, work);
   // What MuJoCo must add to the forces it knows, so that its step makes this a.
-  mj_mulM(m, d, r, a);
+  MulMass(m, d, a, r);
   for (int i = 0; i < nv; ++i) {
     const double smooth = r[i] + 2 * work->half * m->dof_damping[i] * a[i];
     d->qfrc_passive[i] += smooth - work->rest[i] - work->cylinder[i] + bias_before[i];

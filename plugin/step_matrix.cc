@@ -89,4 +89,17 @@ void StepMatrix::Solve(double* x) const {
   }
 }
 
+void MulMass(const mjModel* m, const mjData* d, const double* x, double* out) {
+  for (int i = 0; i < m->nv; ++i) {
+    const double* entry = d->qM + m->dof_Madr[i];
+    const double own = x[i];
+    double sum = *entry++ * own;
+    for (int j = m->dof_parentid[i]; j >= 0; j = m->dof_parentid[j]) {
+      sum += *entry * x[j];
+      out[j] += *entry++ * own;
+    }
+    out[i] = sum;
+  }
+}
+
 }  // namespace phs::plugin

@@ -49,4 +49,7 @@ class StepMatrix {
   double* entries_;
 };
 
+/// out = M x with the mass matrix of `d`.
+void MulMass(const mjModel* m, const mjData* d, const double* x, double* out);
+
 }  // namespace phs::plugin

@@ -111,7 +111,8 @@ void CalcCylinder(const CompiledPhs& sys, const Instant& at, int i, double pisto
   const EndStopForce stop = CalcEndStop(c.stop, y, piston_speed);
   const double pressure_force = CalcPressureForce(sys, at, i);
   const double z = c.bristle >= 0 ? state[c.bristle] : 0;
-  const FrictionForce friction = c.friction.Calc(piston_speed, z, sys.Place(at, i, state));
+  const FrictionPlace place = sys.Place(at, i, state);
+  const FrictionForce friction = c.friction.Calc(piston_speed, z, place);
   double force = pressure_force + stop.force + friction.force;
   double friction_force = friction.force;
   if (out->energy) {
@@ -119,7 +120,7 @@ void CalcCylinder(const CompiledPhs& sys, const Instant& at, int i, double pisto
     out->lost_power += stop.lost_power + friction.lost_power;
   }
   if (out->damping) {
-    out->damping[i] = stop.damper + c.friction.Damping(piston_speed, z, sys.Place(at, i, state));
+    out->damping[i] = stop.damper + c.friction.Damping(friction.force, piston_speed, z, place);
   }
   if (c.mount_state >= 0) {
     const double u = state[c.mount_state];
