@@ -9,10 +9,8 @@ namespace {
 
 constexpr double kSpare = 1.25;     ///< a yawed wheel is more curved across
 constexpr double kMostRoll = 0.06;  ///< and other differences of slope at a contact [rad]
-/// a of humps that are one, and of humps that are two (contact_search.h): the other reading would
-/// have a weight of a millionth.
+/// Humps nearer to each other (a of contact_search.h) are one: two have a weight of a millionth.
 constexpr double kSameHump = 1e-4;
-constexpr double kApart = 5.8;
 constexpr int kWide = 6;         ///< samples
 constexpr double kPlace = 1e-7;  ///< of a place that overlap does not feel to first order [m]
 constexpr int kMaxRidges = 12;
@@ -81,39 +79,6 @@ double ContactSearch::StationaryNear(const Axle& axle, double low, double high,
     }
   }
   return at;
-}
-
-void ContactSearch::Link(const Axle& axle, const Samples& s, Hump* hump,
-                         Hump* next) const noexcept {
-  Merge& merge = hump->next;
-  const int from = static_cast<int>(std::ceil((hump->top - begin_) / step_));
-  const int to = static_cast<int>((next->top - begin_) / step_);
-  int lowest = from;
-  for (int i = from; i <= to; ++i) lowest = Vertical(s, i) < Vertical(s, lowest) ? i : lowest;
-  const double between = Vertical(s, lowest);
-  if ((1 - between / hump->depth) * (1 - between / next->depth) > kApart) return;
-  const auto near = [&](int sample, double sign) {
-    const double low = WheelY(std::max(sample - 1, 0));
-    const double high = WheelY(std::min(sample + 1, samples_ - 1));
-    return StationaryNear(axle, low, high, sign);
-  };
-  const double at[] = {near(lowest, -1), hump->sample < 0 ? hump->top : near(hump->sample, 1),
-                       next->sample < 0 ? next->top : near(next->sample, 1)};
-  double h[3];
-  for (int i = 0; i < 3; ++i) {
-    merge.locus[i] = LocusAt(axle, at[i]);
-    h[i] = merge.locus[i].overlap;
-  }
-  const double first = std::max(1 - h[0] / h[1], 0.0);
-  const double second = std::max(1 - h[0] / h[2], 0.0);
-  const double apart = first * second;
-  merge.m = std::exp(-apart * std::sqrt(apart));
-  const double slope = 1.5 * std::sqrt(apart) * merge.m;  // -dm/d apart
-  merge.slope[0] = slope * (second / h[1] + first / h[2]);
-  merge.slope[1] = -slope * second * h[0] / (h[1] * h[1]);
-  merge.slope[2] = -slope * first * h[0] / (h[2] * h[2]);
-  if (!hump->joined) return;
-  hump->end = next->begin = at[0];
 }
 
 void ContactSearch::FindHumps(const Axle& axle, const Samples& s, Humps* humps) const noexcept {

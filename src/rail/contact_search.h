@@ -151,7 +151,7 @@ class ContactSearch {
   /// them, of this hump and of the next.
   struct Merge {
     double m;
-    Locus locus[3];  ///< their places
+    Locus locus[3];   ///< their places
     double slope[3];  ///< dm/dh [1/m]
   };
   /// Hump of overlap between two ends [m on the wheel profile].
@@ -227,6 +227,8 @@ class ContactSearch {
   /// The wrench of the merging of humps `first` … `last`, added to their patches from `begin` on.
   void AddMerging(const Axle& axle, const Humps& humps, int first, int last, const Moments* moments,
                   int begin, Overlaps* found) const noexcept;
+  /// U of E [J].
+  static double StoredEnergy(double e) noexcept;
   void Describe(const Axle& axle, const Moments& moments, Overlap* patch) const noexcept;
   double WheelY(int sample) const { return begin_ + step_ * sample; }
   double Vertical(const Samples& samples, int i) const {
