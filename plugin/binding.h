@@ -33,7 +33,6 @@ namespace phs::plugin {
 inline constexpr int kMaxCylinders = 16;
 inline constexpr int kMaxLines = 16;
 inline constexpr int kMaxStates = 96;
-inline constexpr int kMaxChain = 64;  ///< freedoms of a wheelset and the bodies that carry it
 
 /// One wheelset: its ids and the dofs that its wrench acts on.
 struct WheelsetBinding {
@@ -70,7 +69,7 @@ struct UserData {
   static constexpr int kContactPower = 1;   ///< lost to contact and support damping [W]
   static constexpr int kContactEnergy = 2;  ///< stored in contacts and supports [J]
   static constexpr int kPhsPower = 3;       ///< lost in the PHS [W]
-  static constexpr int kPhsEnergy = 4;      ///< stored in the PHS [J]
+  static constexpr int kPhsEnergy = 4;      ///< stored in the PHS, where MuJoCo sums energy [J]
   static constexpr int kLifted = 5;         ///< number of wheels without contact
   static constexpr int kBeyondProfile = 6;  ///< number of wheels at the end of a profile
   static constexpr int kMaxLateral = 7;     ///< largest |lateral| of a wheelset [m]
@@ -155,13 +154,17 @@ class Binding {
   /// Speed of the instant of every dof [nv], as the last call of Passive left it.
   const double* Speed(const mjData* d) const { return d->userdata + UserData::kHeader; }
 
+  /// A wheelset where it stands, ready for its forces at any speed; of the plugin alone.
+  struct PressedWheelset;
+
  private:
   Status LoadRail(mjModel* m, const AttachOptions& options);
   Status BindWheelsets(mjModel* m);
   Status BindCoupler(const mjModel* m, const AttachOptions& options);
   Status BindPhs(mjModel* m, const AttachOptions& options);
-  struct PressedWheelset;
   struct Work;
+  /// All wheelsets, on MuJoCo's stack or where somebody keeps them.
+  void PressWheelsets(mjData* d, Work* work) const noexcept;
   void PressWheelset(const mjData* d, int index, PressedWheelset* at) const noexcept;
   void MoveWheelset(const mjModel* m, const mjData* d, int index, const double* speed,
                     PressedWheelset* at, rail::WheelDamping* damping) const noexcept;
@@ -174,6 +177,8 @@ class Binding {
                          Work* work) const noexcept;
   void AddRunningForces(const mjModel* m, mjData* d, const double* speed, bool slopes,
                         Work* work) const noexcept;
+  /// Pistons and pressures, which serve every speed of the step.
+  void SolveCylinders(const mjData* d, Work* work) const noexcept;
   void AddCylinderForces(const mjModel* m, mjData* d, const double* speed, bool slopes,
                          Work* work) const noexcept;
   bool Factor(const mjModel* m, const mjData* d, bool again, Work* work) const noexcept;
@@ -181,7 +186,7 @@ class Binding {
   void AddDrives(const mjModel* m, mjData* d, Work* work) const noexcept;
   void HalfStep(const mjModel* m, mjData* d, Work* work) const noexcept;
   void CalcRest(const mjModel* m, mjData* d, Work* work) const noexcept;
-  void CalcRates(mjData* d, double h) const noexcept;
+  void CalcRates(mjData* d, double h, const Work& work) const noexcept;
   void AddElementForces(const mjModel* m, const mjData* d, const double* speed,
                         Work* work) const noexcept;
   /// Forces of MuJoCo's own dampers at `speed`, which may be a difference of speeds.

@@ -5,6 +5,7 @@
 #include <new>
 
 #include "plugin/active_steering.h"
+#include "plugin/bias.h"
 #include "plugin/binding_work.h"
 #include "plugin/guest.h"
 
@@ -173,7 +174,7 @@ void Binding::HalfStep(const mjModel* m, mjData* d, Work* work) const noexcept {
     CalcForces(m, d, speed, round == 0, work);
     if (round == 1) {
       CalcBiasAt(m, d, speed, bias);
-      mj_mulM(m, d, r, a);
+      MulMass(m, d, a, r);
     }
     for (int i = 0; i < nv; ++i) {
       r[i] = work->rest[i] + work->force[i] + work->cylinder[i] - bias[i] - r[i];
@@ -189,7 +190,7 @@ void Binding::HalfStep(const mjModel* m, mjData* d, Work* work) const noexcept {
   }
   FollowCylinders(m, d, speed, work);
   // What MuJoCo must add to the forces it knows, so that its step makes this a.
-  mj_mulM(m, d, r, a);
+  MulMass(m, d, a, r);
   for (int i = 0; i < nv; ++i) {
     const double smooth = r[i] + 2 * work->half * m->dof_damping[i] * a[i];
     d->qfrc_passive[i] += smooth - work->rest[i] - work->cylinder[i] + bias_before[i];
@@ -226,16 +227,10 @@ void Binding::Passive(const mjModel* m, mjData* d) const noexcept {
   work.row = mj_stackAlloc(d, m->nv);
   work.slope = mj_stackAlloc(d, kCylinderNumbers * static_cast<int>(phs_.size()) + 1);
   work.contact = mj_stackAlloc(d, m->nM);
-  work.entries = mj_stackAlloc(d, m->nM);
+  work.entries = mj_stackAlloc(d, m->nM + m->nv);
   StepMatrix matrix(m, work.entries);
   work.matrix = &matrix;
-  constexpr int kNumbers = (sizeof(PressedWheelset) + sizeof(mjtNum) - 1) / sizeof(mjtNum);
-  const int num_wheelsets = static_cast<int>(wheelsets_.size());
-  mjtNum* room = mj_stackAlloc(d, kNumbers * num_wheelsets + 1);
-  work.wheelsets = reinterpret_cast<PressedWheelset*>(room);
-  for (int i = 0; i < num_wheelsets; ++i) {
-    PressWheelset(d, i, new (room + kNumbers * i) PressedWheelset);
-  }
+  PressWheelsets(d, &work);
   std::copy(d->qvel, d->qvel + m->nv, d->userdata + UserData::kHeader);
   for (const PhsBinding& p : phs_) {
     for (size_t i = 0; i < p.state_actuator.size(); ++i) {
@@ -243,6 +238,10 @@ void Binding::Passive(const mjModel* m, mjData* d) const noexcept {
           d->act[p.state_actuator[i] - (m->nu - m->na)];
     }
   }
+  constexpr int kInstant = (sizeof(hydraulics::Instant) + sizeof(mjtNum) - 1) / sizeof(mjtNum);
+  work.instants = reinterpret_cast<hydraulics::Instant*>(
+      mj_stackAlloc(d, kInstant * static_cast<int>(phs_.size()) + 1));
+  SolveCylinders(d, &work);
   std::fill(work.drive, work.drive + m->nv, 0.0);
   AddDrives(m, d, &work);
   const bool instant = m->opt.integrator == mjINT_RK4;
@@ -253,7 +252,7 @@ void Binding::Passive(const mjModel* m, mjData* d) const noexcept {
   } else {
     HalfStep(m, d, &work);
   }
-  CalcRates(d, 2 * work.half);
+  CalcRates(d, 2 * work.half, work);
   BookPowers(m, d, &work);
   mjFREESTACK;
 }

@@ -1,8 +1,10 @@
 // The part of Binding that presses wheelsets on the track. No allocation, no locks, no exceptions.
 #include <algorithm>
 #include <cmath>
+#include <new>
 
 #include "plugin/binding_work.h"
+#include "plugin/kept_wheelsets.h"
 
 namespace phs::plugin {
 namespace {
@@ -30,6 +32,23 @@ void PlaceOnTrack(const mjData* d, const rail::Track& track, int body, WheelsetS
   const Vec3 axle = ToTrack(out->frame, {r[1], r[4], r[7]});
   out->yaw = std::atan2(-axle[0], axle[1]);
   out->roll = std::asin(std::clamp(axle[2], -1.0, 1.0));
+}
+
+/// Adds `scale` times the dampers of a wheel, about the point from which `arm` leads to the
+/// wheelset's centre; world axes.
+void AddDampers(const rail::WheelDamping& dampers, Side side, const rail::TrackFrame& frame,
+                const Vec3& arm, double scale, SpatialMatrix* sum) {
+  for (int k = 0; k < dampers.count; ++k) {
+    const auto& damper = dampers.damper[static_cast<size_t>(k)];
+    const Vec3 force = ToWorld(frame, rail::MirrorPolar(damper.force, side));
+    Vec3 turn = ToWorld(frame, rail::MirrorAxial(damper.moment, side));
+    Add(&turn, Cross(arm, force));
+    const std::array<double, 6> g = {turn[0], turn[1], turn[2], force[0], force[1], force[2]};
+    for (size_t i = 0; i < 6; ++i) {
+      const double scaled = scale * damper.coefficient * g[i];
+      for (size_t j = 0; j < 6; ++j) (*sum)[i][j] += scaled * g[j];
+    }
+  }
 }
 
 }  // namespace
@@ -101,9 +120,28 @@ void Binding::MoveWheelset(const mjModel* m, const mjData* d, int index, const d
   out.moment = ToWorld(out.frame, out.moment_T);
 }
 
+void Binding::PressWheelsets(mjData* d, Work* work) const noexcept {
+  constexpr int kNumbers = (sizeof(PressedWheelset) + sizeof(mjtNum) - 1) / sizeof(mjtNum);
+  const int count = static_cast<int>(wheelsets_.size());
+  work->wheelsets = reinterpret_cast<PressedWheelset**>(mj_stackAlloc(d, count + 1));
+  KeptWheelsets* kept = KeptWheelsets::Of(*this, d);
+  for (int i = 0; i < count; ++i) {
+    void* room =
+        kept != nullptr ? kept->Take(d, i) : static_cast<void*>(mj_stackAlloc(d, kNumbers));
+    work->wheelsets[i] = new (room) PressedWheelset;
+    PressWheelset(d, i, work->wheelsets[i]);
+  }
+}
+
 WheelsetState Binding::CalcWheelset(const mjModel* m, const mjData* d, int index) const noexcept {
+  const KeptWheelsets* kept = KeptWheelsets::Of(*this, d);
+  const PressedWheelset* found = kept != nullptr ? kept->Find(d, index) : nullptr;
   PressedWheelset at;
-  PressWheelset(d, index, &at);
+  if (found != nullptr) {
+    at = *found;
+  } else {
+    PressWheelset(d, index, &at);
+  }
   MoveWheelset(m, d, index, Speed(d), &at, nullptr);
   return at.state;
 }
@@ -113,7 +151,7 @@ void Binding::AddWheelsetForces(const mjModel* m, mjData* d, const double* speed
   mjtNum* user = d->userdata;
   for (size_t i = 0; i < wheelsets_.size(); ++i) {
     const WheelsetBinding& w = wheelsets_[i];
-    PressedWheelset& at = work->wheelsets[i];
+    PressedWheelset& at = *work->wheelsets[i];
     rail::WheelDamping damping[2];
     MoveWheelset(m, d, static_cast<int>(i), speed, &at, slopes ? damping : nullptr);
     const WheelsetState& state = at.state;
@@ -131,23 +169,11 @@ void Binding::AddWheelsetForces(const mjModel* m, mjData* d, const double* speed
     }
     user[UserData::kMaxLateral] = std::max(user[UserData::kMaxLateral], std::abs(state.lateral));
     if (!slopes) continue;
-    const int count = static_cast<int>(w.dofs.size());
+    SpatialMatrix sum{};
     for (const Side side : {Side::kLeft, Side::kRight}) {
-      const rail::WheelDamping& dampers = damping[static_cast<int>(side)];
-      for (int k = 0; k < dampers.count; ++k) {
-        const auto& damper = dampers.damper[static_cast<size_t>(k)];
-        const Vec3 force = ToWorld(state.frame, rail::MirrorPolar(damper.force, side));
-        Vec3 turn = ToWorld(state.frame, rail::MirrorAxial(damper.moment, side));
-        Add(&turn, Cross(arm, force));
-        double row[kMaxChain];
-        for (int q = 0; q < count; ++q) {
-          const mjtNum* c = d->cdof + 6 * w.dofs[static_cast<size_t>(q)];
-          row[q] = c[0] * turn[0] + c[1] * turn[1] + c[2] * turn[2] + c[3] * force[0] +
-                   c[4] * force[1] + c[5] * force[2];
-        }
-        work->matrix->AddOuter(work->half * damper.coefficient, row, w.dofs.data(), count);
-      }
+      AddDampers(damping[static_cast<int>(side)], side, state.frame, arm, work->half, &sum);
     }
+    work->matrix->AddSpatial(sum, d->cdof, w.dofs.data(), static_cast<int>(w.dofs.size()));
   }
 }
 

@@ -43,17 +43,18 @@ struct Binding::PressedWheelset {
 
 /// Numbers of one evaluation, on MuJoCo's stack.
 struct Binding::Work {
-  PressedWheelset* wheelsets = nullptr;
-  double* force = nullptr;     ///< of wheels, train, brakes, elements made here [nv]
+  PressedWheelset** wheelsets = nullptr;  ///< [wheelset]
+  double* force = nullptr;                ///< of wheels, train, brakes, elements made here [nv]
   double* cylinder = nullptr;  ///< the part of the cylinders, which MuJoCo adds itself [nv]
   double* rest = nullptr;      ///< all other forces but Coriolis', at v_n [nv]
   double* drive = nullptr;     ///< the part of actuators that are no cylinders [nv]
   double* row = nullptr;       ///< scratch [nv]
   double* contact = nullptr;   ///< M + h/2 (C of all but cylinders) [nM]
-  double* entries = nullptr;   ///< the same with cylinders, factorised [nM]
+  double* entries = nullptr;   ///< the same with cylinders, factorised [nM + nv]
   double half = 0;             ///< h/2 [s]
   StepMatrix* matrix = nullptr;
-  double* slope = nullptr;  ///< kCylinderNumbers of each PHS
+  double* slope = nullptr;                  ///< kCylinderNumbers of each PHS
+  hydraulics::Instant* instants = nullptr;  ///< of each PHS
 };
 
 }  // namespace phs::plugin

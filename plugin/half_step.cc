@@ -4,23 +4,6 @@
 
 namespace phs::plugin {
 
-void CalcBiasAt(const mjModel* m, mjData* d, const double* speed, double* bias) {
-  mjMARKSTACK;
-  mjtNum* saved = mj_stackAlloc(d, m->nv + 6 * m->nbody + 6 * m->nv);
-  mjtNum* velocity = saved + m->nv;
-  mjtNum* turning = velocity + 6 * m->nbody;
-  mju_copy(saved, d->qvel, m->nv);
-  mju_copy(velocity, d->cvel, 6 * m->nbody);
-  mju_copy(turning, d->cdof_dot, 6 * m->nv);
-  mju_copy(d->qvel, speed, m->nv);
-  mj_comVel(m, d);
-  mj_rne(m, d, 0, bias);
-  mju_copy(d->qvel, saved, m->nv);
-  mju_copy(d->cvel, velocity, 6 * m->nbody);
-  mju_copy(d->cdof_dot, turning, 6 * m->nv);
-  mjFREESTACK;
-}
-
 void AddApplied(const mjModel* m, mjData* d, double* force) {
   for (int i = 0; i < m->nv; ++i) force[i] += d->qfrc_applied[i];
   for (int body = 1; body < m->nbody; ++body) {

@@ -30,10 +30,6 @@
 
 namespace phs::plugin {
 
-/// Coriolis, gyroscopic and weight forces (MuJoCo's bias) at `speed` [nv]; velocities of `d` are
-/// then again those of qvel.
-void CalcBiasAt(const mjModel* m, mjData* d, const double* speed, double* bias);
-
 /// Adds applied forces: qfrc_applied and xfrc_applied.
 void AddApplied(const mjModel* m, mjData* d, double* force);
 

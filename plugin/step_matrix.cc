@@ -3,6 +3,15 @@
 #include <algorithm>
 
 namespace phs::plugin {
+namespace {
+
+/// to += factor from; the two do not overlap.
+inline void AddScaled(double factor, const double* __restrict from, int count,
+                      double* __restrict to) {
+  for (int i = 0; i < count; ++i) to[i] += factor * from[i];
+}
+
+}  // namespace
 
 void StepMatrix::SetMass(const mjData* d) { std::copy(d->qM, d->qM + m_->nM, entries_); }
 
@@ -15,27 +24,50 @@ void StepMatrix::AddOuter(double coefficient, const double* row) {
   }
 }
 
-void StepMatrix::AddOuter(double coefficient, const double* row, const int* dofs, int count) {
-  for (int i = 0; i < count; ++i) {
-    const double scaled = coefficient * row[i];
-    double* entry = entries_ + m_->dof_Madr[dofs[i]];
-    for (int j = i; j >= 0; --j) *entry++ += scaled * row[j];
+void StepMatrix::AddSpatial(const SpatialMatrix& damping, const double* motions, const int* dofs,
+                            int count) {
+  // Component by component, so that neighbouring dofs go side by side; four at a time.
+  constexpr int kBlock = 4;
+  double c[6][kMaxChain], y[6][kMaxChain];
+  const int padded = (count + kBlock - 1) / kBlock * kBlock;
+  for (int k = 0; k < 6; ++k) {
+    for (int p = 0; p < count; ++p) c[k][p] = motions[6 * dofs[p] + k];
+    for (int p = count; p < padded; ++p) c[k][p] = 0;
+  }
+  for (int k = 0; k < 6; ++k) {
+    for (int p = 0; p < padded; p += kBlock) {
+      double sum[kBlock] = {};
+      for (int l = 0; l < 6; ++l) AddScaled(damping[k][l], c[l] + p, kBlock, sum);
+      std::copy(sum, sum + kBlock, y[k] + p);
+    }
+  }
+  for (int q = 0; q < count; ++q) {
+    double* entry = entries_ + m_->dof_Madr[dofs[q]] + q;  // of the root; the way up goes back
+    double row[kMaxChain];
+    for (int p = 0; p <= q; p += kBlock) {
+      double sum[kBlock] = {};
+      for (int k = 0; k < 6; ++k) AddScaled(y[k][q], c[k] + p, kBlock, sum);
+      std::copy(sum, sum + kBlock, row + p);
+    }
+    for (int p = 0; p <= q; ++p) entry[-p] += row[p];
   }
 }
 
 bool StepMatrix::Factor() {
   for (int k = m_->nv - 1; k >= 0; --k) {
-    const double* own = entries_ + m_->dof_Madr[k];
+    double* own = entries_ + m_->dof_Madr[k];
     if (!(own[0] > 0)) return false;
     const double inverse = 1 / own[0];
-    double* along = entries_ + m_->dof_Madr[k] + 1;
+    // The ancestors of k: each row is as long as what is left of the way up.
+    int left = RowLength(k) - 1;
+    double* along = own + 1;
     for (int i = m_->dof_parentid[k]; i >= 0; i = m_->dof_parentid[i]) {
       const double share = *along * inverse;
-      double* row = entries_ + m_->dof_Madr[i];
-      const double* from = along;
-      for (int j = i; j >= 0; j = m_->dof_parentid[j]) *row++ -= share * *from++;
+      AddScaled(-share, along, left, entries_ + m_->dof_Madr[i]);
       *along++ = share;
+      --left;
     }
+    own[0] = inverse;
   }
   return true;
 }
@@ -45,10 +77,28 @@ void StepMatrix::Solve(double* x) const {
     const double* entry = entries_ + m_->dof_Madr[i] + 1;
     for (int j = m_->dof_parentid[i]; j >= 0; j = m_->dof_parentid[j]) x[j] -= *entry++ * x[i];
   }
-  for (int i = 0; i < m_->nv; ++i) x[i] /= entries_[m_->dof_Madr[i]];
+  // From the root on, so that a sum waits for its newest term alone. Dofs are numbered depth first:
+  // those of smaller depth that were last seen are the ancestors.
+  double* seen = entries_ + m_->nM;
   for (int i = 0; i < m_->nv; ++i) {
-    const double* entry = entries_ + m_->dof_Madr[i] + 1;
-    for (int j = m_->dof_parentid[i]; j >= 0; j = m_->dof_parentid[j]) x[i] -= *entry++ * x[j];
+    const double* entry = entries_ + m_->dof_Madr[i];
+    const int depth = RowLength(i) - 1;
+    double sum = 0;
+    for (int k = 0; k < depth; ++k) sum += entry[depth - k] * seen[k];
+    seen[depth] = x[i] = x[i] * entry[0] - sum;
+  }
+}
+
+void MulMass(const mjModel* m, const mjData* d, const double* x, double* out) {
+  for (int i = 0; i < m->nv; ++i) {
+    const double* entry = d->qM + m->dof_Madr[i];
+    const double own = x[i];
+    double sum = *entry++ * own;
+    for (int j = m->dof_parentid[i]; j >= 0; j = m->dof_parentid[j]) {
+      sum += *entry * x[j];
+      out[j] += *entry++ * own;
+    }
+    out[i] = sum;
   }
 }
 

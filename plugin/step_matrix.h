@@ -7,13 +7,20 @@
 
 #include <mujoco/mujoco.h>
 
+#include <array>
+
 namespace phs::plugin {
+
+inline constexpr int kMaxChain = 64;  ///< freedoms of a wheelset and the bodies that carry it
+
+/// Symmetric, on spatial vectors of rotation and translation, or of moment and force.
+using SpatialMatrix = std::array<std::array<double, 6>, 6>;
 
 /// Storage belongs to the caller. Factor: L^T D L without fill (Featherstone, Rigid Body Dynamics
 /// Algorithms, 2008, section 8.3).
 class StepMatrix {
  public:
-  /// `entries`: room for m->nM numbers.
+  /// `entries`: room for m->nM + m->nv numbers.
   StepMatrix(const mjModel* m, double* entries) : m_(m), entries_(entries) {}
 
   /// Starts again as the mass matrix of `d`, in MuJoCo's layout.
@@ -22,16 +29,27 @@ class StepMatrix {
   void AddDiagonal(int dof, double value) { entries_[m_->dof_Madr[dof]] += value; }
   /// Adds coefficient g g^T for a row g of nv numbers; entries outside the pattern are dropped.
   void AddOuter(double coefficient, const double* row);
-  /// The same for a chain of dofs, each the parent of the next: g as long as `dofs`, which rise.
-  void AddOuter(double coefficient, const double* row, const int* dofs, int count);
-  /// Factorises in place. False if it is not positive definite.
+  /// Adds J^T damping J for a body that is moved by a chain of dofs, each the parent of the next,
+  /// from the root on, at most kMaxChain; J: their `motions` (MuJoCo's cdof of all dofs: rotation,
+  /// translation).
+  void AddSpatial(const SpatialMatrix& damping, const double* motions, const int* dofs, int count);
+  /// Factorises in place; the diagonal then holds the inverse of D. False if it is not positive
+  /// definite.
   bool Factor();
   /// x = matrix^-1 x, after Factor.
   void Solve(double* x) const;
 
  private:
+  /// A dof and its ancestors.
+  int RowLength(int dof) const {
+    return (dof + 1 < m_->nv ? m_->dof_Madr[dof + 1] : m_->nM) - m_->dof_Madr[dof];
+  }
+
   const mjModel* m_;
   double* entries_;
 };
+
+/// out = M x with the mass matrix of `d`.
+void MulMass(const mjModel* m, const mjData* d, const double* x, double* out);
 
 }  // namespace phs::plugin

@@ -11,15 +11,13 @@
 #include "hydraulics/friction.h"
 #include "hydraulics/mount.h"
 #include "hydraulics/node.h"
+#include "hydraulics/phs_instant.h"
 #include "hydraulics/phs_outputs.h"
 #include "hydraulics/phs_params.h"
 
 namespace phs::hydraulics {
 
-inline constexpr int kMaxCylinders = 16;
-inline constexpr int kMaxNodes = 32;
 inline constexpr int kMaxPaths = 32;
-inline constexpr int kMaxStates = 192;
 inline constexpr int kOpen = -1;  ///< node index of the atmosphere
 
 struct CompiledCylinder {
@@ -42,17 +40,6 @@ struct Path {
   int from = kOpen, to = kOpen;
   std::unique_ptr<FlowLaw> law;
   int volume = -1, flow = -1;  ///< state indices; flow only with an inertance
-};
-
-/// Everything known at one instant.
-struct Instant {
-  double time = 0;               ///< [s]
-  double ambient = 0;            ///< [K]
-  double viscosity = 1;          ///< over that at the static temperature
-  double extra[kMaxExtra];       ///< further channels, where there are some
-  double piston[kMaxCylinders];  ///< y [m]
-  double pushed[kMaxNodes];      ///< D [m3]
-  NodeState node[kMaxNodes];
 };
 
 struct CompiledPhs {

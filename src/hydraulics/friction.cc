@@ -117,9 +117,9 @@ FrictionForce Friction::Calc(double v, double z, const FrictionPlace& place) con
   return out;
 }
 
-double Friction::Damping(double v, double z, const FrictionPlace& place) const {
+double Friction::Damping(double force, double v, double z, const FrictionPlace& place) const {
   const double faster = v + std::copysign(1e-7 + 1e-4 * std::abs(v), v);
-  return std::max(0.0, (Calc(faster, z, place).force - Calc(v, z, place).force) / (faster - v));
+  return std::max(0.0, (Calc(faster, z, place).force - force) / (faster - v));
 }
 
 double Friction::Direction(double v, double z, const FrictionPlace& place) const {

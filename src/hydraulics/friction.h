@@ -42,8 +42,8 @@ class Friction {
   double Level(int sign, double speed, const FrictionPlace& place) const;
   /// Force at bristle deflection z [m] and speed v.
   FrictionForce Calc(double v, double z, const FrictionPlace& place) const;
-  /// d(force)/d(speed) where the piston goes faster, not below zero [N s/m].
-  double Damping(double v, double z, const FrictionPlace& place) const;
+  /// d(force)/d(speed) where the piston goes faster, not below zero [N s/m]; `force`: that of Calc.
+  double Damping(double force, double v, double z, const FrictionPlace& place) const;
   /// Direction of the friction, -1 … 1: z over its final value, or the ramp through zero speed.
   double Direction(double v, double z, const FrictionPlace& place) const;
   /// Bristle deflection after h seconds at constant v. Exact.

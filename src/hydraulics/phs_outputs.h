@@ -20,6 +20,7 @@ struct PhsOutputs {
   double stored_energy = 0;  ///< above the static state [J]
   double lost_power = 0;     ///< [W], >= 0 for a passive system
   bool energy = true;        ///< in: false skips the two above (faster)
+  bool stored = true;        ///< in: false skips the stored energy alone, which takes logarithms
 };
 
 /// How cylinders move over a step: speeds are linear in time, `mean` over it, `end` at its end

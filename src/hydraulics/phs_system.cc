@@ -111,7 +111,8 @@ void CalcCylinder(const CompiledPhs& sys, const Instant& at, int i, double pisto
   const EndStopForce stop = CalcEndStop(c.stop, y, piston_speed);
   const double pressure_force = CalcPressureForce(sys, at, i);
   const double z = c.bristle >= 0 ? state[c.bristle] : 0;
-  const FrictionForce friction = c.friction.Calc(piston_speed, z, sys.Place(at, i, state));
+  const FrictionPlace place = sys.Place(at, i, state);
+  const FrictionForce friction = c.friction.Calc(piston_speed, z, place);
   double force = pressure_force + stop.force + friction.force;
   double friction_force = friction.force;
   if (out->energy) {
@@ -119,7 +120,7 @@ void CalcCylinder(const CompiledPhs& sys, const Instant& at, int i, double pisto
     out->lost_power += stop.lost_power + friction.lost_power;
   }
   if (out->damping) {
-    out->damping[i] = stop.damper + c.friction.Damping(piston_speed, z, sys.Place(at, i, state));
+    out->damping[i] = stop.damper + c.friction.Damping(friction.force, piston_speed, z, place);
   }
   if (c.mount_state >= 0) {
     const double u = state[c.mount_state];
@@ -190,6 +191,11 @@ void CalcCylinderFrictionRate(const CompiledPhs& sys, const Instant& at, int cyl
   for (int k = 0; k < c.friction.num_memories(); ++k) rate[c.memory + k] = (next[k] - now[k]) / h;
 }
 
+// Whether rates of states ask for pressures.
+bool NeedsPressures(const CompiledPhs& sys) {
+  return sys.friction_needs_pressure || sys.num_states() > sys.first_slow;
+}
+
 // Speed at the end of a step whose mean is `now`, after one of the same length with mean `before`;
 // what stands or is about to turn does not turn.
 double GoneOn(double before, double now) {
@@ -199,17 +205,27 @@ double GoneOn(double before, double now) {
 
 }  // namespace
 
+void PhsSystem::Solve(double time, const double* x, const double* state,
+                      Instant* at) const noexcept {
+  SolveInstant(*impl_, time, x, state, at);
+}
+
 void PhsSystem::Calc(double time, const double* x, const double* v, const double* state,
                      PhsOutputs* out) const noexcept {
-  const CompiledPhs& sys = *impl_;
   Instant at;
-  SolveInstant(sys, time, x, state, &at);
+  SolveInstant(*impl_, time, x, state, &at);
+  CalcAt(at, x, v, state, out);
+}
+
+void PhsSystem::CalcAt(const Instant& at, const double* x, const double* v, const double* state,
+                       PhsOutputs* out) const noexcept {
+  const CompiledPhs& sys = *impl_;
   out->stored_energy = out->lost_power = 0;
   double speed[kMaxCylinders];
   double rate[kMaxStates];
   std::copy(v, v + sys.cylinders.size(), speed);
   if (sys.has_mounts && out->energy) {
-    CalcMountRates(sys, time, 0, x, v, state, &at, speed, rate);
+    CalcMountRates(sys, at.time, 0, x, v, state, &at, speed, rate);
   }
   for (size_t i = 0; i < sys.cylinders.size(); ++i) {
     CalcCylinder(sys, at, static_cast<int>(i), speed[i], state, out);
@@ -218,38 +234,48 @@ void PhsSystem::Calc(double time, const double* x, const double* v, const double
     for (size_t n = 0; n < sys.line_names.size(); ++n) out->pressure[n] = at.node[n].p;
   }
   if (!out->energy) return;
+  out->lost_power += CalcHydraulicLoss(sys, at.time, at, state);
+  if (!out->stored) {
+    out->stored_energy = 0;
+    return;
+  }
   for (size_t n = 0; n < sys.nodes.size(); ++n) {
     out->stored_energy += CalcNodeEnergy(sys.nodes[n], at.node[n].p, at.ambient, state);
   }
   out->stored_energy += CalcPathEnergy(sys, state);
-  out->lost_power += CalcHydraulicLoss(sys, time, at, state);
 }
 
 void PhsSystem::CalcStateRate(double time, double h, const double* x, const double* v,
                               const double* state, double* rate,
                               const double* before) const noexcept {
+  Instant at;
+  if (NeedsPressures(*impl_)) {
+    SolveInstant(*impl_, time, x, state, &at);
+  } else {
+    PlacePistons(*impl_, time, x, state, &at);
+  }
+  CalcStateRateAt(at, h, x, v, state, rate, before);
+}
+
+void PhsSystem::CalcStateRateAt(const Instant& at, double h, const double* x, const double* v,
+                                const double* state, double* rate,
+                                const double* before) const noexcept {
   const CompiledPhs& sys = *impl_;
   double speed[kMaxCylinders];
   std::copy(v, v + sys.cylinders.size(), speed);
-  const bool hydraulic = sys.num_states() > sys.first_slow;
-  const bool solved = sys.friction_needs_pressure || hydraulic;
-  Instant at;
-  if (solved) {
-    SolveInstant(sys, time, x, state, &at);
-  } else {
-    PlacePistons(sys, time, x, state, &at);
+  if (sys.has_mounts) {
+    const Instant* near = NeedsPressures(sys) ? &at : nullptr;
+    CalcMountRates(sys, at.time, h, x, v, state, near, speed, rate);
   }
-  if (sys.has_mounts)
-    CalcMountRates(sys, time, h, x, v, state, solved ? &at : nullptr, speed, rate);
   for (size_t i = 0; i < sys.cylinders.size(); ++i) {
     CalcCylinderFrictionRate(sys, at, static_cast<int>(i), h, speed[i], state, rate);
   }
-  if (!hydraulic) return;
+  if (sys.num_states() == sys.first_slow) return;
   double end[kMaxCylinders] = {};
   for (size_t i = 0; i < sys.cylinders.size(); ++i) {
     end[i] = before != nullptr ? GoneOn(before[i], speed[i]) : speed[i];
   }
-  CalcHydraulicRates(sys, time, h, at, {speed, end}, state, rate);
+  CalcHydraulicRates(sys, at.time, h, at, {speed, end}, state, rate);
 }
 
 void PhsSystem::CalcHydraulics(double time, double h, const double* x, const StepSpeeds& v,
@@ -285,50 +311,6 @@ void PhsSystem::CalcFrictionRate(double time, double h, const double* x, const d
   for (size_t i = 0; i < impl_->cylinders.size(); ++i) {
     CalcCylinderFrictionRate(*impl_, at, static_cast<int>(i), h, v[i], state, rate);
   }
-}
-
-double PhsSystem::max_stiffness() const {
-  double most = 0;
-  for (const CompiledCylinder& c : impl_->cylinders) {
-    double k = c.friction.stiffness() + c.stop.stiffness_N_per_m;
-    auto chamber = [&](int node, double area) {
-      if (node == kOpen) return 0.0;
-      const Node& at = impl_->nodes[node];
-      // Gas on its stop: the oil alone carries, at the stiffest pressure it may see.
-      const double beta = at.bulk_modulus + at.bulk_slope * 5e7;
-      return area * area * beta / at.oil_volume;
-    };
-    k += chamber(c.bore, c.bore_area) + chamber(c.rod, c.rod_area);
-    most = std::max(most, k);
-  }
-  return most;
-}
-
-double PhsSystem::max_line_frequency() const {
-  double most = 0;
-  for (const Path& path : impl_->paths) {
-    if (path.flow < 0) continue;
-    double stiffness = 0;  // [Pa/m3]
-    for (int end : {path.from, path.to}) {
-      if (end == kOpen) continue;
-      const Node& node = impl_->nodes[end];
-      stiffness += node.bulk_modulus / node.oil_volume;
-    }
-    const double inertance = path.law->Inertance();
-    double resistance;
-    path.law->Drop({}, 0, &resistance);
-    const double decay = 0.5 * resistance / inertance;
-    most = std::max(most, std::sqrt(std::max(0.0, stiffness / inertance - decay * decay)));
-  }
-  return most;
-}
-
-double PhsSystem::max_damping() const {
-  double most = 0;
-  for (const CompiledCylinder& c : impl_->cylinders) {
-    most = std::max(most, c.friction.MaxDamping() + c.stop.damping_Ns_per_m);
-  }
-  return most;
 }
 
 }  // namespace phs::hydraulics

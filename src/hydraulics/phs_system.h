@@ -10,6 +10,7 @@
 #include "hydraulics/extension.h"
 #include "hydraulics/friction.h"
 #include "hydraulics/mount.h"
+#include "hydraulics/phs_instant.h"
 #include "hydraulics/phs_outputs.h"
 #include "hydraulics/phs_params.h"
 
@@ -59,6 +60,14 @@ class PhsSystem {
   /// then answer to a speed that goes on to change as it did (second order in h), else to one.
   void CalcStateRate(double time, double h, const double* x, const double* v, const double* state,
                      double* rate, const double* before = nullptr) const noexcept;
+  /// The two above in parts: Solve finds pistons and pressures, which do not ask for speeds; `x` and
+  /// `state` below are those of Solve.
+  void Solve(double time, const double* x, const double* state, Instant* at) const noexcept;
+  void CalcAt(const Instant& at, const double* x, const double* v, const double* state,
+              PhsOutputs* out) const noexcept;
+  void CalcStateRateAt(const Instant& at, double h, const double* x, const double* v,
+                       const double* state, double* rate,
+                       const double* before = nullptr) const noexcept;
   /// Without yielding mountings the pressures follow from the motion alone, whatever the friction:
   /// chamber pressures at an instant [Pa, absolute; per cylinder] and mean rates of the hydraulic
   /// states over the coming step h; other rates are left as they are.

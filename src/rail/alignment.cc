@@ -9,11 +9,11 @@ namespace {
 // Sine and cosine of a small angle, |a| <= 0.06: truncation below 1e-17.
 double SmallSin(double a) {
   const double a2 = a * a;
-  return a * (1 - a2 / 6 * (1 - a2 / 20 * (1 - a2 / 42)));
+  return a + a * a2 * (-1.0 / 6 + a2 * (1.0 / 120 - a2 * (1.0 / 5040)));
 }
 double SmallCos(double a) {
   const double a2 = a * a;
-  return 1 - a2 / 2 * (1 - a2 / 12 * (1 - a2 / 30 * (1 - a2 / 56)));
+  return 1 + a2 * (-0.5 + a2 * (1.0 / 24 + a2 * (-1.0 / 720 + a2 * (1.0 / 40320))));
 }
 
 // Gauss-Legendre, four points on (0, 1).

@@ -51,11 +51,6 @@ CreepForce CreepLaw::CalcWithSlope(const CreepInput& input, CreepSlope* slope) c
   return here;
 }
 
-double FrictionLaw::At(double slip_speed) const {
-  return coefficient *
-         ((1 - falling_ratio) * std::exp(-falling_rate_s_m * slip_speed) + falling_ratio);
-}
-
 std::vector<std::string> CreepLawNames() {
   std::vector<std::string> names;
   for (const CreepLawRow& row : CreepLaws()) names.push_back(row.name);

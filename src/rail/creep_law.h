@@ -2,6 +2,7 @@
 // creep_laws.cc; axes and signs: creep.h.
 #pragma once
 
+#include <cmath>
 #include <memory>
 #include <string>
 #include <vector>
@@ -19,7 +20,11 @@ struct FrictionLaw {
   double falling_ratio = 1;     ///< A in (0, 1]; 1 = constant
   double falling_rate_s_m = 0;  ///< B >= 0 [s/m]
   /// Coefficient at a slip speed >= 0 [m/s].
-  double At(double slip_speed) const;
+  double At(double slip_speed) const {
+    if (falling_ratio == 1) return coefficient;
+    return coefficient *
+           ((1 - falling_ratio) * std::exp(-falling_rate_s_m * slip_speed) + falling_ratio);
+  }
 };
 
 /// Thread-safe, allocation-free after creation.
@@ -27,8 +32,9 @@ class CreepLaw {
  public:
   virtual ~CreepLaw() = default;
   virtual CreepForce Calc(const CreepInput& input) const noexcept = 0;
-  /// The same force with its slope, by one-sided differences; for implicit steps.
-  CreepForce CalcWithSlope(const CreepInput& input, CreepSlope* slope) const noexcept;
+  /// The same force with its slope at held friction; for implicit steps. By one-sided differences
+  /// where a law knows no better.
+  virtual CreepForce CalcWithSlope(const CreepInput& input, CreepSlope* slope) const noexcept;
   virtual std::string name() const = 0;
 };
 

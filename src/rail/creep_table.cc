@@ -11,6 +11,8 @@ namespace {
 
 using namespace creep_table;
 
+constexpr double kSmallest = 1e-9;  ///< p of the linear limit
+
 /// Folded into the part of the cube that is stored, with the signs that undo it.
 struct Folded {
   double u, v, half_w, p;
@@ -34,6 +36,136 @@ Folded Fold(const NormalisedCreepage& c) {
   return f;
 }
 
+/// Where a folded creepage lies in the table.
+struct Spot {
+  Place shape, extent, one, two;
+  double t;
+  double per_p;
+};
+
+Spot Find(const Folded& f, double chi) {
+  const FaceGrid& grid = kGrids[f.face];
+  Spot spot;
+  spot.t = f.p / (f.p + kSizeUnit);
+  spot.per_p = 1 / f.p;
+  const bool by_u = f.face == kFaceU;
+  // Components along both axes of the face; a component of both signs begins at -1.
+  const double first = by_u ? f.v * spot.per_p + 1 : f.u * spot.per_p;
+  const double second = (f.face == kFaceW ? f.v : f.half_w) * spot.per_p + 1;
+  spot.shape = PlaceOn(std::clamp(chi, 0.0, 1.0) * (kShapes - 1), kShapes);
+  spot.extent = PlaceOn(spot.t * (kSizes - 1), kSizes);
+  spot.one = PlaceOn(first * kPerUnit, grid.nodes[2]);
+  spot.two = PlaceOn(second * kPerUnit, grid.nodes[3]);
+  return spot;
+}
+
+/// g and its derivatives over t and the places on both axes of the face.
+struct Sums {
+  double value[kStride] = {};
+  double by_t[kStride] = {}, by_one[kStride] = {}, by_two[kStride] = {};
+};
+
+constexpr int kRow = 3 * kStride;  ///< neighbours along the last axis lie side by side
+
+/// out = sum of weight[k] in[k].
+void Blend(const std::array<double, 3>& weight, const double (*in)[kRow], double* out) {
+  for (int q = 0; q < kRow; ++q) {
+    out[q] = weight[0] * in[0][q] + weight[1] * in[1][q] + weight[2] * in[2][q];
+  }
+}
+
+void BlendRow(const std::array<double, 3>& weight, const double* row, double* out) {
+  for (int q = 0; q < kStride; ++q) {
+    out[q] = weight[0] * row[q] + weight[1] * row[kStride + q] + weight[2] * row[2 * kStride + q];
+  }
+}
+
+/// Axis by axis, so that what value and slopes share is done once.
+template <bool kSlope>
+Sums Interpolate(const double* data, const Folded& f, const Spot& at) {
+  const FaceGrid& grid = kGrids[f.face];
+  const std::size_t n1 = static_cast<std::size_t>(grid.nodes[1]) + 2;
+  const std::size_t n2 = static_cast<std::size_t>(grid.nodes[2]) + 2;
+  const std::size_t n3 = static_cast<std::size_t>(grid.nodes[3]) + 2;
+  const std::size_t plane = n1 * n2 * n3 * kStride;
+  const double* corner =
+      data + grid.offset +
+      (((at.shape.node * n1 + at.extent.node) * n2 + at.one.node) * n3 + at.two.node) * kStride;
+  const std::array<double, 3>& chi = at.shape.weight;
+  const std::array<double, 3> by_t = at.extent.Slope();
+  double along[3][kRow], along_t[3][kRow];  // [place on the first axis of the face]
+  for (std::size_t k = 0; k < 3; ++k) {
+    double extent[3][kRow];
+    for (std::size_t j = 0; j < 3; ++j) {
+      const double* row = corner + (j * n2 + k) * n3 * kStride;
+      for (int q = 0; q < kRow; ++q) {
+        extent[j][q] = chi[0] * row[q] + chi[1] * row[plane + q] + chi[2] * row[2 * plane + q];
+      }
+    }
+    Blend(at.extent.weight, extent, along[k]);
+    if constexpr (kSlope) Blend(by_t, extent, along_t[k]);
+  }
+  Sums sums;
+  double last[kRow];
+  Blend(at.one.weight, along, last);
+  BlendRow(at.two.weight, last, sums.value);
+  if constexpr (kSlope) {
+    BlendRow(at.two.Slope(), last, sums.by_two);
+    Blend(at.one.Slope(), along, last);
+    BlendRow(at.two.weight, last, sums.by_one);
+    Blend(at.one.weight, along_t, last);
+    BlendRow(at.two.weight, last, sums.by_t);
+  }
+  return sums;
+}
+
+/// The splines may overshoot a little where the force saturates: what brings it back to f N.
+double CutOf(const double* g, double t) {
+  const double size2 = (g[0] * g[0] + g[1] * g[1]) * t * t;
+  return size2 > 1 ? 1 / std::sqrt(size2) : 1;
+}
+
+NormalisedForce ForceOf(const Folded& f, const Spot& at, const double* g) {
+  const double force = at.t * CutOf(g, at.t);
+  return {g[0] * force * f.sign_x, g[1] * force * f.sign_yw, g[2] * at.t * f.sign_yw};
+}
+
+/// How t and the places on both axes of the face move with a component of the folded creepage.
+struct Moves {
+  double t = 0, one = 0, two = 0;
+};
+Moves MovesWithU(const Folded& f, const Spot& at) {
+  const double per = kPerUnit * at.per_p;
+  if (f.face != kFaceU) return {0, per, 0};
+  return {kSizeUnit / ((f.p + kSizeUnit) * (f.p + kSizeUnit)), -f.v * at.per_p * per,
+          -f.half_w * at.per_p * per};
+}
+Moves MovesWithV(const Folded& f, const Spot& at) {
+  const double per = kPerUnit * at.per_p;
+  if (f.face == kFaceU) return {0, per, 0};
+  if (f.face == kFaceW) return {0, 0, per};
+  return {kSizeUnit / ((f.p + kSizeUnit) * (f.p + kSizeUnit)), -f.u * at.per_p * per,
+          -f.half_w * at.per_p * per};
+}
+
+/// Slope of t g, or of g/|g| where that is the force.
+void SlopeAlong(const Sums& g, const Moves& move, double t, double cut, double* x, double* y) {
+  const double rise = move.t * (kSizes - 1);
+  double d[2];
+  for (int q = 0; q < 2; ++q) {
+    d[q] = t * (rise * g.by_t[q] + move.one * g.by_one[q] + move.two * g.by_two[q]) +
+           move.t * g.value[q];
+  }
+  if (cut < 1) {
+    const double fx = g.value[0] * t * cut, fy = g.value[1] * t * cut;
+    const double along = d[0] * fx + d[1] * fy;
+    d[0] = cut * (d[0] - along * fx);
+    d[1] = cut * (d[1] - along * fy);
+  }
+  *x = d[0];
+  *y = d[1];
+}
+
 }  // namespace
 
 std::size_t CreepTable::DataSize() { return kDataSize; }
@@ -47,54 +179,26 @@ CreepTable CreepTable::FromData(std::vector<double> data) {
 NormalisedForce CreepTable::At(const NormalisedCreepage& c) const noexcept {
   const Folded f = Fold(c);
   if (!(f.p > 0)) return {};
-  const FaceGrid& grid = kGrids[f.face];
-  const double t = f.p / (f.p + kSizeUnit);
-  const double per_p = 1 / f.p;
-  double first = 0;  // place of the first direction component on its axis
-  double second = 0;
-  switch (f.face) {
-    case kFaceU:
-      first = (f.v * per_p + 1) * kPerUnit;
-      second = (f.half_w * per_p + 1) * kPerUnit;
-      break;
-    case kFaceV:
-      first = f.u * per_p * kPerUnit;
-      second = (f.half_w * per_p + 1) * kPerUnit;
-      break;
-    case kFaceW:
-      first = f.u * per_p * kPerUnit;
-      second = (f.v * per_p + 1) * kPerUnit;
-      break;
+  const Spot at = Find(f, c.chi);
+  return ForceOf(f, at, Interpolate<false>(data_.data(), f, at).value);
+}
+
+NormalisedForce CreepTable::At(const NormalisedCreepage& c, NormalisedSlope* slope) const noexcept {
+  const Folded f = Fold(c);
+  if (f.p == 0) {  // no direction: that of u stands for the linear limit
+    At({kSmallest, 0, 0, c.chi}, slope);
+    return {};
   }
-  const Place shape = PlaceOn(std::clamp(c.chi, 0.0, 1.0) * (kShapes - 1), kShapes);
-  const Place extent = PlaceOn(t * (kSizes - 1), kSizes);
-  const Place one = PlaceOn(first, grid.nodes[2]);
-  const Place two = PlaceOn(second, grid.nodes[3]);
-  const std::size_t n1 = static_cast<std::size_t>(grid.nodes[1]) + 2;
-  const std::size_t n2 = static_cast<std::size_t>(grid.nodes[2]) + 2;
-  const std::size_t n3 = static_cast<std::size_t>(grid.nodes[3]) + 2;
-  double sum[kStride] = {};
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) {
-      const double wij = shape.weight[i] * extent.weight[j];
-      for (int k = 0; k < 3; ++k) {
-        const double wijk = wij * one.weight[k];
-        const double* row =
-            data_.data() + grid.offset +
-            ((((shape.node + i) * n1 + extent.node + j) * n2 + one.node + k) * n3 + two.node) *
-                kStride;
-        // Row by row, so that the sums do not wait for one another.
-        for (int q = 0; q < kStride; ++q) {
-          sum[q] += wijk * (two.weight[0] * row[q] + two.weight[1] * row[kStride + q] +
-                            two.weight[2] * row[2 * kStride + q]);
-        }
-      }
-    }
-  }
-  // The splines may overshoot a little where the force saturates.
-  const double size2 = (sum[0] * sum[0] + sum[1] * sum[1]) * t * t;
-  const double force = size2 > 1 ? t / std::sqrt(size2) : t;
-  return {sum[0] * force * f.sign_x, sum[1] * force * f.sign_yw, sum[2] * t * f.sign_yw};
+  *slope = {};
+  if (!(f.p > 0)) return {};
+  const Spot at = Find(f, c.chi);
+  const Sums sums = Interpolate<true>(data_.data(), f, at);
+  const double cut = CutOf(sums.value, at.t);
+  SlopeAlong(sums, MovesWithU(f, at), at.t, cut, &slope->x_u, &slope->y_u);
+  SlopeAlong(sums, MovesWithV(f, at), at.t, cut, &slope->x_v, &slope->y_v);
+  slope->x_v *= f.sign_x * f.sign_yw;
+  slope->y_u *= f.sign_x * f.sign_yw;
+  return ForceOf(f, at, sums.value);
 }
 
 }  // namespace phs::rail

@@ -10,6 +10,9 @@
 // law of the grid), interpolated by quadratic B-splines through the nodes in all four arguments:
 // once continuously differentiable within a face, continuous across the edges of the cube.
 //
+// The slope is that of the splines, d(t g) = g dt + t dg with dt/dp = 2/(p + 2)^2, where the force is
+// cut back without the part along the force.
+//
 // After interpolation the force is cut back to f N. Error against FASTSIM on the same grid, p from
 // 0.02 to 40 in all directions, as a share of f N: a/b from 0.43 to 2.3 rms 0.03 %, largest 0.7 %;
 // a/b from 0.11 to 9 rms 0.05 %, largest 1.1 % (tests/rail/creep_table_test.cc).
@@ -33,6 +36,8 @@ class CreepTable {
 
   /// @pre not empty.
   NormalisedForce At(const NormalisedCreepage& creepage) const noexcept;
+  /// The same with the slope of the interpolated force, in closed form.
+  NormalisedForce At(const NormalisedCreepage& creepage, NormalisedSlope* slope) const noexcept;
   std::span<const double> data() const { return data_; }
   bool empty() const { return data_.empty(); }
 

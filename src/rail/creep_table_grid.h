@@ -47,16 +47,21 @@ inline constexpr std::array<FaceGrid, kFaces> kGrids = {{
 inline constexpr std::size_t kDataSize =
     NumCoefficients(kNodesU) + NumCoefficients(kNodesV) + NumCoefficients(kNodesW);
 
-/// Place of a point on an axis: nearest node and the three weights of the quadratic B-spline.
+/// Place of a point on an axis: nearest node, distance from it, and the three weights of the quadratic
+/// B-spline.
 struct Place {
   int node = 0;
+  double beyond = 0;
   std::array<double, 3> weight{};
+  /// Derivatives of the weights.
+  std::array<double, 3> Slope() const { return {beyond - 0.5, -2 * beyond, beyond + 0.5}; }
 };
 inline Place PlaceOn(double s, int nodes) {
   Place place;
   place.node = static_cast<int>(s + 0.5);
   if (place.node > nodes - 1) place.node = nodes - 1;
   const double d = s - place.node;
+  place.beyond = d;
   place.weight = {0.5 * (0.5 - d) * (0.5 - d), 0.75 - d * d, 0.5 * (0.5 + d) * (0.5 + d)};
   return place;
 }

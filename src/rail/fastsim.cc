@@ -143,15 +143,6 @@ NormalisedForce Fastsim::CalcUniform(const NormalisedCreepage& c) const noexcept
   return {f.x * cell, f.y * cell, f.moment * cell};
 }
 
-NormalisedCreepage Normalise(const CreepInput& in, const KalkerCoefficients& c, double shear,
-                             bool elliptic_bound) noexcept {
-  const double top = in.friction * in.normal / (kPi * in.a * in.b) * (elliptic_bound ? 1.5 : 2.0);
-  const double s = shear / top;
-  const double sum = in.a + in.b;
-  return {s * 0.375 * c.c11 * in.xi, s * 0.375 * c.c22 * in.eta,
-          s * (4 / kPi) * c.c23 * std::sqrt(in.b / in.a) * sum * in.phi, in.a / sum};
-}
-
 CreepInput WithBlendedFlexibility(const CreepInput& in, const KalkerCoefficients& c,
                                   double shear) noexcept {
   const double l1 = 8 * in.a / (3 * c.c11 * shear);

@@ -14,6 +14,8 @@
 #pragma once
 
 #include <array>
+#include <cmath>
+#include <numbers>
 
 #include "rail/creep.h"
 #include "rail/kalker.h"
@@ -49,6 +51,12 @@ struct NormalisedForce {
   double moment = 0;
 };
 
+/// Slope of the force over u and v.
+struct NormalisedSlope {
+  double x_u = 0, x_v = 0;
+  double y_u = 0, y_v = 0;
+};
+
 class Fastsim {
  public:
   static constexpr int kMaxStrips = 400;
@@ -73,8 +81,16 @@ class Fastsim {
 };
 
 /// Creepages of a patch in normalised form. @pre a, b, normal, friction > 0.
-NormalisedCreepage Normalise(const CreepInput& input, const KalkerCoefficients& c,
-                             double shear_modulus, bool elliptic_bound) noexcept;
+inline NormalisedCreepage Normalise(const CreepInput& in, const KalkerCoefficients& c,
+                                    double shear_modulus, bool elliptic_bound) noexcept {
+  constexpr double kPi = std::numbers::pi;
+  // G over the peak f p0 of the bound.
+  const double s = shear_modulus * (kPi * in.a * in.b) /
+                   (in.friction * in.normal * (elliptic_bound ? 1.5 : 2.0));
+  const double sum = in.a + in.b;
+  return {s * 0.375 * c.c11 * in.xi, s * 0.375 * c.c22 * in.eta,
+          s * (4 / kPi) * c.c23 * std::sqrt(in.b / in.a) * sum * in.phi, in.a / sum};
+}
 
 /// Blended flexibility (CONTACT's FASTSIM): towards large creepage the three flexibilities turn
 /// into one, as classic FASTSIM with L1 != L2 slides in a wrong direction. With f3 = 8a/3 and

@@ -103,7 +103,10 @@ KalkerCurve::KalkerCurve(double poisson_ratio) {
 }
 
 KalkerCoefficients KalkerCurve::At(double a_over_b) const noexcept {
-  const double chi = std::isfinite(a_over_b) ? a_over_b / (1 + a_over_b) : 1;
+  return AtShare(std::isfinite(a_over_b) ? a_over_b / (1 + a_over_b) : 1);
+}
+
+KalkerCoefficients KalkerCurve::AtShare(double chi) const noexcept {
   const double place =
       std::clamp((chi - kLowest) / (1 - 2 * kLowest), 0.0, 1.0) * static_cast<double>(kIntervals);
   const int i = std::min(static_cast<int>(place), kIntervals - 1);

@@ -31,6 +31,8 @@ class KalkerCurve {
  public:
   explicit KalkerCurve(double poisson_ratio);
   KalkerCoefficients At(double a_over_b) const noexcept;
+  /// By the ratio chi = a/(a + b) itself, 0 … 1.
+  KalkerCoefficients AtShare(double chi) const noexcept;
 
  private:
   static constexpr int kIntervals = 2048;

@@ -20,19 +20,46 @@ class SimplifiedTheoryLaw : public CreepLaw {
   CreepForce Calc(const CreepInput& in) const noexcept override {
     if (!InContact(in)) return {};
     const double shear = params_.material.shear_modulus_Pa;
-    const KalkerCoefficients c = curve_.At(in.a / in.b);
+    const KalkerCoefficients c = curve_.AtShare(in.a / (in.a + in.b));
     CreepInput changed = in;
     if (params_.slope_reduction.active()) {
       changed = WithSlopeReduction(changed, c, shear, params_.slope_reduction);
     }
     if (params_.blended_flexibility) changed = WithBlendedFlexibility(changed, c, shear);
-    const NormalisedForce f = source_(Normalise(changed, c, shear, params_.elliptic_bound));
-    const double limit = in.friction * in.normal;
-    return WithoutDelivery(in, {limit * f.x, limit * f.y, limit * (in.a + in.b) * f.moment});
+    return ForceOf(in, source_(Normalise(changed, c, shear, params_.elliptic_bound)));
+  }
+  CreepForce CalcWithSlope(const CreepInput& in, CreepSlope* slope) const noexcept override {
+    // The changes of creepage above have slopes of their own.
+    const bool changed = params_.slope_reduction.active() || params_.blended_flexibility;
+    if constexpr (requires(NormalisedSlope * s) { source_(NormalisedCreepage(), s); }) {
+      if (!changed && InContact(in)) return CalcClosed(in, slope);
+    }
+    return CreepLaw::CalcWithSlope(in, slope);
   }
   std::string name() const override { return params_.method; }
 
  private:
+  static CreepForce ForceOf(const CreepInput& in, const NormalisedForce& f) {
+    const double limit = in.friction * in.normal;
+    return WithoutDelivery(in, {limit * f.x, limit * f.y, limit * (in.a + in.b) * f.moment});
+  }
+
+  /// With the source's own slope: u and v are proportional to xi and eta.
+  CreepForce CalcClosed(const CreepInput& in, CreepSlope* slope) const noexcept {
+    const KalkerCoefficients c = curve_.AtShare(in.a / (in.a + in.b));
+    const double shear = params_.material.shear_modulus_Pa;
+    const bool elliptic = params_.elliptic_bound;
+    NormalisedSlope s;
+    const NormalisedForce force = source_(Normalise(in, c, shear, elliptic), &s);
+    CreepInput unit = in;
+    unit.xi = unit.eta = 1;
+    const NormalisedCreepage per = Normalise(unit, c, shear, elliptic);
+    const double limit = in.friction * in.normal;
+    *slope = {limit * s.x_u * per.u, limit * s.x_v * per.v, limit * s.y_u * per.u,
+              limit * s.y_v * per.v};
+    return ForceOf(in, force);
+  }
+
   CreepLawParams params_;
   KalkerCurve curve_;
   Source source_;
@@ -45,6 +72,9 @@ struct FastsimSource {
 struct TableSource {
   std::shared_ptr<const CreepTable> table;
   NormalisedForce operator()(const NormalisedCreepage& c) const noexcept { return table->At(c); }
+  NormalisedForce operator()(const NormalisedCreepage& c, NormalisedSlope* slope) const noexcept {
+    return table->At(c, slope);
+  }
 };
 
 FastsimParams GridOf(const CreepLawParams& p) {

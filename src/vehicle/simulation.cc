@@ -9,6 +9,7 @@
 #include "base/numbers.h"
 #include "base/words.h"
 #include "phs_model/phs_model.h"
+#include "plugin/kept_wheelsets.h"
 #include "plugin/model_text.h"
 #include "plugin/registry.h"
 #include "plugin/settle.h"
@@ -156,6 +157,7 @@ Result<RunOutcome> Simulation::Run(const Progress& progress, const OwnInputs& ow
   plugin::ResetToStart(m, d);
   const plugin::Binding& bound = binding();
   const plugin::Observer observer(m, bound);
+  const plugin::KeptWheelsets kept(bound, d);
   RunOutcome run;
   run.channels = observer.channels();
   const std::ptrdiff_t num_observed = std::ssize(run.channels);
