@@ -9,16 +9,12 @@ namespace {
 
 constexpr double kSpare = 1.25;     ///< a yawed wheel is more curved across
 constexpr double kMostRoll = 0.06;  ///< and other differences of slope at a contact [rad]
-/// Humps whose ridge is this near to the shallower one are one hump.
-constexpr double kSameHump = 0.98;
+/// Humps nearer to each other (a of contact_search.h) are one: two have a weight of a millionth.
+constexpr double kSameHump = 1e-4;
+constexpr int kWide = 6;         ///< samples
+constexpr double kPlace = 1e-7;  ///< of a place that overlap does not feel to first order [m]
 constexpr int kMaxRidges = 12;
 constexpr double kUsual = 3;  ///< relative curvature across of a first guess [1/m]
-
-/// 0 at 0, 1 at 1, level at both.
-double SmoothStep(double x) {
-  const double t = std::clamp(x, 0.0, 1.0);
-  return t * t * (3 - 2 * t);
-}
 
 }  // namespace
 
@@ -50,13 +46,15 @@ void ContactSearch::MeasureMargins() {
     }
     margin_.push_back(kSpare * 0.125 * (wheel_bend + rail_bend) * arc * arc);
   }
+  most_margin_ = *std::max_element(margin_.begin(), margin_.end());
 }
 
-double ContactSearch::DeepestNear(const Axle& axle, double low, double high) const noexcept {
+double ContactSearch::StationaryNear(const Axle& axle, double low, double high,
+                                     double sign) const noexcept {
   // The slopes of wheel and rail agree: false position that does not get stuck (Illinois).
   const auto difference = [&](double at) {
     const Locus l = LocusAt(axle, at);
-    return l.slope - l.rail_slope;  // > 0: deeper further out
+    return sign * (l.slope - l.rail_slope);  // > 0: deeper further out
   };
   double f_low = difference(low);
   double f_high = difference(high);
@@ -65,7 +63,7 @@ double ContactSearch::DeepestNear(const Axle& axle, double low, double high) con
   double at = low;
   for (int i = 0; i < 30; ++i) {
     const double next = (low * f_high - high * f_low) / (f_high - f_low);
-    if (std::abs(next - at) < 1e-9) return next;
+    if (std::abs(next - at) < kPlace) return next;
     at = next;
     const double f = difference(at);
     if (f > 0) {
@@ -93,9 +91,24 @@ void ContactSearch::FindHumps(const Axle& axle, const Samples& s, Humps* humps) 
       continue;
     }
     // A hump between two samples that both do not touch.
+    if (i < s.last && s.depth[i] < -most_margin_ && s.depth[i + 1] < -most_margin_) continue;
     if (i == s.last || s.depth[i + 1] > 0) continue;
     if (std::max(s.depth[i], s.depth[i + 1]) < -margin_[static_cast<size_t>(i)]) continue;
     AddBetween(axle, WheelY(i), WheelY(i + 1), humps);
+  }
+  for (int k = 0; k + 1 < humps->count; ++k) Link(axle, s, &humps->hump[k], &humps->hump[k + 1]);
+  ChooseNodes(s, humps);
+}
+
+void ContactSearch::ChooseNodes(const Samples& s, Humps* humps) const noexcept {
+  // Humps that meet have the same nodes, those of the wheel.
+  for (int k = 0; k < humps->count;) {
+    int last = k;
+    while (humps->hump[last].joined) ++last;
+    int level = 0;
+    for (int i = k; i <= last; ++i) level = std::max(level, LevelOf(s, humps->hump[i]));
+    if (last > k) level = std::min(level, kLevels - 1);
+    for (; k <= last; ++k) humps->hump[k].level = level;
   }
 }
 
@@ -106,66 +119,76 @@ void ContactSearch::AddBetween(const Axle& axle, double low, double high,
     return l.slope > l.rail_slope;
   };
   if (!rises(low) || rises(high)) return;
-  const double middle = DeepestNear(axle, low, high);
-  if (!(LocusAt(axle, middle).overlap > 0)) return;
+  const double middle = StationaryNear(axle, low, high);
+  const double depth = LocusAt(axle, middle).overlap;
+  if (!(depth > 0)) return;
   Hump& h = humps->hump[humps->count++];
+  h.top = middle;
+  h.depth = depth;
+  h.sample = -1;
+  h.joined = false;
   h.begin = EdgeBetween(axle, middle, low, 0.5 * (middle + low));
   h.end = EdgeBetween(axle, middle, high, 0.5 * (middle + high));
-  h.merge_next = 0;
+  h.next.m = 0;
   h.at_end = false;
 }
 
 void ContactSearch::SplitRun(const Axle& axle, const Samples& s, int begin, int end,
                              Humps* humps) const noexcept {
-  // Ridges: local minima of the depth inside the run, with m of the humps beside them.
-  struct Ridge {
-    int sample;
-    double merge;
-  };
-  Ridge ridge[kMaxRidges];
+  // Ridges: local minima of the overlap inside the run, each with the humps beside it.
+  int ridge[kMaxRidges];
   int ridges = 0;
+  const auto overlap = [&](int i) { return Vertical(s, i); };
   const auto greatest = [&](int from, int to) {
-    double depth = 0;
-    for (int i = from; i <= to; ++i) depth = std::max(depth, s.depth[i]);
-    return depth;
+    int at = from;
+    double most = 0;
+    for (int i = from; i <= to; ++i) {
+      const double there = overlap(i);
+      if (there > most) {
+        most = there;
+        at = i;
+      }
+    }
+    return at;
   };
   for (int i = begin + 1; i < end && ridges < kMaxRidges; ++i) {
-    if (s.depth[i] <= s.depth[i - 1] && s.depth[i] < s.depth[i + 1]) ridge[ridges++] = {i, 0};
+    if (overlap(i) <= overlap(i - 1) && overlap(i) < overlap(i + 1)) ridge[ridges++] = i;
   }
   // Take out the ridge that separates least until the rest are true and few enough.
   for (;;) {
     int weakest = -1;
+    double least = 1;
     for (int k = 0; k < ridges; ++k) {
-      const int left = k == 0 ? begin : ridge[k - 1].sample;
-      const int right = k + 1 == ridges ? end : ridge[k + 1].sample;
-      const double shallower =
-          std::min(greatest(left, ridge[k].sample), greatest(ridge[k].sample, right));
-      ridge[k].merge = s.depth[ridge[k].sample] / shallower;
-      if (weakest < 0 || ridge[k].merge > ridge[weakest].merge) weakest = k;
+      const double between = overlap(ridge[k]);
+      const int left = greatest(k == 0 ? begin : ridge[k - 1], ridge[k]);
+      const int right = greatest(ridge[k], k + 1 == ridges ? end : ridge[k + 1]);
+      const double apart = (1 - between / overlap(left)) * (1 - between / overlap(right));
+      if (weakest >= 0 && apart >= least) continue;
+      weakest = k;
+      least = apart;
     }
     const bool room = humps->count + ridges + 1 <= kMaxHumps;
-    if (weakest < 0 || (room && ridge[weakest].merge < kSameHump)) break;
+    if (weakest < 0 || (room && least > kSameHump)) break;
     for (int k = weakest; k + 1 < ridges; ++k) ridge[k] = ridge[k + 1];
     --ridges;
   }
+  // Of many samples the coarsest nodes are enough, and it is enough to reach beyond the edges.
+  const bool wide = ridges == 0 && end - begin >= kWide;
   const bool open_begin = begin == s.first;
   const bool open_end = end == s.last;
-  double from = open_begin ? WheelY(begin) : EdgeOfRun(axle, s, begin, begin - 1);
   for (int k = 0; k <= ridges; ++k) {
+    const bool first = k == 0, last = k == ridges;
+    const int low = first ? begin : ridge[k - 1];
+    const int high = last ? end : ridge[k];
     Hump& h = humps->hump[humps->count++];
-    h.begin = from;
-    h.merge_next = 0;
-    h.at_end = (k == 0 && open_begin) || (k == ridges && open_end);
-    if (k == ridges) {
-      h.end = open_end ? WheelY(end) : EdgeOfRun(axle, s, end, end + 1);
-    } else {
-      const int i = ridge[k].sample;
-      const double rise = s.depth[i + 1] - s.depth[i - 1];
-      const double bend = s.depth[i + 1] + s.depth[i - 1] - 2 * s.depth[i];
-      h.end = WheelY(i) - 0.5 * step_ * std::clamp(rise / bend, -1.0, 1.0);
-      h.merge_next = SmoothStep(ridge[k].merge / kSameHump);
-    }
-    from = h.end;
+    h.sample = greatest(low, high);
+    h.top = WheelY(h.sample);
+    h.depth = overlap(h.sample);
+    h.begin = first && !open_begin ? EdgeOfRun(axle, s, low, low - 1, wide) : WheelY(low);
+    h.end = last && !open_end ? EdgeOfRun(axle, s, high, high + 1, wide) : WheelY(high);
+    h.joined = !last;
+    h.at_end = (first && open_begin) || (last && open_end);
+    h.next.m = 0;
   }
 }
 
@@ -180,7 +203,7 @@ void ContactSearch::FindPoints(const WheelPlacement& wheel, double rail_y, doubl
     const bool right = i == s.last || s.depth[i] > s.depth[i + 1];
     if (!left || !right || !(s.depth[i] > 0)) continue;
     const bool inside = i > s.first && i < s.last;
-    const double at = inside ? DeepestNear(axle, WheelY(i - 1), WheelY(i + 1)) : WheelY(i);
+    const double at = inside ? StationaryNear(axle, WheelY(i - 1), WheelY(i + 1)) : WheelY(i);
     const Locus l = LocusAt(axle, at);
     if (!(l.overlap > 0)) continue;
     Overlap& p = found->patch[static_cast<size_t>(found->count++)];
@@ -191,7 +214,10 @@ void ContactSearch::FindPoints(const WheelPlacement& wheel, double rail_y, doubl
     p.depth = l.overlap / std::sqrt(1 + l.rail_slope * l.rail_slope);
     p.radius = radius_ + wheel_.At(at).z;
     p.across = kUsual;
-    const double push = bed_.At(l.y) * 4.0 / 3 * p.depth * std::sqrt(p.depth / p.across);
+    // Hertz's k of the modulus there (contact_modulus.h).
+    const double stiffness =
+        2.5 * std::pow(modulus_.At(l.y) * kParabolaFourth / std::sqrt(p.across), 5.0 / 9);
+    const double push = stiffness * p.depth * std::sqrt(p.depth);
     p.push = {0, -push * p.slope, push};
     p.weight = 1;
   }

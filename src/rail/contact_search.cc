@@ -11,17 +11,8 @@ constexpr double kRailStep = 0.125e-3;
 constexpr double kBeyond = 5;    ///< samples beyond the ends of the rail
 constexpr double kEdge = 1e-5;   ///< of a step of Newton, whose error is its square [m]
 constexpr double kDoubt = 2e-6;  ///< chords of the rail's table are this near to it, normal [m]
-constexpr double kEnd = 0.5e-3;  ///< contact this near to an end is at the end [m]
 /// Flattest relative curvature across: conformal regions carry a wide but finite patch.
 constexpr double kFlattest = 0.05;
-
-/// Panels of the wheel's profile that overlap is integrated over, four-point Gauss-Legendre on
-/// [0,1].
-constexpr int kSamplesPerPanel = 2;
-constexpr double kNode[] = {0.0694318442029737, 0.3300094782075719, 0.6699905217924281,
-                            0.9305681557970263};
-constexpr double kWeight[] = {0.1739274225687269, 0.3260725774312731, 0.3260725774312731,
-                              0.1739274225687269};
 
 /// beta = sqrt(1 - x^2); |x| <= 0.3 for slopes up to 6 and yaw up to 50 mrad, error below 1e-9.
 double RootOfRest(double square) {
@@ -37,7 +28,7 @@ ContactSearch::ContactSearch(Profile wheel, Profile rail, double half_tape, doub
       rail_(std::move(rail)),
       half_tape_(half_tape),
       radius_(radius),
-      bed_(wheel_, rail_, radius, hertz) {
+      modulus_(wheel_, rail_, radius, hertz) {
   const double width = wheel_.max_y() - wheel_.min_y();
   begin_ = wheel_.min_y();
   samples_ = std::clamp(static_cast<int>(std::ceil(width / kWheelStep)) + 1, 2, kMaxSamples);
@@ -48,11 +39,19 @@ ContactSearch::ContactSearch(Profile wheel, Profile rail, double half_tape, doub
     radius_at_.push_back(r);
     radius_slope_.push_back(r * s.slope);
     radius_square_.push_back(0.5 * r * s.slope * s.slope);
-    cosine_at_.push_back(1 / std::sqrt(1 + s.slope * s.slope));
+    stretch_at_.push_back(std::sqrt(1 + s.slope * s.slope));
+    cosine_at_.push_back(1 / stretch_at_.back());
   }
-  panel_ = kSamplesPerPanel * step_;
-  for (int k = 0; k < (samples_ - 1) / kSamplesPerPanel; ++k) {
-    AddNodes(begin_ + panel_ * k, begin_ + panel_ * (k + 1), &whole_);
+  int per_step = 1;
+  for (Grid& grid : grid_) {
+    grid.step = step_ / per_step;
+    for (int i = 0; i <= per_step * (samples_ - 1); ++i) {
+      const Profile::Sample s = wheel_.At(begin_ + grid.step * i);
+      grid.radius.push_back(radius_ + s.z);
+      grid.slope.push_back(s.slope);
+      grid.second.push_back(s.second);
+    }
+    per_step *= 2;
   }
   MeasureMargins();
   const double rail_width = rail_.max_y() - rail_.min_y();
@@ -90,6 +89,7 @@ ContactSearch::Locus ContactSearch::LocusAt(const Axle& a, double wheel_y) const
   const double uy = beta * a.beta_y - t * a.alpha_y;
   const double uz = beta * a.beta_z - t * a.alpha_z;
   Locus l;
+  l.x = a.ex * (along + radius * t);
   l.y = a.y + a.ey * along + radius * uy;
   l.z = a.z + a.ez * along + radius * uz;
   l.slope = -(uy - t * a.ey) / (uz - t * a.ez);
@@ -163,136 +163,32 @@ double ContactSearch::EdgeBetween(const Axle& axle, double inside, double outsid
   return at;
 }
 
-double ContactSearch::EdgeOfRun(const Axle& axle, const Samples& s, int sample,
-                                int next) const noexcept {
+double ContactSearch::EdgeOfRun(const Axle& axle, const Samples& s, int sample, int next,
+                                bool roughly) const noexcept {
+  if (roughly) return WheelY(next);
   const double share = s.depth[sample] / (s.depth[sample] - s.depth[next]);
   const double inside = WheelY(sample);
   const double outside = WheelY(next);
   return EdgeBetween(axle, inside, outside, inside + share * (outside - inside));
 }
 
-void ContactSearch::Moments::Add(const Moments& m) {
-  i += m.i;
-  square += m.square;
-  fourth += m.fourth;
-  bend += m.bend;
-  load += m.load;
-  wheel += m.wheel;
-  energy += m.energy;
-  push_y += m.push_y;
-  push_z += m.push_z;
-  turn_x += m.turn_x;
-  turn_y += m.turn_y;
-  turn_z += m.turn_z;
-}
-
-void ContactSearch::AddNodes(double from, double to, Nodes* nodes) const noexcept {
-  const double width = to - from;
-  for (int k = 0; k < kPanelNodes; ++k) {
-    const int n = nodes->count++;
-    const Profile::Sample s = wheel_.At(from + width * kNode[k]);
-    nodes->at[n] = from + width * kNode[k];
-    nodes->radius[n] = radius_ + s.z;
-    nodes->slope[n] = s.slope;
-    nodes->second[n] = s.second;
-    nodes->weight[n] = width * kWeight[k];
-  }
-}
-
-void ContactSearch::FindNodes(const Hump& hump, Nodes* nodes) const noexcept {
-  // Whole panels keep their places, so that nothing jumps when an end wanders.
-  nodes->count = 0;
-  const int first = static_cast<int>(std::ceil((hump.begin - begin_) / panel_));
-  const int last =
-      std::min(static_cast<int>((hump.end - begin_) / panel_), whole_.count / kPanelNodes);
-  if (last < first) return AddNodes(hump.begin, hump.end, nodes);
-  AddNodes(hump.begin, begin_ + panel_ * first, nodes);
-  const int from = first * kPanelNodes;
-  const int count = (last - first) * kPanelNodes;
-  const int n = nodes->count;
-  std::copy_n(whole_.at + from, count, nodes->at + n);
-  std::copy_n(whole_.radius + from, count, nodes->radius + n);
-  std::copy_n(whole_.slope + from, count, nodes->slope + n);
-  std::copy_n(whole_.second + from, count, nodes->second + n);
-  std::copy_n(whole_.weight + from, count, nodes->weight + n);
-  nodes->count += count;
-  AddNodes(begin_ + panel_ * last, hump.end, nodes);
-}
-
-ContactSearch::Moments ContactSearch::Integrate(const Axle& a, const Hump& hump) const noexcept {
-  Nodes n;
-  FindNodes(hump, &n);
-  const int count = n.count;
-  // Pass by pass, so that the arithmetic between the look-ups is done two nodes at a time.
-  double x[kMaxNodes], y[kMaxNodes], z[kMaxNodes], dy[kMaxNodes], slope[kMaxNodes];
-  double rail_z[kMaxNodes], rail_slope[kMaxNodes], bed[kMaxNodes];
-  const double side = a.side * a.side;
-  for (int k = 0; k < count; ++k) {
-    const double t = n.slope[k];
-    const double along = half_tape_ + n.at[k];
-    const double square = t * t * side;
-    const double beta = 1 - square * (0.5 + square * (0.125 + square * 0.0625));
-    const double uy = beta * a.beta_y - t * a.alpha_y;
-    const double uz = beta * a.beta_z - t * a.alpha_z;
-    x[k] = a.ex * (along + n.radius[k] * t);
-    y[k] = a.y + a.ey * along + n.radius[k] * uy;
-    z[k] = a.z + a.ez * along + n.radius[k] * uz;
-    slope[k] = -(uy - t * a.ey) / (uz - t * a.ez);
-    dy[k] = a.ey + t * uy - n.radius[k] * n.second[k] * (a.alpha_y + t * side * a.beta_y);
-  }
-  for (int k = 0; k < count; ++k) {
-    const Profile::Sample r = rail_.At(y[k]);
-    rail_z[k] = r.z;
-    rail_slope[k] = r.slope;
-    bed[k] = bed_.At(y[k]);
-  }
-  Moments m;
-  for (int k = 0; k < count; ++k) {
-    const double h = std::max(z[k] - rail_z[k], 0.0);
-    const double part = h * dy[k] * n.weight[k];
-    const double square = 1 / (1 + rail_slope[k] * rail_slope[k]);  // c^2
-    const double cosine = std::sqrt(square);
-    const double depth = part * cosine;
-    const double depth_of = h * cosine;
-    const double turned = (slope[k] - rail_slope[k]) * square;
-    const double push_z = bed[k] * depth;
-    const double push_y = -slope[k] * push_z;
-    m.i += part;
-    m.square += depth * h;
-    const double cube = part * depth_of * depth_of;
-    m.bend += cube * turned * turned;
-    m.fourth += cube * depth_of;
-    m.load += bed[k] * part;
-    m.wheel += bed[k] * part * n.at[k];
-    m.energy += 0.5 * push_z * h;
-    m.push_y += push_y;
-    m.push_z += push_z;
-    m.turn_x += (y[k] - a.y) * push_z - (z[k] - a.z) * push_y;
-    m.turn_y -= x[k] * push_z;
-    m.turn_z += x[k] * push_y;
-  }
-  return m;
-}
-
 void ContactSearch::Describe(const Axle& a, const Moments& m, Overlap* patch) const noexcept {
   Overlap& p = *patch;
   p.wheel_y = m.wheel / m.load;
-  const Profile::Sample s = wheel_.At(p.wheel_y);
-  p.radius = radius_ + s.z;
-  const double t = s.slope;
-  const double along = half_tape_ + p.wheel_y;
-  const double beta = RootOfRest(t * t * a.side * a.side);
-  p.arm = {a.ex * along + p.radius * t * a.ex,
-           a.ey * along + p.radius * (beta * a.beta_y - t * a.alpha_y),
-           a.ez * along + p.radius * (beta * a.beta_z - t * a.alpha_z)};
+  p.arm = {m.arm_x / m.load, m.arm_y / m.load, m.arm_z / m.load};
+  // From the axle: what is square to it.
+  const double along = a.ex * p.arm[0] + a.ey * p.arm[1] + a.ez * p.arm[2];
+  p.radius =
+      std::sqrt(p.arm[0] * p.arm[0] + p.arm[1] * p.arm[1] + p.arm[2] * p.arm[2] - along * along);
   p.y = a.y + p.arm[1];
   p.z = a.z + p.arm[2];
-  p.push = {0, m.push_y, m.push_z};
-  p.turn = {m.turn_x, m.turn_y, m.turn_z};
-  p.energy = m.energy;
+  p.energy = StoredEnergy(m.energy);
+  const double scale = 20.0 / 9 * p.energy / m.energy;
+  p.push = {0, scale * m.push_y, scale * m.push_z};
+  p.turn = {scale * m.turn_x, scale * m.turn_y, scale * m.turn_z};
   p.slope = -m.push_y / m.push_z;
-  p.depth = 1.25 * m.square / m.i;
-  p.across = std::max(2 * m.bend / m.fourth, kFlattest);
+  p.depth = 1.125 * m.energy / m.load;
+  p.across = std::max(2 * m.bend / m.energy, kFlattest);
 }
 
 void ContactSearch::Find(const WheelPlacement& wheel, double rail_y, double rail_z,
@@ -306,25 +202,14 @@ void ContactSearch::Find(const WheelPlacement& wheel, double rail_y, double rail
   found->axle = {axle.ex, axle.ey, axle.ez};
   Moments moments[kMaxHumps];
   for (int k = 0; k < humps.count; ++k) moments[k] = Integrate(axle, humps.hump[k]);
-  // Every way of reading neighbours as one patch, with its weight.
-  for (int from = 0; from < humps.count; ++from) {
-    Moments sum;
-    double weight = from > 0 ? 1 - humps.hump[from - 1].merge_next : 1;
-    bool at_end = false;
-    for (int to = from; to < humps.count && weight > 0; ++to) {
-      sum.Add(moments[to]);
-      at_end = at_end || humps.hump[to].at_end;
-      const double merge = humps.hump[to].merge_next;
-      const double share = weight * (1 - merge);
-      weight *= merge;
-      if (!(share > 0) || !(sum.i > 0)) continue;
-      Overlap& patch = found->patch[static_cast<size_t>(found->count++)];
-      Describe(axle, sum, &patch);
-      patch.weight = share;
-      patch.at_end = at_end || patch.wheel_y < wheel_.min_y() + kEnd ||
-                     patch.wheel_y > wheel_.max_y() - kEnd || patch.y < rail_.min_y() + kEnd ||
-                     patch.y > rail_.max_y() - kEnd;
-    }
+  int chain = 0;  // humps that merge: `chain` … k
+  int chain_begin = 0;
+  for (int k = 0; k < humps.count; ++k) {
+    AddReadings(axle, humps, k, moments, found);
+    if (humps.hump[k].next.m > 0) continue;
+    if (k > chain) AddMerging(axle, humps, chain, k, moments, chain_begin, found);
+    chain = k + 1;
+    chain_begin = found->count;
   }
 }
 

@@ -9,35 +9,51 @@
 //   q = sqrt(1 - e_x^2),  alpha = -t e_x^2/q,  beta = sqrt(1 - t^2 e_x^2/q^2)
 // and the locus has the slope m = dz/dy = -n_y/n_z of the surface normal n = u - t e there.
 //
-// Overlap h(y) = z_locus - z_rail(y) > 0. A patch is an interval of overlap. It acts as a bed of
-// springs along the rail's normal, with a modulus K(y) that belongs to the rail's surface; with c
-// the cosine of the rail's slope, the arc length ds = dy/c and the normal depth g = h c
-//   stored energy  U = 1/2 int K g^2 ds = 1/2 int K h^2 c dy,
-//   wrench = grad U: strips K h c dy (0, -m, 1) at their own points of the locus.
-// So the wrench is smooth in the wheelset's position, no cycle gives energy, more depth is more
-// force, and no strip does work on the spin of the axle nor on rolling ahead (m is the wheel's own
-// slope there).
+// Overlap h(y) = z_locus - z_rail(y) > 0. With c the cosine of the rail's slope, ds = dy/c the arc
+// and g = h c the depth along the normal, a patch stores
+//   U = E^(5/9),   E = int kappa g^4 ds,
+// kappa a modulus that belongs to the rail's surface (contact_modulus.h). For parabolas U is
+// Hertz's energy, 2/5 k d^(5/2). Its gradient is the wrench:
+//   grad U = 20/9 U/E int kappa g^3 c (0, -m, 1) ds,
+// every strip's share at its own point of the locus. So the wrench is smooth in the wheelset's
+// position, no cycle gives energy, more depth is more force, and no strip does work on the spin of
+// the axle nor on rolling ahead (m is the wheel's own slope there).
 //
-// K(y) makes the force Hertz's (contact_bed.h). The integrals are taken over panels of the wheel's
-// profile that keep their places, so that they do not jump when a hump begins or ends elsewhere.
+// Why the fourth power: of an elastic contact only the deeper half of the overlap bears. Hertz's
+// load per width ~ 1 - y^2/b^2 has the spread b^2/5 about its centre; strips ~ g^n have w^2/(2 n +
+// 3), w half the width of the overlap, w^2 = d/B. With Hertz's b this asks for n = 3.5 for a
+// circular patch, 2.8 for one that is twice as wide as long, 6 for one that is five times as long
+// as wide (where b is less than a millimetre), and 1, independent springs, for none. With n = 3
+// the load lies where elastic bodies have it, also where the overlap is lopsided, as between tread
+// and flange root (tests/rail/half_space_test.cc).
+//
+// The integrals are sums over places of the wheel at equal distances: g^3 ends so smoothly that
+// twelve of them in a hump leave 1e-4 of its force. They keep their places, so that the force along
+// z is the slope of the stored energy to the last digit; those of a hump narrower than 0.9 mm move
+// with it.
 //
 // The ellipse of creep forces and pressure follows from the load and from the curvature of the
-// overlap as it is: I = int g ds, J = int g^2 ds, depth = 5 J/(4 I), and B = 2 S/Q, S = int g^3
-// (dg/ds)^2 ds, Q = int g^4 ds; both exact for a parabola. Of an elastic contact only the deeper
-// half of the overlap bears; its load per width squared has the same spread, (b^2)/14 … (b^2)/10,
-// as the curvature weighted with g^4, (b^2)/11, b the half-width of the overlap: a flat shoulder
-// beside the patch does not make it flat.
+// overlap as it is: with L = int kappa g^3 ds, S = int kappa g^3 (dg/ds)^2 ds
+//   depth = 9/8 E/L,   B = 2 S/E,
+// both exact for a parabola (by parts). Creepages belong to the centre of the load, with the mean
+// radius over the load: the slip that a patch on a curved root has on the whole. A flat shoulder beside the patch does not make it flat.
 //
-// Patches that grow together. Two humps of depths d1, d2 with a ridge of depth r > 0 between them
-// are counted as separate with weight 1 - m and as one with weight m, m = smoothstep(r/min(d1,
-// d2)): from 0 where their overlaps touch to 1 where the shallower hump vanishes. So neither event
-// makes a jump.
+// Patches that grow together. Two humps of overlaps h1, h2 with the overlap r between them (below 0:
+// a gap) are counted as separate with weight 1 - m and as one with weight m,
+//   m = exp(-a^(3/2)),   a = (1 - r/h1)(1 - r/h2):
+// 0 where one of them just touches, 1 where they have become one. So neither event makes a jump. Two
+// elastic bodies feel each other before their overlaps meet; the exponent is between the best for
+// the load (1) and a smooth end (2), see tests/rail/half_space_test.cc. One patch stores less than
+// two, so U depends on m, and m on the position:
+//   wrench = sum of weight grad U + sum over the neighbours of (dU/dm) grad m,
+// grad r, h1, h2 = (0, -m, 1) at their places, where both surfaces have the same slope. The second
+// sum is shared by the patches in the ratio of their loads; it takes at most a fifth of them.
 #pragma once
 
 #include <array>
 #include <vector>
 
-#include "rail/contact_bed.h"
+#include "rail/contact_modulus.h"
 #include "rail/frames.h"
 #include "rail/hertz.h"
 #include "rail/profile.h"
@@ -56,16 +72,16 @@ struct WheelPlacement {
 
 /// One patch of overlap as its equivalent parabola.
 struct Overlap {
-  double wheel_y = 0;   ///< centroid on the wheel profile [m]
-  double y = 0, z = 0;  ///< of the wheel surface there, relative to the rail's origin [m]
-  Vec3 arm{};           ///< of the wheel surface from the wheelset centre, C axes [m]
+  double wheel_y = 0;   ///< centre of the load on the wheel profile [m]
+  double y = 0, z = 0;  ///< the same, relative to the rail's origin [m]
+  Vec3 arm{};           ///< the same, from the wheelset centre, C axes [m]
   double slope = 0;     ///< dz/dy across the resultant of the surface normals
   double depth = 0;     ///< of the equivalent parabola, normal [m]
   double across = 0;    ///< B: half the relative curvature across the rolling direction [1/m]
-  Vec3 push{};          ///< sum of the strips' forces into the rail [N]
-  Vec3 turn{};          ///< their moment about the wheelset's centre [N m]
+  Vec3 push{};          ///< force into the rail [N]
+  Vec3 turn{};          ///< its moment about the wheelset's centre [N m]
   double energy = 0;    ///< U [J]
-  double radius = 0;    ///< of the wheel about its axle [m]
+  double radius = 0;    ///< of the wheel, mean over the load [m]
   double weight = 1;    ///< share of its own force, below 1 where patches merge
   bool at_end = false;  ///< reaches the end of the wheel's or the rail's profile
 };
@@ -112,8 +128,9 @@ class ContactSearch {
  private:
   static constexpr int kMaxSamples = 256;
   static constexpr int kMaxHumps = 3;
-  static constexpr int kPanelNodes = 4;
-  static constexpr int kMaxNodes = (kMaxSamples / 2 + 2) * kPanelNodes;
+  static constexpr int kLevels = 5;
+  static constexpr int kNodesInHump = 12;            ///< at least
+  static constexpr int kMaxNodes = 2 * kMaxSamples;  ///< even
 
   struct Axle {
     double ex, ey, ez;
@@ -124,35 +141,51 @@ class ContactSearch {
   };
   /// A point of the locus with the overlap there.
   struct Locus {
-    double y, z;
+    double x, y, z;
     double slope;  ///< of the wheel
     double rail_slope;
     double overlap;  ///< h
     double stretch;  ///< dy / d wheel_y
   };
+  /// How far a hump has grown together with the next, and how that follows from the overlap between
+  /// them, of this hump and of the next.
+  struct Merge {
+    double m;
+    Locus locus[3];   ///< their places
+    double slope[3];  ///< dm/dh [1/m]
+  };
   /// Hump of overlap between two ends [m on the wheel profile].
   struct Hump {
     double begin, end;
-    double merge_next;  ///< m with the next hump
+    double top;    ///< deepest place: of a sample, or itself where `sample` is -1
+    double depth;  ///< overlap there [m]
+    int sample;
+    bool joined;  ///< to the next one without a gap
     bool at_end;
+    int level;   ///< of the nodes; kLevels: the hump's own
+    Merge next;  ///< with the next hump
   };
   struct Humps {
     int count = 0;
     Hump hump[kMaxHumps];
   };
-  /// Integrals over a hump, additive.
+  /// Integrals over a hump, additive; pushes and turns: grad E/4.
   struct Moments {
-    double i = 0, square = 0, fourth = 0, bend = 0;  ///< I, J, Q, S
-    double load = 0, wheel = 0, energy = 0;
+    double energy = 0, load = 0, bend = 0;              ///< E, L, S
+    double wheel = 0, arm_x = 0, arm_y = 0, arm_z = 0;  ///< weighted as L
     double push_y = 0, push_z = 0, turn_x = 0, turn_y = 0, turn_z = 0;
     void Add(const Moments& m);
   };
-  /// Where overlap is evaluated for the integrals.
+  /// Places of the wheel at equal distances: `first` … `first + count - 1`, the ends of a hump lie
+  /// at `low` and `high`.
   struct Nodes {
-    int count = 0;
-    double at[kMaxNodes];  ///< wheel y [m]
-    double radius[kMaxNodes], slope[kMaxNodes], second[kMaxNodes];
-    double weight[kMaxNodes];  ///< [m]
+    double begin, step, low, high;  ///< [m, m, steps, steps]
+    int first, count;
+    const double *radius, *slope, *second;
+  };
+  struct Grid {
+    double step;  ///< [m]
+    std::vector<double> radius, slope, second;
   };
   struct Samples {
     int first, last;
@@ -166,34 +199,55 @@ class ContactSearch {
   /// Where the overlap ends between `inside` (h >= 0) and `outside` (h <= 0).
   /// starting from `at`.
   double EdgeBetween(const Axle& axle, double inside, double outside, double at) const noexcept;
-  /// Edge of a run next to `sample` on the side of `next` = sample +- 1.
-  double EdgeOfRun(const Axle& axle, const Samples& samples, int sample, int next) const noexcept;
-  double DeepestNear(const Axle& axle, double low, double high) const noexcept;
+  /// Edge of a run next to `sample` on the side of `next` = sample +- 1, or `next` itself.
+  double EdgeOfRun(const Axle& axle, const Samples& samples, int sample, int next,
+                   bool roughly) const noexcept;
+  /// Where wheel and rail have the same slope between two places: the deepest one, or with `sign`
+  /// -1 the ridge. The middle where there is none.
+  double StationaryNear(const Axle& axle, double low, double high, double sign = 1) const noexcept;
+  /// Sets `next` of a hump, and where both meet.
+  void Link(const Axle& axle, const Samples& samples, Hump* hump, Hump* next) const noexcept;
   void FindHumps(const Axle& axle, const Samples& samples, Humps* humps) const noexcept;
   /// A hump that lies between two places, if there is one.
   void AddBetween(const Axle& axle, double low, double high, Humps* humps) const noexcept;
   void SplitRun(const Axle& axle, const Samples& samples, int begin, int end,
                 Humps* humps) const noexcept;
-  /// The nodes of one panel.
-  void AddNodes(double from, double to, Nodes* nodes) const noexcept;
-  void FindNodes(const Hump& hump, Nodes* nodes) const noexcept;
+  void ChooseNodes(const Samples& samples, Humps* humps) const noexcept;
+  /// The coarsest nodes that are enough for a hump.
+  int LevelOf(const Samples& samples, const Hump& hump) const;
+  /// `own`: room for 3 kNodesInHump numbers.
+  Nodes FindNodes(const Hump& hump, double* own) const noexcept;
   Moments Integrate(const Axle& axle, const Hump& hump) const noexcept;
+  /// Every way of reading hump `from` and its followers as one patch, with its weight.
+  void AddReadings(const Axle& axle, const Humps& humps, int from, const Moments* moments,
+                   Overlaps* found) const noexcept;
+  /// dU/dm of the ridge after hump `ridge` among the humps `first` … `last` of a run.
+  static double EnergyOfMerging(const Humps& humps, int first, int last, int ridge,
+                                const Moments* moments) noexcept;
+  /// The wrench of the merging of humps `first` … `last`, added to their patches from `begin` on.
+  void AddMerging(const Axle& axle, const Humps& humps, int first, int last, const Moments* moments,
+                  int begin, Overlaps* found) const noexcept;
+  /// U of E [J].
+  static double StoredEnergy(double e) noexcept;
   void Describe(const Axle& axle, const Moments& moments, Overlap* patch) const noexcept;
   double WheelY(int sample) const { return begin_ + step_ * sample; }
+  double Vertical(const Samples& samples, int i) const {
+    return samples.depth[i] * stretch_at_[static_cast<size_t>(i)];
+  }
 
   Profile wheel_;
   Profile rail_;
   double half_tape_;
   double radius_;
-  ContactBed bed_;
+  ContactModulus modulus_;
   double begin_;  ///< first sampled wheel position [m]
   double step_;
-  double panel_;  ///< width of a panel [m]
-  Nodes whole_;   ///< of all panels
   int samples_;
-  /// [sample] of the wheel: R, R t, R t^2/2, cosine of the slope.
-  std::vector<double> radius_at_, radius_slope_, radius_square_, cosine_at_;
+  Grid grid_[kLevels];
+  /// [sample] of the wheel: R, R t, R t^2/2, cosine of the slope and its inverse.
+  std::vector<double> radius_at_, radius_slope_, radius_square_, cosine_at_, stretch_at_;
   std::vector<double> margin_;  ///< [sample] what a hump before the next may rise above both [m]
+  double most_margin_;
   double rail_begin_, rail_per_step_;
   std::vector<double> rail_z_;  ///< fine equidistant table for the samples
 };

@@ -60,8 +60,8 @@ Hertz::Hertz(double shear_modulus_Pa, double poisson_ratio)
   }
 }
 
-double Hertz::BedModulus(double along, double across) const noexcept {
-  return 0.75 * std::sqrt(across) * AtApproach(1, along, across).normal;
+double Hertz::Stiffness(double along, double across) const noexcept {
+  return AtApproach(1, along, across).normal;
 }
 
 Hertz::Shape Hertz::ShapeAt(double log_ratio) const noexcept {
@@ -103,8 +103,7 @@ HertzContact Hertz::UnderLoad(double normal, double along, double across) const 
 }
 
 double Hertz::ApproachUnder(double normal, double along, double across) const noexcept {
-  const double unit = AtApproach(1e-4, along, across).normal;
-  return normal > 0 ? 1e-4 * std::pow(normal / unit, 2.0 / 3.0) : 0.0;
+  return normal > 0 ? std::pow(normal / Stiffness(along, across), 2.0 / 3.0) : 0.0;
 }
 
 }  // namespace phs::rail

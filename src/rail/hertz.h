@@ -29,9 +29,8 @@ class Hertz {
   HertzContact AtApproach(double approach, double along, double across) const noexcept;
   /// Contact under a load >= 0 [N].
   HertzContact UnderLoad(double normal, double along, double across) const noexcept;
-  /// Bed of springs with Hertz's force, N = K I, on the area I = 4/3 approach^1.5/sqrt(B) by which
-  /// the parabolas overlap across. K depends on E* and B/A alone [Pa].
-  double BedModulus(double along, double across) const noexcept;
+  /// Hertz's force over approach^1.5 [N/m^1.5].
+  double Stiffness(double along, double across) const noexcept;
   /// Approach under a load [m].
   double ApproachUnder(double normal, double along, double across) const noexcept;
 

@@ -42,10 +42,10 @@ WheelRailParams CapeGauge() {
 /// Of a right wheel at lateral shift y without roll.
 struct Load {
   double wheel_y = 0;  ///< centre of the load on the wheel profile [m]
-  double radius = 0;   ///< of the wheel there [m]
+  double radius = 0;   ///< of the wheel, mean over the load [m]
 };
 
-Load ByHalfSpace(const WheelRailParams& p, double y) {
+Load ByHalfSpace(const WheelRailParams& p, double y, double load = kLoad) {
   auto wheel = LoadProfile(p.wheel_profile, ProfileKind::kWheel).value();
   auto rail = LoadProfile(p.rail_profile, ProfileKind::kRail).value();
   rail.PutTopAtZero();
@@ -56,12 +56,13 @@ Load ByHalfSpace(const WheelRailParams& p, double y) {
     return rail.At(at).z - z + x * x / (2 * (p.wheel_radius + z));
   };
   HalfSpace space(12, 70, 1e-3, 0.6e-3, -10e-3, kCompliance);
-  space.Solve(gap, kLoad);
+  space.Solve(gap, load);
   const double centre = space.Mean([](double at) { return at; }) - shift;
-  return {centre, p.wheel_radius + wheel.At(centre).z};
+  const double height = space.Mean([&](double at) { return wheel.At(at - shift).z; });
+  return {centre, p.wheel_radius + height};
 }
 
-Load ByStrips(const WheelRail& pair, double y) {
+Load Own(const WheelRail& pair, double y, double load = kLoad) {
   WheelsetMotion motion;
   motion.lateral = y;
   motion.speed = 20;
@@ -72,28 +73,31 @@ Load ByStrips(const WheelRail& pair, double y) {
   for (int i = 0; i < 50; ++i) {
     motion.vertical = 0.5 * (low + high);
     pair.Calc(motion, Side::kRight, {}, {}, &f);
-    (-f.force[2] < kLoad ? low : high) = motion.vertical;
+    (-f.force[2] < load ? low : high) = motion.vertical;
   }
-  Load load;
+  Load centre;
   double sum = 0;
   for (int i = 0; i < f.count; ++i) {
     const ContactPatch& patch = f.patch[static_cast<size_t>(i)];
-    load.wheel_y += patch.normal * patch.wheel_y;
-    load.radius += patch.normal * patch.rolling_radius;
+    centre.wheel_y += patch.normal * patch.wheel_y;
+    centre.radius += patch.normal * patch.rolling_radius;
     sum += patch.normal;
   }
-  return {load.wheel_y / sum, load.radius / sum};
+  return {centre.wheel_y / sum, centre.radius / sum};
 }
 
-TEST(HalfSpaceTest, LoadWandersAcrossTheCentredWheelAsOnElasticBodies) {
+TEST(HalfSpaceTest, LoadWandersAcrossTheWheelAsOnElasticBodies) {
   // Rigid bodies jump from tread to flange root 0.25 mm beside the centre; under load both places
-  // bear and the load's centre wanders over 25 mm of the wheel.
+  // bear and the load's centre wanders over 27 mm of the wheel. Independent springs would have it
+  // up to 1.4 mm and the radius 0.14 mm off.
   const WheelRail pair = Create(CapeGauge());
-  for (const double y : {-3e-3, -1e-3, -0.25e-3, 0.0, 0.25e-3, 1e-3, 3e-3}) {
-    const Load reference = ByHalfSpace(CapeGauge(), y);
-    const Load own = ByStrips(pair, y);
-    EXPECT_NEAR(own.wheel_y, reference.wheel_y, 1.2e-3) << "y = " << y;
-    EXPECT_NEAR(own.radius, reference.radius, 0.06e-3) << "y = " << y;
+  for (const double load : {60e3, kLoad, 150e3}) {
+    for (const double y : {-4e-3, -2e-3, -1e-3, -0.25e-3, 0.0, 0.25e-3, 1e-3, 2e-3, 4e-3}) {
+      const Load reference = ByHalfSpace(CapeGauge(), y, load);
+      const Load own = Own(pair, y, load);
+      EXPECT_NEAR(own.wheel_y, reference.wheel_y, 0.4e-3) << "y = " << y << ", " << load;
+      EXPECT_NEAR(own.radius, reference.radius, 0.045e-3) << "y = " << y << ", " << load;
+    }
   }
 }
 
@@ -101,10 +105,10 @@ TEST(HalfSpaceTest, ConicityUnderLoadNearTheCentreIsThatOfElasticBodies) {
   // Change of radius per shift: 0.166 and 0.160 on half-spaces over +-0.5 and +-3 mm; of rigid
   // bodies 0.56 over +-0.5 mm.
   const WheelRail pair = Create(CapeGauge());
-  for (const auto& [y, tolerance] : {std::pair{0.5e-3, 0.18}, {3e-3, 0.06}}) {
+  for (const auto& [y, tolerance] : {std::pair{0.5e-3, 0.08}, {3e-3, 0.03}}) {
     const double reference =
         (ByHalfSpace(CapeGauge(), y).radius - ByHalfSpace(CapeGauge(), -y).radius) / (2 * y);
-    const double own = (ByStrips(pair, y).radius - ByStrips(pair, -y).radius) / (2 * y);
+    const double own = (Own(pair, y).radius - Own(pair, -y).radius) / (2 * y);
     EXPECT_NEAR(own / reference, 1, tolerance) << "y = " << y;
   }
 }
@@ -118,7 +122,7 @@ TEST(HalfSpaceTest, EquivalentConicityUnderLoadIsThatOfElasticBodies) {
   EXPECT_GT(rigid.value().conicity[0].value, 0.3);
   const double reference =
       (ByHalfSpace(CapeGauge(), 1e-3).radius - ByHalfSpace(CapeGauge(), -1e-3).radius) / 2e-3;
-  EXPECT_NEAR(loaded.value().conicity[0].value / reference, 1, 0.2);
+  EXPECT_NEAR(loaded.value().conicity[0].value / reference, 1, 0.1);
 }
 
 }  // namespace

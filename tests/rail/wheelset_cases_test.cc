@@ -98,10 +98,10 @@ TEST_P(ManchesterA22Wheel, AgreesWithContact) {
     EXPECT_NEAR(p.fz, 10000, 1);
     const double limit = 0.3 * theirs("FN");
     const double force = std::hypot(p.fx - theirs("FX(TR)"), p.fy - theirs("FY(TR)")) / limit;
-    EXPECT_LT(force, 0.045);
+    EXPECT_LT(force, 0.055);
     squares += force * force;
   }
-  EXPECT_LT(std::sqrt(squares / static_cast<double>(ours.size())), 0.02);
+  EXPECT_LT(std::sqrt(squares / static_cast<double>(ours.size())), 0.025);
 }
 INSTANTIATE_TEST_SUITE_P(BothWheels, ManchesterA22Wheel, testing::Values("left", "right"));
 
@@ -139,7 +139,8 @@ TEST(ManchesterA22, ConformalPositionOneHasTheRightHeightAreaPressureAndForces) 
   EXPECT_NEAR(area / (1291 * 0.04), 1, 0.2);
   EXPECT_NEAR(pressure / 338.3, 1, 0.05);
   EXPECT_NEAR(Cell(t, "z_solved_mm", 0), 0.1981, 1e-3);
-  EXPECT_NEAR(Cell(t, "FX_N", 0), 0.28, 0.03 * 3000);
+  // The load's centre lies half a millimetre nearer to the middle of the patch than on half-spaces.
+  EXPECT_NEAR(Cell(t, "FX_N", 0), 0.28, 0.05 * 3000);
   EXPECT_NEAR(Cell(t, "FY_N", 0), -36.2, 0.03 * 3000);
 }
 

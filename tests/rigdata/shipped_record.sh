@@ -23,6 +23,24 @@ bits)
   # The words of the command are options without spaces in them.
   "$generator" $command --out "$folder"
   cmp "$folder/run.csv" "$records/$name.csv"
-  cmp "$folder/truth.json" "$records/${name}_truth.json"
+  # The record is rounded as its instruments round; the truth has every digit, and the last of them differ
+  # between processors with and without fused multiply-adds (docs/design.md, Determinism).
+  python3 - "$folder/truth.json" "$records/${name}_truth.json" <<'END'
+import json, math, sys
+
+def same(a, b, place):
+    if isinstance(a, dict) and isinstance(b, dict) and a.keys() == b.keys():
+        return all([same(a[key], b[key], f"{place}/{key}") for key in a])
+    if isinstance(a, list) and isinstance(b, list) and len(a) == len(b):
+        return all([same(x, y, f"{place}/{i}") for i, (x, y) in enumerate(zip(a, b))])
+    number = isinstance(a, float) and isinstance(b, (int, float))
+    if a == b or number and math.isclose(a, b, rel_tol=1e-6):
+        return True
+    print(f"{place}: {a} and {b}")
+    return False
+
+made, shipped = (json.load(open(name)) for name in sys.argv[1:])
+sys.exit(0 if same(made, shipped, "") else 1)
+END
   ;;
 esac

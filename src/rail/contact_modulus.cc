@@ -1,4 +1,4 @@
-#include "rail/contact_bed.h"
+#include "rail/contact_modulus.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,7 @@ constexpr double kShiftStep = 0.1e-3;   ///< [m]
 constexpr double kSearchStep = 0.5e-3;  ///< on the wheel [m]
 constexpr double kJump = 1e-3;          ///< touches farther apart leave the rail between them [m]
 constexpr double kWindow = 0.5e-3;      ///< of curvature, half, arc length [m]
-constexpr double kEven = 1.5e-3;        ///< over which K is evened out, half, arc length [m]
+constexpr double kEven = 1.5e-3;        ///< over which kappa is evened out, half, arc length [m]
 constexpr double kEnd = 1e-3;           ///< curvature is not asked for nearer to an end [m]
 constexpr double kFlattest = 0.05;      ///< conformal regions carry a wide but finite patch [1/m]
 
@@ -48,15 +48,15 @@ double TouchOf(const Profile& wheel, const Profile& rail, double shift) {
   return 0.5 * (low + high);
 }
 
-/// K over a rail's surface in the making; 0 = not yet known.
+/// kappa over a rail's surface in the making; 0 = not yet known.
 class Table {
  public:
   Table(const Profile& wheel, const Profile& rail, double radius, const Hertz& hertz)
       : wheel_(wheel), rail_(rail), radius_(radius), hertz_(hertz) {
     const int pieces = static_cast<int>(std::ceil((rail.max_y() - rail.min_y()) / kStep));
     per_step_ = pieces / (rail.max_y() - rail.min_y());
-    bed_.assign(static_cast<size_t>(pieces) + 1, 0);
-    shift_.assign(bed_.size(), 0);
+    modulus_.assign(static_cast<size_t>(pieces) + 1, 0);
+    shift_.assign(modulus_.size(), 0);
   }
 
   double per_step() const { return per_step_; }
@@ -68,7 +68,7 @@ class Table {
       for (const int way : {0, 1}) {
         const double shift = way == 0 ? size : -size;
         const double y = TouchOf(wheel_, rail_, shift);
-        const Touch now{y + shift, BedOf(y + shift, y), shift};
+        const Touch now{y + shift, ModulusOf(y + shift, y), shift};
         const bool near = std::abs(now.rail_y - last[way].rail_y) < kJump;
         Fill(near ? last[way] : now, now);
         last[way] = now;
@@ -78,15 +78,15 @@ class Table {
 
   /// Between touches the wheel lies opposite as it does when it touches on both sides.
   void FillRest() {
-    const size_t none = bed_.size();
+    const size_t none = modulus_.size();
     size_t before = none;
     for (size_t i = 0; i <= none; ++i) {
-      if (i < none && !(bed_[i] > 0)) continue;
+      if (i < none && !(modulus_[i] > 0)) continue;
       const size_t after = i < none ? i : before;
       for (size_t j = before == none ? 0 : before + 1; j < i; ++j) {
         const bool nearer = before == none || (i < none && 2 * j > before + i);
         const double y = rail_.min_y() + static_cast<double>(j) / per_step_;
-        bed_[j] = BedOf(y, y - shift_[nearer ? after : before]);
+        modulus_[j] = ModulusOf(y, y - shift_[nearer ? after : before]);
       }
       before = i;
     }
@@ -94,20 +94,20 @@ class Table {
 
   std::vector<double> EvenedOut() const {
     std::vector<double> arc{0};
-    for (size_t i = 0; i + 1 < bed_.size(); ++i) {
+    for (size_t i = 0; i + 1 < modulus_.size(); ++i) {
       const double y = rail_.min_y() + (static_cast<double>(i) + 0.5) / per_step_;
       const double slope = rail_.At(y).slope;
       arc.push_back(arc.back() + std::sqrt(1 + slope * slope) / per_step_);
     }
     std::vector<double> even;
     size_t first = 0;
-    for (size_t i = 0; i < bed_.size(); ++i) {
+    for (size_t i = 0; i < modulus_.size(); ++i) {
       while (arc[i] - arc[first] > kEven) ++first;
       double sum = 0;
       double weights = 0;
-      for (size_t j = first; j < bed_.size() && arc[j] - arc[i] < kEven; ++j) {
+      for (size_t j = first; j < modulus_.size() && arc[j] - arc[i] < kEven; ++j) {
         const double weight = 1 - std::abs(arc[j] - arc[i]) / kEven;
-        sum += weight * bed_[j];
+        sum += weight * modulus_[j];
         weights += weight;
       }
       even.push_back(sum / weights);
@@ -117,29 +117,31 @@ class Table {
 
  private:
   struct Touch {
-    double rail_y = 1e9, bed = 0, shift = 0;
+    double rail_y = 1e9, modulus = 0, shift = 0;
   };
 
-  double BedOf(double rail_y, double wheel_y) const {
+  double ModulusOf(double rail_y, double wheel_y) const {
     const Profile::Sample s = wheel_.At(wheel_y);
     const double across = 0.5 * (MeanCurvature(rail_, rail_y) - MeanCurvature(wheel_, wheel_y));
     const double along = 0.5 / ((radius_ + s.z) * std::sqrt(1 + s.slope * s.slope));
-    return hertz_.BedModulus(along, std::max(across, kFlattest));
+    const double b = std::max(across, kFlattest);
+    const double energy = 0.4 * hertz_.Stiffness(along, b);  // over depth^2.5
+    return std::pow(energy, 1.8) * std::sqrt(b) / kParabolaFourth;
   }
 
   /// The rail between two touches.
   void Fill(const Touch& a, const Touch& b) {
     const double length = b.rail_y - a.rail_y;
     const auto index = [&](double y) { return std::lround((y - rail_.min_y()) * per_step_); };
-    const auto end = static_cast<long>(bed_.size()) - 1;
+    const auto end = static_cast<long>(modulus_.size()) - 1;
     const long from = std::max(0L, index(std::min(a.rail_y, b.rail_y)));
     const long to = std::min(end, index(std::max(a.rail_y, b.rail_y)));
     for (long k = from; k <= to; ++k) {
-      double& bed = bed_[static_cast<size_t>(k)];
-      if (bed > 0) continue;
+      double& modulus = modulus_[static_cast<size_t>(k)];
+      if (modulus > 0) continue;
       const double y = rail_.min_y() + static_cast<double>(k) / per_step_;
       const double share = length == 0 ? 1 : std::clamp((y - a.rail_y) / length, 0.0, 1.0);
-      bed = a.bed + share * (b.bed - a.bed);
+      modulus = a.modulus + share * (b.modulus - a.modulus);
       shift_[static_cast<size_t>(k)] = b.shift;
     }
   }
@@ -149,19 +151,20 @@ class Table {
   double radius_;
   const Hertz& hertz_;
   double per_step_;
-  std::vector<double> bed_, shift_;
+  std::vector<double> modulus_, shift_;
 };
 
 }  // namespace
 
-ContactBed::ContactBed(const Profile& wheel, const Profile& rail, double radius, const Hertz& hertz)
+ContactModulus::ContactModulus(const Profile& wheel, const Profile& rail, double radius,
+                               const Hertz& hertz)
     : begin_(rail.min_y()) {
   Table table(wheel, rail, radius, hertz);
   table.FillTouched();
   table.FillRest();
-  bed_ = table.EvenedOut();
+  modulus_ = table.EvenedOut();
   per_step_ = table.per_step();
-  last_ = static_cast<double>(bed_.size() - 1) - 1e-9;
+  last_ = static_cast<double>(modulus_.size() - 1) - 1e-9;
 }
 
 }  // namespace phs::rail

@@ -1,0 +1,124 @@
+// Humps that grow together: how far, the ways of reading them, and the wrench of their merging
+// (contact_search.h).
+#include <algorithm>
+#include <cmath>
+
+#include "rail/contact_search.h"
+
+namespace phs::rail {
+namespace {
+
+/// Humps farther apart would be one with a weight of a millionth.
+constexpr double kApart = 5.8;
+constexpr double kEnd = 0.5e-3;  ///< contact this near to an end is at the end [m]
+
+}  // namespace
+
+void ContactSearch::Link(const Axle& axle, const Samples& s, Hump* hump,
+                         Hump* next) const noexcept {
+  Merge& merge = hump->next;
+  const int from = static_cast<int>(std::ceil((hump->top - begin_) / step_));
+  const int to = static_cast<int>((next->top - begin_) / step_);
+  int lowest = from;
+  for (int i = from; i <= to; ++i) lowest = Vertical(s, i) < Vertical(s, lowest) ? i : lowest;
+  const double between = Vertical(s, lowest);
+  if ((1 - between / hump->depth) * (1 - between / next->depth) > kApart) return;
+  const auto near = [&](int sample, double sign) {
+    const double low = WheelY(std::max(sample - 1, 0));
+    const double high = WheelY(std::min(sample + 1, samples_ - 1));
+    return StationaryNear(axle, low, high, sign);
+  };
+  const double at[] = {near(lowest, -1), hump->sample < 0 ? hump->top : near(hump->sample, 1),
+                       next->sample < 0 ? next->top : near(next->sample, 1)};
+  double h[3];
+  for (int i = 0; i < 3; ++i) {
+    merge.locus[i] = LocusAt(axle, at[i]);
+    h[i] = merge.locus[i].overlap;
+  }
+  const double first = std::max(1 - h[0] / h[1], 0.0);
+  const double second = std::max(1 - h[0] / h[2], 0.0);
+  const double apart = first * second;
+  merge.m = std::exp(-apart * std::sqrt(apart));
+  const double slope = 1.5 * std::sqrt(apart) * merge.m;  // -dm/d apart
+  merge.slope[0] = slope * (second / h[1] + first / h[2]);
+  merge.slope[1] = -slope * second * h[0] / (h[1] * h[1]);
+  merge.slope[2] = -slope * first * h[0] / (h[2] * h[2]);
+  if (!hump->joined) return;
+  hump->end = next->begin = at[0];
+}
+
+void ContactSearch::AddReadings(const Axle& axle, const Humps& humps, int from,
+                                const Moments* moments, Overlaps* found) const noexcept {
+  Moments sum;
+  double weight = from > 0 ? 1 - humps.hump[from - 1].next.m : 1;
+  bool at_end = false;
+  for (int to = from; to < humps.count && weight > 0; ++to) {
+    sum.Add(moments[to]);
+    at_end = at_end || humps.hump[to].at_end;
+    const double merge = humps.hump[to].next.m;
+    const double share = weight * (1 - merge);
+    weight *= merge;
+    if (!(share > 0) || !(sum.energy > 0)) continue;
+    Overlap& patch = found->patch[static_cast<size_t>(found->count++)];
+    Describe(axle, sum, &patch);
+    patch.weight = share;
+    patch.at_end = at_end || patch.wheel_y < wheel_.min_y() + kEnd ||
+                   patch.wheel_y > wheel_.max_y() - kEnd || patch.y < rail_.min_y() + kEnd ||
+                   patch.y > rail_.max_y() - kEnd;
+  }
+}
+
+double ContactSearch::EnergyOfMerging(const Humps& humps, int first, int last, int ridge,
+                                      const Moments* moments) noexcept {
+  const auto merge = [&](int k) { return humps.hump[k].next.m; };
+  double change = 0;
+  for (int from = first; from <= ridge + 1; ++from) {
+    double energy = 0;
+    double weight = from > first && from - 1 != ridge ? 1 - merge(from - 1) : 1;
+    for (int to = from; to <= last; ++to) {
+      energy += moments[to].energy;
+      const double ends = to < last && to != ridge ? 1 - merge(to) : 1;
+      if (to >= ridge) {
+        const bool across = from <= ridge && to > ridge;
+        change += (across ? 1 : -1) * weight * ends * StoredEnergy(energy);
+      }
+      if (to != ridge) weight *= merge(to);
+      if (from == ridge + 1 && to == last) break;
+    }
+  }
+  return change;
+}
+
+void ContactSearch::AddMerging(const Axle& a, const Humps& humps, int first, int last,
+                               const Moments* moments, int begin, Overlaps* found) const noexcept {
+  Vec3 push{}, turn{};
+  for (int k = first; k < last; ++k) {
+    const Merge& merge = humps.hump[k].next;
+    const double change = EnergyOfMerging(humps, first, last, k, moments);
+    for (int i = 0; i < 3; ++i) {
+      const Locus& l = merge.locus[i];
+      const double z = change * merge.slope[i];
+      const double y = -z * l.slope;
+      push[1] += y;
+      push[2] += z;
+      turn[0] += (l.y - a.y) * z - (l.z - a.z) * y;
+      turn[1] -= l.x * z;
+      turn[2] += l.x * y;
+    }
+  }
+  double all = 0;
+  for (int i = begin; i < found->count; ++i) {
+    const Overlap& p = found->patch[static_cast<size_t>(i)];
+    all += p.weight * std::hypot(p.push[1], p.push[2]);
+  }
+  for (int i = begin; i < found->count; ++i) {
+    Overlap& p = found->patch[static_cast<size_t>(i)];
+    const double share = std::hypot(p.push[1], p.push[2]) / all;
+    for (size_t j = 0; j < 3; ++j) {
+      p.push[j] += share * push[j];
+      p.turn[j] += share * turn[j];
+    }
+  }
+}
+
+}  // namespace phs::rail
