@@ -4,27 +4,13 @@
 
 #include <cmath>
 
+#include "report/assessed_quantities.h"
+
 namespace phs::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-struct Quantity {
-  const char* key;
-  const char* label;
-  const char* unit;
-  double scale;
-  int decimals;
-};
-constexpr Quantity kQuantities[] = {
-    {"sum_Y_N", "sum Y, 2 m mean, 99.85 %", "kN", 1e-3, 1},
-    {"Y_over_Q", "Y/Q, 2 m mean, 99.85 %", "-", 1, 3},
-    {"Q_N", "Q, 99.85 %", "kN", 1e-3, 1},
-    {"Y_qst_N", "Y, quasi-static", "kN", 1e-3, 1},
-    {"Q_qst_N", "Q, quasi-static", "kN", 1e-3, 1},
-    {"unloading", "wheel unloading, 99.85 %", "-", 1, 3},
-    {"sum_Y_rms_N", "sum Y, instability, rms", "kN", 1e-3, 1},
-};
+using report::AssessedName;
 
 const Json* Assessed(const Json& summary) {
   if (!summary.contains("assessment") || summary["assessment"]["status"] != "ok") return nullptr;
@@ -32,7 +18,7 @@ const Json* Assessed(const Json& summary) {
 }
 
 /// Value with "!" where the limit is missed.
-std::string Cell(const Json& assessment, const Quantity& q) {
+std::string Cell(const Json& assessment, const AssessedName& q) {
   if (!assessment["worst"].contains(q.key)) return "-";
   const Json& worst = assessment["worst"][q.key];
   return fmt::format("{:.{}f}{}", q.scale * worst["value"].get<double>(), q.decimals,
@@ -40,7 +26,7 @@ std::string Cell(const Json& assessment, const Quantity& q) {
 }
 
 /// Limit of the first summary that has the quantity; curves of several radii differ in Y_qst.
-std::string LimitOf(const NamedSummaries& summaries, const Quantity& q) {
+std::string LimitOf(const NamedSummaries& summaries, const AssessedName& q) {
   for (const auto& [name, summary] : summaries) {
     const Json* a = Assessed(summary);
     if (a == nullptr || !(*a)["worst"].contains(q.key)) continue;
@@ -119,7 +105,7 @@ std::string AssessmentTable(const NamedSummaries& summaries) {
     }
     text += '\n';
   };
-  for (const Quantity& q : kQuantities) {
+  for (const AssessedName& q : report::AssessedNames()) {
     const std::string limit = LimitOf(summaries, q);
     if (!limit.empty()) row(q.label, q.unit, limit, [&](const Json& a) { return Cell(a, q); });
   }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "report/assessed_quantities.h"
 #include "report/curving_parts.h"
 #include "report/number_names.h"
 
@@ -12,19 +13,10 @@ namespace {
 
 using json = nlohmann::ordered_json;
 
-struct Quantity {
-  const char* key;
-  const char* label;
-  double scale;
-};
-constexpr Quantity kQuantities[] = {
-    {"sum_Y_N", "Track-shifting force ΣY, mean over 2 m, 99.85 % [kN]", 1e-3},
-    {"Y_over_Q", "Y/Q, mean over 2 m, 99.85 %", 1},
-    {"Q_N", "Wheel load Q, 99.85 % [kN]", 1e-3},
-    {"Y_qst_N", "Guiding force Y, quasi-static [kN]", 1e-3},
-    {"Q_qst_N", "Wheel load Q, quasi-static [kN]", 1e-3},
-    {"unloading", "Wheel unloading 1 − Q/Q0, 99.85 %", 1},
-    {"sum_Y_rms_N", "ΣY in the band of hunting, rms over 100 m [kN]", 1e-3}};
+std::string Heading(const AssessedName& q) {
+  const std::string unit = q.unit;
+  return unit == "-" ? q.heading : fmt::format("{} [{}]", q.heading, unit);
+}
 
 /// Null for a run without an assessment.
 const json* Assessed(const BogieRun& run) {
@@ -52,8 +44,8 @@ void AddLimits(const CurvingResults& results, ReportPage* page) {
     table.head.push_back(run.label);
     table.head.push_back("where");
   }
-  for (const Quantity& q : kQuantities) {
-    std::vector<TableCell> row = {TableCell(q.label)};
+  for (const AssessedName& q : AssessedNames()) {
+    std::vector<TableCell> row = {TableCell(Heading(q))};
     for (const BogieRun& run : results.runs) {
       const json* worst = Worst(run, q.key);
       if (row.size() == 1 && worst != nullptr) row.push_back(Number(*worst, "limit", q.scale));

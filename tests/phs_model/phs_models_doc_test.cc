@@ -55,9 +55,23 @@ std::string KeysText(FilePart part, const std::string& block) {
   return text;
 }
 
+/// Where `phs identify` looks for it.
+std::string SoughtText(const hydraulics::EffectSearch& search) {
+  std::string where;
+  const auto add = [&where](bool there, const char* rig) {
+    if (there) where += (where.empty() ? "" : ", ") + std::string(rig);
+  };
+  add(!search.rig.empty(), "hydraulic rig");
+  add(!search.steps.empty(), "table of steps");
+  add(!search.bench.empty(), "bench");
+  add(!search.bogie.empty(), "bogie");
+  return where.empty() ? "" : " Looked for on: " + where + ".";
+}
+
 std::string EffectText(const hydraulics::EffectInfo& effect) {
   std::string text = fmt::format("### `{}`\n{}: {}.", effect.name, effect.family, effect.text);
   if (!effect.targets.empty()) text += " Acts on " + effect.targets + ".";
+  text += SoughtText(effect.search);
   if (effect.has_formula) {
     return text +
            " Needs `formula:`; keys and variables: [identify.md](identify.md), "
