@@ -11,7 +11,6 @@ constexpr double kSpare = 1.25;     ///< a yawed wheel is more curved across
 constexpr double kMostRoll = 0.06;  ///< and other differences of slope at a contact [rad]
 /// Humps nearer to each other (a of contact_search.h) are one: two have a weight of a millionth.
 constexpr double kSameHump = 1e-4;
-constexpr int kWide = 6;         ///< samples
 constexpr double kPlace = 1e-7;  ///< of a place that overlap does not feel to first order [m]
 constexpr int kMaxRidges = 12;
 constexpr double kUsual = 3;  ///< relative curvature across of a first guess [1/m]
@@ -129,6 +128,7 @@ void ContactSearch::AddBetween(const Axle& axle, double low, double high,
   h.joined = false;
   h.begin = EdgeBetween(axle, middle, low, 0.5 * (middle + low));
   h.end = EdgeBetween(axle, middle, high, 0.5 * (middle + high));
+  h.width = h.end - h.begin;
   h.next.m = 0;
   h.at_end = false;
 }
@@ -172,8 +172,8 @@ void ContactSearch::SplitRun(const Axle& axle, const Samples& s, int begin, int 
     for (int k = weakest; k + 1 < ridges; ++k) ridge[k] = ridge[k + 1];
     --ridges;
   }
-  // Of many samples the coarsest nodes are enough, and it is enough to reach beyond the edges.
-  const bool wide = ridges == 0 && end - begin >= kWide;
+  // One sample's edges are sought; of more the nodes reach beyond them, and their width is told by the samples.
+  const bool narrow = begin == end;
   const bool open_begin = begin == s.first;
   const bool open_end = end == s.last;
   for (int k = 0; k <= ridges; ++k) {
@@ -184,8 +184,9 @@ void ContactSearch::SplitRun(const Axle& axle, const Samples& s, int begin, int 
     h.sample = greatest(low, high);
     h.top = WheelY(h.sample);
     h.depth = overlap(h.sample);
-    h.begin = first && !open_begin ? EdgeOfRun(axle, s, low, low - 1, wide) : WheelY(low);
-    h.end = last && !open_end ? EdgeOfRun(axle, s, high, high + 1, wide) : WheelY(high);
+    h.begin = first && !open_begin ? EdgeOfRun(axle, s, low, low - 1, narrow) : WheelY(low);
+    h.end = last && !open_end ? EdgeOfRun(axle, s, high, high + 1, narrow) : WheelY(high);
+    h.width = narrow ? h.end - h.begin : WheelY(high) - WheelY(low) + step_;
     h.joined = !last;
     h.at_end = (first && open_begin) || (last && open_end);
     h.next.m = 0;

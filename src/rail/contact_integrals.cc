@@ -34,17 +34,17 @@ void ContactSearch::Moments::Add(const Moments& m) {
 double ContactSearch::StoredEnergy(double e) noexcept { return std::pow(e, 5.0 / 9); }
 
 int ContactSearch::LevelOf(const Samples& s, const Hump& hump) const {
-  const double whole = hump.end - hump.begin;
-  double width = whole;
+  if (hump.width < kNodesInHump * grid_[kLevels - 1].step) return kLevels;
+  double widest = hump.width / kNodesInHump;  // distance of nodes
   const int i = hump.sample;
   if (i > s.first && i < s.last) {  // a narrow top on a wide foot
     const double bend = 2 * Vertical(s, i) - Vertical(s, i - 1) - Vertical(s, i + 1);
-    width = std::min(width, 2 * step_ * std::sqrt(2 * hump.depth / std::max(bend, 1e-12)));
+    const double top = 2 * step_ * std::sqrt(2 * hump.depth / std::max(bend, 1e-12));
+    widest = std::min(widest, top / kNodesInTop);
   }
   int level = 0;
-  while (level + 1 < kLevels && width < kNodesInHump * grid_[level].step) ++level;
-  if (whole < kNodesInHump * grid_[kLevels - 1].step) return kLevels;
-  while (whole > kMaxNodes / 2 * grid_[level].step) --level;
+  while (level + 1 < kLevels && grid_[level].step > widest) ++level;
+  while (hump.end - hump.begin > kMaxNodes / 2 * grid_[level].step) --level;
   return level;
 }
 

@@ -8,8 +8,8 @@
 namespace phs::rail {
 namespace {
 
-/// Humps farther apart would be one with a weight of a millionth.
-constexpr double kApart = 5.8;
+/// Samples tell a to a tenth or so; from 3^(2/3) = 2.08 on m is 0.
+constexpr double kApart = 2.6;
 constexpr double kEnd = 0.5e-3;  ///< contact this near to an end is at the end [m]
 
 }  // namespace
@@ -38,8 +38,10 @@ void ContactSearch::Link(const Axle& axle, const Samples& s, Hump* hump,
   const double first = std::max(1 - h[0] / h[1], 0.0);
   const double second = std::max(1 - h[0] / h[2], 0.0);
   const double apart = first * second;
-  merge.m = std::exp(-apart * std::sqrt(apart));
-  const double slope = 1.5 * std::sqrt(apart) * merge.m;  // -dm/d apart
+  const double root = std::sqrt(apart);
+  const double close = std::max(1 - apart * root / 3, 0.0);
+  merge.m = close * close * close;
+  const double slope = 1.5 * root * close * close;  // -dm/d apart
   merge.slope[0] = slope * (second / h[1] + first / h[2]);
   merge.slope[1] = -slope * second * h[0] / (h[1] * h[1]);
   merge.slope[2] = -slope * first * h[0] / (h[2] * h[2]);

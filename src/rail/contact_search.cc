@@ -164,8 +164,8 @@ double ContactSearch::EdgeBetween(const Axle& axle, double inside, double outsid
 }
 
 double ContactSearch::EdgeOfRun(const Axle& axle, const Samples& s, int sample, int next,
-                                bool roughly) const noexcept {
-  if (roughly) return WheelY(next);
+                                bool sought) const noexcept {
+  if (!sought) return WheelY(next);
   const double share = s.depth[sample] / (s.depth[sample] - s.depth[next]);
   const double inside = WheelY(sample);
   const double outside = WheelY(next);

@@ -40,11 +40,11 @@
 //
 // Patches that grow together. Two humps of overlaps h1, h2 with the overlap r between them (below 0:
 // a gap) are counted as separate with weight 1 - m and as one with weight m,
-//   m = exp(-a^(3/2)),   a = (1 - r/h1)(1 - r/h2):
+//   m = (1 - a^(3/2)/3)^3,   a = (1 - r/h1)(1 - r/h2),   0 beyond a = 3^(2/3):
 // 0 where one of them just touches, 1 where they have become one. So neither event makes a jump. Two
-// elastic bodies feel each other before their overlaps meet; the exponent is between the best for
-// the load (1) and a smooth end (2), see tests/rail/half_space_test.cc. One patch stores less than
-// two, so U depends on m, and m on the position:
+// elastic bodies feel each other before their overlaps meet (against half-spaces the load comes out
+// within 8 % rms over nine positions between tread and root). One patch stores less than two, so U
+// depends on m, and m on the position:
 //   wrench = sum of weight grad U + sum over the neighbours of (dU/dm) grad m,
 // grad r, h1, h2 = (0, -m, 1) at their places, where both surfaces have the same slope. The second
 // sum is shared by the patches in the ratio of their loads; it takes at most a fifth of them.
@@ -129,7 +129,8 @@ class ContactSearch {
   static constexpr int kMaxSamples = 256;
   static constexpr int kMaxHumps = 3;
   static constexpr int kLevels = 5;
-  static constexpr int kNodesInHump = 12;            ///< at least
+  static constexpr int kNodesInHump = 12;  ///< at least
+  static constexpr int kNodesInTop = 8;    ///< of a parabola with the top of the hump, at least
   static constexpr int kMaxNodes = 2 * kMaxSamples;  ///< even
 
   struct Axle {
@@ -157,6 +158,7 @@ class ContactSearch {
   /// Hump of overlap between two ends [m on the wheel profile].
   struct Hump {
     double begin, end;
+    double width;  ///< about [m]
     double top;    ///< deepest place: of a sample, or itself where `sample` is -1
     double depth;  ///< overlap there [m]
     int sample;
@@ -199,9 +201,9 @@ class ContactSearch {
   /// Where the overlap ends between `inside` (h >= 0) and `outside` (h <= 0).
   /// starting from `at`.
   double EdgeBetween(const Axle& axle, double inside, double outside, double at) const noexcept;
-  /// Edge of a run next to `sample` on the side of `next` = sample +- 1, or `next` itself.
+  /// Edge of a run next to `sample` on the side of `next` = sample +- 1, or beyond it.
   double EdgeOfRun(const Axle& axle, const Samples& samples, int sample, int next,
-                   bool roughly) const noexcept;
+                   bool sought) const noexcept;
   /// Where wheel and rail have the same slope between two places: the deepest one, or with `sign`
   /// -1 the ridge. The middle where there is none.
   double StationaryNear(const Axle& axle, double low, double high, double sign = 1) const noexcept;
