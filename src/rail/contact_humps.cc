@@ -11,7 +11,7 @@ constexpr double kSpare = 1.25;     ///< a yawed wheel is more curved across
 constexpr double kMostRoll = 0.06;  ///< and other differences of slope at a contact [rad]
 /// Humps nearer to each other (a of contact_search.h) are one: two have a weight of a millionth.
 constexpr double kSameHump = 1e-4;
-constexpr double kPlace = 1e-7;  ///< of a place that overlap does not feel to first order [m]
+constexpr double kPlace = 1e-6;  ///< of a place that overlap does not feel to first order [m]
 constexpr int kMaxRidges = 12;
 constexpr double kUsual = 3;  ///< relative curvature across of a first guess [1/m]
 
@@ -93,7 +93,7 @@ void ContactSearch::FindHumps(const Axle& axle, const Samples& s, Humps* humps) 
     if (i < s.last && s.depth[i] < -most_margin_ && s.depth[i + 1] < -most_margin_) continue;
     if (i == s.last || s.depth[i + 1] > 0) continue;
     if (std::max(s.depth[i], s.depth[i + 1]) < -margin_[static_cast<size_t>(i)]) continue;
-    AddBetween(axle, WheelY(i), WheelY(i + 1), humps);
+    AddBetween(axle, i, humps);
   }
   for (int k = 0; k + 1 < humps->count; ++k) Link(axle, s, &humps->hump[k], &humps->hump[k + 1]);
   ChooseNodes(s, humps);
@@ -103,16 +103,17 @@ void ContactSearch::ChooseNodes(const Samples& s, Humps* humps) const noexcept {
   // Humps that meet have the same nodes, those of the wheel.
   for (int k = 0; k < humps->count;) {
     int last = k;
-    while (humps->hump[last].joined) ++last;
+    double width = humps->hump[k].width;
+    while (humps->hump[last].joined) width += humps->hump[++last].width;
     int level = 0;
-    for (int i = k; i <= last; ++i) level = std::max(level, LevelOf(s, humps->hump[i]));
+    for (int i = k; i <= last; ++i) level = std::max(level, LevelOf(s, humps->hump[i], width));
     if (last > k) level = std::min(level, kLevels - 1);
     for (; k <= last; ++k) humps->hump[k].level = level;
   }
 }
 
-void ContactSearch::AddBetween(const Axle& axle, double low, double high,
-                               Humps* humps) const noexcept {
+void ContactSearch::AddBetween(const Axle& axle, int sample, Humps* humps) const noexcept {
+  const double low = WheelY(sample), high = WheelY(sample + 1);
   const auto rises = [&](double at) {
     const Locus l = LocusAt(axle, at);
     return l.slope > l.rail_slope;
@@ -125,6 +126,7 @@ void ContactSearch::AddBetween(const Axle& axle, double low, double high,
   h.top = middle;
   h.depth = depth;
   h.sample = -1;
+  h.beside = sample;
   h.joined = false;
   h.begin = EdgeBetween(axle, middle, low, 0.5 * (middle + low));
   h.end = EdgeBetween(axle, middle, high, 0.5 * (middle + high));
@@ -186,7 +188,8 @@ void ContactSearch::SplitRun(const Axle& axle, const Samples& s, int begin, int 
     h.depth = overlap(h.sample);
     h.begin = first && !open_begin ? EdgeOfRun(axle, s, low, low - 1, narrow) : WheelY(low);
     h.end = last && !open_end ? EdgeOfRun(axle, s, high, high + 1, narrow) : WheelY(high);
-    h.width = narrow ? h.end - h.begin : WheelY(high) - WheelY(low) + step_;
+    // Edges beyond the samples lie half a step away on the whole.
+    h.width = narrow ? h.end - h.begin : 0.5 * (h.end + WheelY(high) - h.begin - WheelY(low));
     h.joined = !last;
     h.at_end = (first && open_begin) || (last && open_end);
     h.next.m = 0;

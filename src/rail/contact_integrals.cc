@@ -33,13 +33,14 @@ void ContactSearch::Moments::Add(const Moments& m) {
 
 double ContactSearch::StoredEnergy(double e) noexcept { return std::pow(e, 5.0 / 9); }
 
-int ContactSearch::LevelOf(const Samples& s, const Hump& hump) const {
-  if (hump.width < kNodesInHump * grid_[kLevels - 1].step) return kLevels;
-  double widest = hump.width / kNodesInHump;  // distance of nodes
+int ContactSearch::LevelOf(const Samples& s, const Hump& hump, double run) const {
+  if (run < kNodesInHump * grid_[kLevels - 1].step) return kLevels;
+  double widest = run / kNodesInHump;  // distance of nodes
   const int i = hump.sample;
   if (i > s.first && i < s.last) {  // a narrow top on a wide foot
     const double bend = 2 * Vertical(s, i) - Vertical(s, i - 1) - Vertical(s, i + 1);
-    const double top = 2 * step_ * std::sqrt(2 * hump.depth / std::max(bend, 1e-12));
+    const double top =
+        (WheelY(i + 1) - WheelY(i - 1)) * std::sqrt(2 * hump.depth / std::max(bend, 1e-12));
     widest = std::min(widest, top / kNodesInTop);
   }
   int level = 0;

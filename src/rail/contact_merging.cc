@@ -8,8 +8,8 @@
 namespace phs::rail {
 namespace {
 
-/// Samples tell a to a tenth or so; from 3^(2/3) = 2.08 on m is 0.
-constexpr double kApart = 2.6;
+/// From 3^(2/3) on m is 0.
+constexpr double kApart = 2.081;
 constexpr double kEnd = 0.5e-3;  ///< contact this near to an end is at the end [m]
 
 }  // namespace
@@ -17,22 +17,31 @@ constexpr double kEnd = 0.5e-3;  ///< contact this near to an end is at the end 
 void ContactSearch::Link(const Axle& axle, const Samples& s, Hump* hump,
                          Hump* next) const noexcept {
   Merge& merge = hump->next;
-  const int from = static_cast<int>(std::ceil((hump->top - begin_) / step_));
-  const int to = static_cast<int>((next->top - begin_) / step_);
+  const int from = hump->sample < 0 ? hump->beside + 1 : hump->sample;
+  const int to = next->sample < 0 ? next->beside : next->sample;
   int lowest = from;
   for (int i = from; i <= to; ++i) lowest = Vertical(s, i) < Vertical(s, lowest) ? i : lowest;
   const double between = Vertical(s, lowest);
-  if ((1 - between / hump->depth) * (1 - between / next->depth) > kApart) return;
-  const auto near = [&](int sample, double sign) {
-    const double low = WheelY(std::max(sample - 1, 0));
-    const double high = WheelY(std::min(sample + 1, samples_ - 1));
-    return StationaryNear(axle, low, high, sign);
+  // The tops may rise above their samples; what is surely apart is left at once.
+  const auto most = [&](const Hump& h) {
+    if (h.sample < 0) return h.depth;
+    const auto i = static_cast<size_t>(h.sample);
+    return h.depth + stretch_at_[i] * std::max(margin_[i > 0 ? i - 1 : 0], margin_[i]);
   };
-  const double at[] = {near(lowest, -1), hump->sample < 0 ? hump->top : near(hump->sample, 1),
-                       next->sample < 0 ? next->top : near(next->sample, 1)};
+  if ((1 - between / most(*hump)) * (1 - between / most(*next)) > kApart) return;
+  const int samples[] = {lowest, hump->sample, next->sample};
+  double ridge = 0;
   double h[3];
   for (int i = 0; i < 3; ++i) {
-    merge.locus[i] = LocusAt(axle, at[i]);
+    if (samples[i] < 0) {
+      merge.locus[i] = LocusAt(axle, i == 1 ? hump->top : next->top);
+    } else {
+      const double low = WheelY(std::max(samples[i] - 1, 0));
+      const double high = WheelY(std::min(samples[i] + 1, samples_ - 1));
+      const double at = StationaryNear(axle, low, high, i == 0 ? -1 : 1);
+      merge.locus[i] = LocusAt(axle, at);
+      if (i == 0) ridge = at;
+    }
     h[i] = merge.locus[i].overlap;
   }
   const double first = std::max(1 - h[0] / h[1], 0.0);
@@ -46,7 +55,7 @@ void ContactSearch::Link(const Axle& axle, const Samples& s, Hump* hump,
   merge.slope[1] = -slope * second * h[0] / (h[1] * h[1]);
   merge.slope[2] = -slope * first * h[0] / (h[2] * h[2]);
   if (!hump->joined) return;
-  hump->end = next->begin = at[0];
+  hump->end = next->begin = ridge;
 }
 
 void ContactSearch::AddReadings(const Axle& axle, const Humps& humps, int from,

@@ -6,11 +6,12 @@
 namespace phs::rail {
 namespace {
 
-constexpr double kWheelStep = 1.2e-3;  ///< of the samples [m]
+constexpr double kWheelStep =
+    1.2e-3;  ///< of the samples, arc length, and of the coarsest nodes [m]
 constexpr double kRailStep = 0.125e-3;
-constexpr double kBeyond = 5;    ///< samples beyond the ends of the rail
-constexpr double kEdge = 1e-5;   ///< of a step of Newton, whose error is its square [m]
-constexpr double kDoubt = 2e-6;  ///< chords of the rail's table are this near to it, normal [m]
+constexpr double kBeyond = 6e-3;  ///< samples beyond the ends of the rail [m]
+constexpr double kEdge = 1e-5;    ///< of a step of Newton, whose error is its square [m]
+constexpr double kDoubt = 2e-6;   ///< chords of the rail's table are this near to it, normal [m]
 /// Flattest relative curvature across: conformal regions carry a wide but finite patch.
 constexpr double kFlattest = 0.05;
 
@@ -29,10 +30,9 @@ ContactSearch::ContactSearch(Profile wheel, Profile rail, double half_tape, doub
       half_tape_(half_tape),
       radius_(radius),
       modulus_(wheel_, rail_, radius, hertz) {
-  const double width = wheel_.max_y() - wheel_.min_y();
   begin_ = wheel_.min_y();
-  samples_ = std::clamp(static_cast<int>(std::ceil(width / kWheelStep)) + 1, 2, kMaxSamples);
-  step_ = width / (samples_ - 1);
+  PlaceSamples();
+  samples_ = static_cast<int>(along_at_.size());
   for (int i = 0; i < samples_; ++i) {
     const Profile::Sample s = wheel_.At(WheelY(i));
     const double r = radius_ + s.z;
@@ -42,16 +42,17 @@ ContactSearch::ContactSearch(Profile wheel, Profile rail, double half_tape, doub
     stretch_at_.push_back(std::sqrt(1 + s.slope * s.slope));
     cosine_at_.push_back(1 / stretch_at_.back());
   }
-  int per_step = 1;
+  const double width = wheel_.max_y() - wheel_.min_y();
+  int nodes = std::max(2, static_cast<int>(std::ceil(width / kWheelStep)));
   for (Grid& grid : grid_) {
-    grid.step = step_ / per_step;
-    for (int i = 0; i <= per_step * (samples_ - 1); ++i) {
+    grid.step = width / nodes;
+    for (int i = 0; i <= nodes; ++i) {
       const Profile::Sample s = wheel_.At(begin_ + grid.step * i);
       grid.radius.push_back(radius_ + s.z);
       grid.slope.push_back(s.slope);
       grid.second.push_back(s.second);
     }
-    per_step *= 2;
+    nodes *= 2;
   }
   MeasureMargins();
   const double rail_width = rail_.max_y() - rail_.min_y();
@@ -60,6 +61,28 @@ ContactSearch::ContactSearch(Profile wheel, Profile rail, double half_tape, doub
   rail_per_step_ = pieces / rail_width;
   for (int i = 0; i <= pieces; ++i) rail_z_.push_back(rail_.At(rail_begin_ + i / rail_per_step_).z);
   rail_z_.push_back(2 * rail_z_.back() - rail_z_[rail_z_.size() - 2]);
+}
+
+void ContactSearch::PlaceSamples() {
+  // At equal arcs of the profile: as many on the flange as its length asks for.
+  constexpr double kFine = 0.02e-3;
+  const int fine = static_cast<int>((wheel_.max_y() - begin_) / kFine);
+  std::vector<double> arc{0};
+  for (int i = 0; i < fine; ++i) {
+    const double slope = wheel_.At(begin_ + kFine * (i + 0.5)).slope;
+    arc.push_back(arc.back() + kFine * std::sqrt(1 + slope * slope));
+  }
+  const int pieces =
+      std::clamp(static_cast<int>(std::ceil(arc.back() / kWheelStep)), 1, kMaxSamples - 1);
+  int at = 0;
+  for (int i = 0; i < pieces; ++i) {
+    const double wanted = arc.back() * i / pieces;
+    while (at + 1 < fine && arc[static_cast<size_t>(at) + 1] < wanted) ++at;
+    const double before = arc[static_cast<size_t>(at)];
+    const double share = (wanted - before) / (arc[static_cast<size_t>(at) + 1] - before);
+    along_at_.push_back(kFine * (at + share));
+  }
+  along_at_.push_back(wheel_.max_y() - begin_);
 }
 
 ContactSearch::Axle ContactSearch::PlaceAxle(const WheelPlacement& wheel, double rail_y,
@@ -104,31 +127,34 @@ ContactSearch::Locus ContactSearch::LocusAt(const Axle& a, double wheel_y) const
 void ContactSearch::Sample(const Axle& a, Samples* samples) const noexcept {
   // Only the part of the wheel that lies over the rail, and kBeyond samples more.
   const double centre = a.y + half_tape_ * a.ey + radius_ * a.beta_y;
-  const double from = (rail_.min_y() - centre - begin_) / step_ - kBeyond;
-  const double to = (rail_.max_y() - centre - begin_) / step_ + kBeyond;
+  const double from = rail_.min_y() - centre - begin_ - kBeyond;
+  const double to = rail_.max_y() - centre - begin_ + kBeyond;
   samples->first = 0;
   samples->last = -1;
-  if (!(from < samples_ - 1 && to > 0)) return;  // not a number, or far away
-  samples->first = static_cast<int>(std::max(from, 0.0));
-  samples->last = static_cast<int>(std::min(to, samples_ - 1.0));
+  if (!(from < along_at_.back() && to > 0)) return;  // not a number, or far away
+  const auto index = [&](double along) {
+    return static_cast<int>(std::lower_bound(along_at_.begin(), along_at_.end(), along) -
+                            along_at_.begin());
+  };
+  samples->first = std::max(index(from) - 1, 0);
+  samples->last = std::min(index(to), samples_ - 1);
   // y and z of the locus with beta = 1 - t^2 side^2/2; place in the rail's table.
   const double side = a.side * a.side;
   const double rail_end = static_cast<double>(rail_z_.size() - 2);
   const double y0 = (a.y + a.ey * (half_tape_ + begin_) - rail_begin_) * rail_per_step_;
-  const double y1 = a.ey * step_ * rail_per_step_;
+  const double y1 = a.ey * rail_per_step_;
   const double y2 = a.beta_y * rail_per_step_;
   const double y3 = a.alpha_y * rail_per_step_;
   const double z0 = a.z + a.ez * (half_tape_ + begin_);
-  const double z1 = a.ez * step_;
   double place[kMaxSamples];
   double z[kMaxSamples];
   const int first = samples->first;
   const int end = samples->last + 1;
   for (int i = first; i < end; ++i) {
     const double down = radius_at_[i] - side * radius_square_[i];
-    const double at = y0 + y1 * i + y2 * down - y3 * radius_slope_[i];
+    const double at = y0 + y1 * along_at_[i] + y2 * down - y3 * radius_slope_[i];
     place[i] = at;
-    z[i] = z0 + z1 * i + a.beta_z * down - a.alpha_z * radius_slope_[i];
+    z[i] = z0 + a.ez * along_at_[i] + a.beta_z * down - a.alpha_z * radius_slope_[i];
   }
   for (int i = first; i < end; ++i) {
     // Beyond the ends the rail goes on straight, as its profile does.

@@ -162,6 +162,7 @@ class ContactSearch {
     double top;    ///< deepest place: of a sample, or itself where `sample` is -1
     double depth;  ///< overlap there [m]
     int sample;
+    int beside;   ///< the last sample before `top` where it is none
     bool joined;  ///< to the next one without a gap
     bool at_end;
     int level;   ///< of the nodes; kLevels: the hump's own
@@ -194,6 +195,7 @@ class ContactSearch {
     double depth[kMaxSamples];  ///< h times the cosine of the wheel's slope: normal depth
   };
 
+  void PlaceSamples();
   void MeasureMargins();
   Axle PlaceAxle(const WheelPlacement& wheel, double rail_y, double rail_z) const noexcept;
   Locus LocusAt(const Axle& axle, double wheel_y) const noexcept;
@@ -210,13 +212,13 @@ class ContactSearch {
   /// Sets `next` of a hump, and where both meet.
   void Link(const Axle& axle, const Samples& samples, Hump* hump, Hump* next) const noexcept;
   void FindHumps(const Axle& axle, const Samples& samples, Humps* humps) const noexcept;
-  /// A hump that lies between two places, if there is one.
-  void AddBetween(const Axle& axle, double low, double high, Humps* humps) const noexcept;
+  /// A hump that lies between a sample and the next, if there is one.
+  void AddBetween(const Axle& axle, int sample, Humps* humps) const noexcept;
   void SplitRun(const Axle& axle, const Samples& samples, int begin, int end,
                 Humps* humps) const noexcept;
   void ChooseNodes(const Samples& samples, Humps* humps) const noexcept;
-  /// The coarsest nodes that are enough for a hump.
-  int LevelOf(const Samples& samples, const Hump& hump) const;
+  /// The coarsest nodes that are enough for a hump in a run of overlap `run` wide [m].
+  int LevelOf(const Samples& samples, const Hump& hump, double run) const;
   /// `own`: room for 3 kNodesInHump numbers.
   Nodes FindNodes(const Hump& hump, double* own) const noexcept;
   Moments Integrate(const Axle& axle, const Hump& hump) const noexcept;
@@ -232,7 +234,7 @@ class ContactSearch {
   /// U of E [J].
   static double StoredEnergy(double e) noexcept;
   void Describe(const Axle& axle, const Moments& moments, Overlap* patch) const noexcept;
-  double WheelY(int sample) const { return begin_ + step_ * sample; }
+  double WheelY(int sample) const { return begin_ + along_at_[static_cast<size_t>(sample)]; }
   double Vertical(const Samples& samples, int i) const {
     return samples.depth[i] * stretch_at_[static_cast<size_t>(i)];
   }
@@ -243,9 +245,9 @@ class ContactSearch {
   double radius_;
   ContactModulus modulus_;
   double begin_;  ///< first sampled wheel position [m]
-  double step_;
   int samples_;
   Grid grid_[kLevels];
+  std::vector<double> along_at_;  ///< [sample] wheel y beyond the first [m]
   /// [sample] of the wheel: R, R t, R t^2/2, cosine of the slope and its inverse.
   std::vector<double> radius_at_, radius_slope_, radius_square_, cosine_at_, stretch_at_;
   std::vector<double> margin_;  ///< [sample] what a hump before the next may rise above both [m]

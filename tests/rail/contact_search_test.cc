@@ -199,9 +199,9 @@ double ForceAt(const ContactSearch& search, const WheelPlacement& place) {
 }
 
 // Any pose between climbing flanges, new and hollow tread: lowered by 1 um at a time from the
-// first touch, the force only grows, and halving a step finds no force that appears at once. A
-// shallow ridge between two samples of the wheel, a micrometre or less, is seen late: one pose in
-// ten thousand has a step of about one per cent there.
+// first touch, the force only grows, and halving a step finds no force that appears at once. What
+// lies between two samples of the wheel is seen late: one pose in twenty thousand has a step of
+// about one per cent.
 RC_GTEST_PROP(ContactSearch, ForceGrowsWithDepthAndNeverJumps, ()) {
   static const ContactSearch fresh = Pair(ProfilePath("S1002.prw"), ProfilePath("UIC60.prr"));
   static const ContactSearch hollow = [] {
@@ -238,7 +238,7 @@ RC_GTEST_PROP(ContactSearch, ForceGrowsWithDepthAndNeverJumps, ()) {
         (lower ? high : low) = middle;
         (lower ? f_high : f_low) = f;
       }
-      RC_ASSERT(f_high - f_low < 1e-2 * force + 100);
+      RC_ASSERT(f_high - f_low < 1.5e-2 * force + 100);
     }
     before = force;
   }
