@@ -203,8 +203,8 @@ void ContactSearch::FindPoints(const WheelPlacement& wheel, double rail_y, doubl
   Sample(axle, &s);
   found->count = 0;
   for (int i = s.first; i <= s.last && found->count < kMaxHumps; ++i) {
-    const bool left = i == s.first || s.depth[i] >= s.depth[i - 1];
-    const bool right = i == s.last || s.depth[i] > s.depth[i + 1];
+    const bool left = i == s.first || Vertical(s, i) >= Vertical(s, i - 1);
+    const bool right = i == s.last || Vertical(s, i) > Vertical(s, i + 1);
     if (!left || !right || !(s.depth[i] > 0)) continue;
     const bool inside = i > s.first && i < s.last;
     const double at = inside ? StationaryNear(axle, WheelY(i - 1), WheelY(i + 1)) : WheelY(i);

@@ -158,6 +158,31 @@ TEST(WheelRail, LeftIsTheMirrorImageOfRightToTheLastBit) {
   }
 }
 
+// Rigid bodies, upright: the deepest place of the one profile laid over the other, looked for at every
+// hundredth of a millimetre.
+TEST(WheelRail, RigidBodiesTouchWhereTheProfilesAreNearest) {
+  const WheelRailParams p = StandardPair();
+  const WheelRail pair = Create(p);
+  const Profile& wheel = *pair.wheel_profile();
+  const Profile& rail = *pair.rail_profile();
+  for (double y = -8e-3; y < 6.2e-3; y += 0.25e-3) {
+    const double shift = pair.wheel_position() + y - pair.rail_position();
+    double most = -1;
+    double at = 0;
+    for (double w = wheel.min_y(); w < wheel.max_y(); w += 1e-5) {
+      if (w + shift < rail.min_y() || w + shift > rail.max_y()) continue;
+      const double depth = wheel.At(w).z - rail.At(w + shift).z;
+      if (depth <= most) continue;
+      most = depth;
+      at = w;
+    }
+    const TouchPoint touch = pair.Touch(y, 0, 0);
+    ASSERT_TRUE(touch.found) << y;
+    EXPECT_NEAR(touch.wheel_y, at, 0.05e-3) << y;
+    EXPECT_NEAR(touch.radius, p.wheel_radius + wheel.At(at).z, 0.02e-3) << y;
+  }
+}
+
 struct Sweep {
   double jump = 0;      ///< largest change of a force per step over the load
   double wander = 0;    ///< largest step of the load's centre on the rail [m]
