@@ -99,9 +99,9 @@ TEST(StepOrderTest, ABogieHuntsAtTheLinearGrowthToSecondOrder) {
   const double coarse = GrowthByStep(m, d, 2e-3);
   const double middle = GrowthByStep(m, d, 1e-3);
   const double fine = GrowthByStep(m, d, 5e-4);
-  // 1.79 is measured. It falls at finer steps (1.62, 1.43): a remainder of 3e-4 of the growth that
-  // goes with the step itself, its cause not known.
-  EXPECT_GT(std::log2((coarse - middle) / (middle - fine)), 1.75);
+  const double finest = GrowthByStep(m, d, 2.5e-4);
+  EXPECT_GT(std::log2((coarse - middle) / (middle - fine)), 1.9);
+  EXPECT_GT(std::log2((middle - fine) / (fine - finest)), 1.9);
   EXPECT_NEAR(middle / spectrum.value().growth, 1, 2e-3);
 }
 
