@@ -268,6 +268,7 @@
       if (!context) {
         this.picture.replaceWith(phs.html("p", {class: "note"}, noPicture));
         this.figure.dataset.scene = "none";
+        performance.mark("phs-scene");
         return;
       }
       document.head.append(phs.html("script", {}, document.getElementById("scene").textContent));
@@ -277,6 +278,7 @@
       this.#resize(this.width);
       this.figure.scene = this.scene;
       this.figure.dataset.scene = "yes";
+      performance.mark("phs-scene");
     }
   }
 
