@@ -29,7 +29,7 @@ void ContactSearch::MeasureMargins() {
     double most = -1e9;
     double wheel_bend = 0;
     double arc = 0;
-    for (double y = WheelY(i); y <= WheelY(i + 1); y += kFineStep) {
+    for (double y = WheelY(i); y <= WheelY(std::min(i + 1, samples_ - 1)); y += kFineStep) {
       const Profile::Sample s = wheel_.At(y);
       least = std::min(least, std::atan(s.slope) - kMostRoll);
       most = std::max(most, std::atan(s.slope) + kMostRoll);
@@ -197,15 +197,32 @@ void ContactSearch::SplitRun(const Axle& axle, const Samples& s, int begin, int 
 }
 
 void ContactSearch::FindPoints(const WheelPlacement& wheel, double rail_y, double rail_z,
-                               Overlaps* found) const noexcept {
+                               Depth measure, Overlaps* found) const noexcept {
   const Axle axle = PlaceAxle(wheel, rail_y, rail_z);
   Samples s;
   Sample(axle, &s);
   found->count = 0;
-  for (int i = s.first; i <= s.last && found->count < kMaxHumps; ++i) {
-    const bool left = i == s.first || Vertical(s, i) >= Vertical(s, i - 1);
-    const bool right = i == s.last || Vertical(s, i) > Vertical(s, i + 1);
+  const auto depth = [&](int i) {
+    return measure == Depth::kVertical ? Vertical(s, i) : s.depth[i];
+  };
+  // The deepest local maxima, in their order on the wheel.
+  int top[kMaxHumps];
+  int tops = 0;
+  for (int i = s.first; i <= s.last; ++i) {
+    const bool left = i == s.first || depth(i) >= depth(i - 1);
+    const bool right = i == s.last || depth(i) > depth(i + 1);
     if (!left || !right || !(s.depth[i] > 0)) continue;
+    if (tops == kMaxHumps) {
+      int* least =
+          std::min_element(top, top + tops, [&](int a, int b) { return depth(a) < depth(b); });
+      if (depth(i) <= depth(*least)) continue;
+      std::copy(least + 1, top + tops, least);
+      --tops;
+    }
+    top[tops++] = i;
+  }
+  for (int k = 0; k < tops; ++k) {
+    const int i = top[k];
     const bool inside = i > s.first && i < s.last;
     const double at = inside ? StationaryNear(axle, WheelY(i - 1), WheelY(i + 1)) : WheelY(i);
     const Locus l = LocusAt(axle, at);

@@ -45,7 +45,7 @@ int ContactSearch::LevelOf(const Samples& s, const Hump& hump, double run) const
   }
   int level = 0;
   while (level + 1 < kLevels && grid_[level].step > widest) ++level;
-  while (hump.end - hump.begin > kMaxNodes / 2 * grid_[level].step) --level;
+  while (hump.end - hump.begin > 0.5 * kMaxNodes * grid_[level].step) --level;
   return level;
 }
 
@@ -65,8 +65,8 @@ ContactSearch::Nodes ContactSearch::FindNodes(const Hump& hump, double* own) con
       own[2 * kNodesInHump + k] = s.second;
     }
     n.radius = own;
-    n.slope = own + kNodesInHump;
-    n.second = own + 2 * kNodesInHump;
+    n.slope = &own[kNodesInHump];
+    n.second = &own[size_t{2} * kNodesInHump];
     return n;
   }
   const Grid& grid = grid_[hump.level];
@@ -76,7 +76,7 @@ ContactSearch::Nodes ContactSearch::FindNodes(const Hump& hump, double* own) con
   n.high = (hump.end - begin_) / n.step;
   n.first = std::max(0, static_cast<int>(std::ceil(n.low - 0.5)));
   const int end =
-      std::min(static_cast<int>(grid.radius.size()), static_cast<int>(n.high + 0.5) + 1);
+      std::min(static_cast<int>(grid.radius.size()), static_cast<int>(std::floor(n.high + 1.5)));
   n.count = std::clamp(end - n.first, 0, kMaxNodes);
   n.radius = grid.radius.data() + n.first;
   n.slope = grid.slope.data() + n.first;

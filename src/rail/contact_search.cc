@@ -6,8 +6,7 @@
 namespace phs::rail {
 namespace {
 
-constexpr double kWheelStep =
-    1.2e-3;  ///< of the samples, arc length, and of the coarsest nodes [m]
+constexpr double kWheelStep = 1.2e-3;  ///< of the samples and of the coarsest nodes [m]
 constexpr double kRailStep = 0.125e-3;
 constexpr double kBeyond = 6e-3;  ///< samples beyond the ends of the rail [m]
 constexpr double kEdge = 1e-5;    ///< of a step of Newton, whose error is its square [m]
@@ -64,25 +63,10 @@ ContactSearch::ContactSearch(Profile wheel, Profile rail, double half_tape, doub
 }
 
 void ContactSearch::PlaceSamples() {
-  // At equal arcs of the profile: as many on the flange as its length asks for.
-  constexpr double kFine = 0.02e-3;
-  const int fine = static_cast<int>((wheel_.max_y() - begin_) / kFine);
-  std::vector<double> arc{0};
-  for (int i = 0; i < fine; ++i) {
-    const double slope = wheel_.At(begin_ + kFine * (i + 0.5)).slope;
-    arc.push_back(arc.back() + kFine * std::sqrt(1 + slope * slope));
-  }
+  const double width = wheel_.max_y() - begin_;
   const int pieces =
-      std::clamp(static_cast<int>(std::ceil(arc.back() / kWheelStep)), 1, kMaxSamples - 1);
-  int at = 0;
-  for (int i = 0; i < pieces; ++i) {
-    const double wanted = arc.back() * i / pieces;
-    while (at + 1 < fine && arc[static_cast<size_t>(at) + 1] < wanted) ++at;
-    const double before = arc[static_cast<size_t>(at)];
-    const double share = (wanted - before) / (arc[static_cast<size_t>(at) + 1] - before);
-    along_at_.push_back(kFine * (at + share));
-  }
-  along_at_.push_back(wheel_.max_y() - begin_);
+      std::clamp(static_cast<int>(std::ceil(width / kWheelStep)), 1, kMaxSamples - 1);
+  for (int i = 0; i <= pieces; ++i) along_at_.push_back(width * i / pieces);
 }
 
 ContactSearch::Axle ContactSearch::PlaceAxle(const WheelPlacement& wheel, double rail_y,

@@ -113,9 +113,12 @@ class ContactSearch {
   void Find(const WheelPlacement& wheel, double rail_y, double rail_z,
             Overlaps* found) const noexcept;
 
+  /// Measured between the surfaces, or along z.
+  enum class Depth { kNormal, kVertical };
   /// The single points where the overlap is locally deepest, however deep, as overlaps of a usual
-  /// curvature: where to begin with a rail on an elastic support.
-  void FindPoints(const WheelPlacement& wheel, double rail_y, double rail_z,
+  /// curvature: where rigid bodies touch (vertical), where to begin with a rail on an elastic
+  /// support (normal).
+  void FindPoints(const WheelPlacement& wheel, double rail_y, double rail_z, Depth measure,
                   Overlaps* found) const noexcept;
 
   /// Slow: over the whole wheel.

@@ -8,7 +8,7 @@ namespace {
 
 constexpr int kIterations = 40;
 constexpr int kRounds = 12;
-constexpr double kTolerance = 1e-6;  ///< [m]
+constexpr double kTolerance = 1e-8;  ///< [m]
 constexpr double kBack = 0.01;
 
 double Dot(const Vec3& a, const Vec3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
@@ -62,7 +62,7 @@ Vec3 FindOnSupport(const ContactSearch& search, const WheelPlacement& wheel, dou
   }
   // The rail gives way far more than the contact: begin where its deepest points would push it.
   Vec3& w = *bend;
-  search.FindPoints(wheel, rail_y, rail_z, found);
+  search.FindPoints(wheel, rail_y, rail_z, ContactSearch::Depth::kNormal, found);
   if (found->count == 0) return {};
   BendUnder(*found, s, {}, &w);
   Vec3 last_w{};

@@ -76,7 +76,8 @@ TouchPoint WheelRail::Touch(double lateral, double roll, double yaw) const noexc
   Overlaps found;
   for (double sunk = kStep; found.count == 0 && sunk < kLowest; sunk += kStep) {
     const double height = impl_->touching + sunk;
-    impl_->search->FindPoints({lateral, height, roll, yaw}, impl_->rail_y, 0, &found);
+    impl_->search->FindPoints({lateral, height, roll, yaw}, impl_->rail_y, 0,
+                              ContactSearch::Depth::kVertical, &found);
     double most = 0;
     for (int i = 0; i < found.count; ++i) {
       const Overlap& p = found.patch[static_cast<size_t>(i)];
