@@ -111,8 +111,8 @@ void Binding::MoveWheelset(const mjModel* m, const mjData* d, int index, const d
     motion.rotation = rail::MirrorAxial(rotation, side);
     motion.speed = std::abs(out.speed);
     rail::WheelRailForces* wheel = &out.wheel[k];
-    wheel_rail_->CalcForces(motion, at->wheel[k], wheel,
-                            damping == nullptr ? nullptr : damping + k);
+    wheel_rail_->CalcForces(motion, at->wheel[k], wheel, damping == nullptr ? nullptr : damping + k,
+                            &at->memo[k]);
     Add(&force_T, rail::MirrorPolar(wheel->force, side));
     Add(&out.moment_T, rail::MirrorAxial(wheel->moment, side));
   }

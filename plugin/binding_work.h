@@ -39,6 +39,7 @@ struct Binding::PressedWheelset {
   WheelsetState state;
   rail::WheelsetMotion motion[2];
   rail::PressedWheel wheel[2];
+  rail::WheelMemo memo[2];
 };
 
 /// Numbers of one evaluation, on MuJoCo's stack.

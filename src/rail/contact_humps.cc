@@ -11,7 +11,8 @@ constexpr double kSpare = 1.25;     ///< a yawed wheel is more curved across
 constexpr double kMostRoll = 0.06;  ///< and other differences of slope at a contact [rad]
 /// Humps nearer to each other (a of contact_search.h) are one: two have a weight of a millionth.
 constexpr double kSameHump = 1e-4;
-constexpr double kPlace = 1e-6;  ///< of a place that overlap does not feel to first order [m]
+constexpr double kPlace = 3e-6;  ///< a last step, which leaves much less [m]
+constexpr int kNewtons = 6;
 constexpr int kMaxRidges = 12;
 constexpr double kUsual = 3;  ///< relative curvature across of a first guess [1/m]
 
@@ -48,8 +49,35 @@ void ContactSearch::MeasureMargins() {
   most_margin_ = *std::max_element(margin_.begin(), margin_.end());
 }
 
-double ContactSearch::StationaryNear(const Axle& axle, double low, double high,
-                                     double sign) const noexcept {
+ContactSearch::Locus ContactSearch::StationaryNear(const Axle& axle, const Samples& s, int sample,
+                                                   double sign, double* place) const noexcept {
+  sample = std::clamp(sample, s.first + 1, s.last - 1);
+  const double low = WheelY(sample - 1);
+  const double high = WheelY(sample + 1);
+  // From the top of the parabola through three samples by Newton's steps.
+  const double before = Vertical(s, sample - 1), after = Vertical(s, sample + 1);
+  const double bend = before - 2 * Vertical(s, sample) + after;
+  double at = WheelY(sample) - 0.25 * (high - low) * (after - before) / bend;
+  if (!(at > low && at < high && sign * bend < 0)) at = WheelY(sample);
+  for (int i = 0; i < kNewtons && at > low && at < high; ++i) {
+    Locus l = LocusAt(axle, at);
+    const double difference = l.slope - l.rail_slope;
+    const double change = l.wheel_bend - l.rail_bend;
+    if (!(sign * change < 0)) break;
+    const double step = -difference / change;
+    at += step;
+    if (std::abs(step) > kPlace) continue;
+    // Of the last step only the overlap is taken along: a point of the locus does no work on spin.
+    *place = at;
+    l.overlap += 0.5 * difference * l.stretch * step;
+    return l;
+  }
+  *place = StationaryBetween(axle, low, high, sign);
+  return LocusAt(axle, *place);
+}
+
+double ContactSearch::StationaryBetween(const Axle& axle, double low, double high,
+                                        double sign) const noexcept {
   // The slopes of wheel and rail agree: false position that does not get stuck (Illinois).
   const auto difference = [&](double at) {
     const Locus l = LocusAt(axle, at);
@@ -81,7 +109,10 @@ double ContactSearch::StationaryNear(const Axle& axle, double low, double high,
 }
 
 void ContactSearch::FindHumps(const Axle& axle, const Samples& s, Humps* humps) const noexcept {
+  int near = s.first;  // the next sample that may have to do with a hump
   for (int i = s.first; i <= s.last && humps->count < kMaxHumps; ++i) {
+    while (near <= s.last && (near < i || s.depth[near] < -most_margin_)) ++near;
+    i = std::max(i, near - 1);
     if (s.depth[i] > 0) {
       int end = i;
       while (end < s.last && s.depth[end + 1] > 0) ++end;
@@ -90,7 +121,6 @@ void ContactSearch::FindHumps(const Axle& axle, const Samples& s, Humps* humps) 
       continue;
     }
     // A hump between two samples that both do not touch.
-    if (i < s.last && s.depth[i] < -most_margin_ && s.depth[i + 1] < -most_margin_) continue;
     if (i == s.last || s.depth[i + 1] > 0) continue;
     if (std::max(s.depth[i], s.depth[i + 1]) < -margin_[static_cast<size_t>(i)]) continue;
     AddBetween(axle, i, humps);
@@ -107,7 +137,7 @@ void ContactSearch::ChooseNodes(const Samples& s, Humps* humps) const noexcept {
     while (humps->hump[last].joined) width += humps->hump[++last].width;
     int level = 0;
     for (int i = k; i <= last; ++i) level = std::max(level, LevelOf(s, humps->hump[i], width));
-    if (last > k) level = std::min(level, kLevels - 1);
+    if (last > k) level = std::min(level, static_cast<int>(grid_.size()) - 1);
     for (; k <= last; ++k) humps->hump[k].level = level;
   }
 }
@@ -119,7 +149,7 @@ void ContactSearch::AddBetween(const Axle& axle, int sample, Humps* humps) const
     return l.slope > l.rail_slope;
   };
   if (!rises(low) || rises(high)) return;
-  const double middle = StationaryNear(axle, low, high);
+  const double middle = StationaryBetween(axle, low, high);
   const double depth = LocusAt(axle, middle).overlap;
   if (!(depth > 0)) return;
   Hump& h = humps->hump[humps->count++];
@@ -224,8 +254,8 @@ void ContactSearch::FindPoints(const WheelPlacement& wheel, double rail_y, doubl
   for (int k = 0; k < tops; ++k) {
     const int i = top[k];
     const bool inside = i > s.first && i < s.last;
-    const double at = inside ? StationaryNear(axle, WheelY(i - 1), WheelY(i + 1)) : WheelY(i);
-    const Locus l = LocusAt(axle, at);
+    double at = WheelY(i);
+    const Locus l = inside ? StationaryNear(axle, s, i, 1, &at) : LocusAt(axle, at);
     if (!(l.overlap > 0)) continue;
     Overlap& p = found->patch[static_cast<size_t>(found->count++)];
     p.wheel_y = at;

@@ -2,16 +2,20 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/wide.h"
 #include "rail/contact_search.h"
 
 namespace phs::rail {
 namespace {
 
-/// Two nodes at a time.
-using Pair = double __attribute__((vector_size(16)));
-struct PairMoments {
-  Pair energy{}, load{}, bend{}, wheel{}, arm_x{}, arm_y{}, arm_z{};
-  Pair push_y{}, push_z{}, turn_x{}, turn_y{}, turn_z{};
+/// Four nodes at a time.
+constexpr int kWide = 4;
+using Wide = double __attribute__((vector_size(8 * kWide)));
+/// The same at any address, in place of four numbers.
+using WideInMemory [[gnu::aligned(8), gnu::may_alias]] = Wide;
+struct WideMoments {
+  Wide energy{}, load{}, bend{}, wheel{}, arm_x{}, arm_y{}, arm_z{};
+  Wide push_y{}, push_z{}, turn_x{}, turn_y{}, turn_z{};
 };
 
 }  // namespace
@@ -34,42 +38,44 @@ void ContactSearch::Moments::Add(const Moments& m) {
 double ContactSearch::StoredEnergy(double e) noexcept { return std::pow(e, 5.0 / 9); }
 
 int ContactSearch::LevelOf(const Samples& s, const Hump& hump, double run) const {
-  if (run < kNodesInHump * grid_[kLevels - 1].step) return kLevels;
-  double widest = run / kNodesInHump;  // distance of nodes
+  const int levels = static_cast<int>(grid_.size());
+  if (run < nodes_in_hump_ * grid_.back().step) return levels;
+  double widest = run / nodes_in_hump_;  // distance of nodes
   const int i = hump.sample;
   if (i > s.first && i < s.last) {  // a narrow top on a wide foot
     const double bend = 2 * Vertical(s, i) - Vertical(s, i - 1) - Vertical(s, i + 1);
     const double top =
         (WheelY(i + 1) - WheelY(i - 1)) * std::sqrt(2 * hump.depth / std::max(bend, 1e-12));
-    widest = std::min(widest, top / kNodesInTop);
+    widest = std::min(widest, top / nodes_in_top_);
   }
   int level = 0;
-  while (level + 1 < kLevels && grid_[level].step > widest) ++level;
-  while (hump.end - hump.begin > 0.5 * kMaxNodes * grid_[level].step) --level;
+  const auto step = [&](int i) { return grid_[static_cast<size_t>(i)].step; };
+  while (level + 1 < levels && step(level) > widest) ++level;
+  while (hump.end - hump.begin > 0.5 * kMaxNodes * step(level)) --level;
   return level;
 }
 
 ContactSearch::Nodes ContactSearch::FindNodes(const Hump& hump, double* own) const noexcept {
   Nodes n;
-  if (hump.level == kLevels) {
-    n.step = (hump.end - hump.begin) / kNodesInHump;
+  if (hump.level == static_cast<int>(grid_.size())) {
+    n.step = (hump.end - hump.begin) / nodes_in_hump_;
     n.begin = hump.begin + 0.5 * n.step;
     n.low = -0.5;
-    n.high = kNodesInHump - 0.5;
+    n.high = nodes_in_hump_ - 0.5;
     n.first = 0;
-    n.count = kNodesInHump;
+    n.count = nodes_in_hump_;
     for (int k = 0; k < n.count; ++k) {
       const Profile::Sample s = wheel_.At(n.begin + n.step * k);
       own[k] = radius_ + s.z;
-      own[kNodesInHump + k] = s.slope;
-      own[2 * kNodesInHump + k] = s.second;
+      own[nodes_in_hump_ + k] = s.slope;
+      own[2 * nodes_in_hump_ + k] = s.second;
     }
     n.radius = own;
-    n.slope = &own[kNodesInHump];
-    n.second = &own[size_t{2} * kNodesInHump];
+    n.slope = &own[nodes_in_hump_];
+    n.second = &own[2 * nodes_in_hump_];
     return n;
   }
-  const Grid& grid = grid_[hump.level];
+  const Grid& grid = grid_[static_cast<size_t>(hump.level)];
   n.begin = begin_;
   n.step = grid.step;
   n.low = (hump.begin - begin_) / n.step;
@@ -84,63 +90,74 @@ ContactSearch::Nodes ContactSearch::FindNodes(const Hump& hump, double* own) con
   return n;
 }
 
-ContactSearch::Moments ContactSearch::Integrate(const Axle& a, const Hump& hump) const noexcept {
-  double own[3 * kNodesInHump];
+PHS_WIDE ContactSearch::Moments ContactSearch::Integrate(const Axle& a,
+                                                         const Hump& hump) const noexcept {
+  double own[3 * kNodesInHump * kMaxFineness];
   const Nodes n = FindNodes(hump, own);
-  const int count = n.count;
-  // Humps that meet share the node between them (`weight`).
-  if (count == 0) return {};
-  // Pass by pass, so that the arithmetic between the look-ups is done two nodes at a time.
-  double at[kMaxNodes], x[kMaxNodes], y[kMaxNodes], z[kMaxNodes], dy[kMaxNodes], slope[kMaxNodes];
-  double rail_z[kMaxNodes], rail_slope[kMaxNodes], modulus[kMaxNodes];
+  // Pass by pass, so that the arithmetic between the look-ups is done for several nodes at a time.
+  // Rows of numbers, one for each node; a few spare ones fill the last block.
+  constexpr int kRow = kMaxNodes + kWide;
+  double at[kRow], x[kRow], y[kRow], z[kRow], h[kRow];
+  double weight[kRow], slope[kRow], rail_slope[kRow], cosine[kRow];
   const double side = a.side * a.side;
-  for (int k = 0; k < count; ++k) {
+  const auto root = [](double square) {
+    return 1 - square * (0.5 + square * (0.125 + square * 0.0625));
+  };
+  for (int k = 0; k < n.count; ++k) {
+    const double t = n.slope[k];
+    const double beta = root(t * t * side);
+    at[k] = n.begin + n.step * (n.first + k);
+    y[k] = a.y + a.ey * (half_tape_ + at[k]) + n.radius[k] * (beta * a.beta_y - t * a.alpha_y);
+    z[k] = a.z + a.ez * (half_tape_ + at[k]) + n.radius[k] * (beta * a.beta_z - t * a.alpha_z);
+  }
+  for (int k = 0; k < n.count; ++k) {
+    const Profile::Sample r = rail_.At(y[k]);
+    h[k] = z[k] - r.z;
+    rail_slope[k] = r.slope;
+  }
+  // Nodes beyond the edges hold nothing.
+  int begin = 0;
+  int end = n.count;
+  while (begin < end && !(h[begin] > 0)) ++begin;
+  while (begin < end && !(h[end - 1] > 0)) --end;
+  if (begin == end) return {};
+  for (int k = begin; k < end; ++k) weight[k] = modulus_.At(y[k]);
+  // Humps that meet share the node between them.
+  if (begin == 0) weight[0] *= std::clamp(n.first - n.low + 0.5, 0.0, 1.0);
+  if (end == n.count) weight[end - 1] *= std::clamp(n.high - n.first - end + 1.5, 0.0, 1.0);
+  for (int k = begin; k < end; ++k) {
     const double t = n.slope[k];
     const double radius = n.radius[k];
-    at[k] = n.begin + n.step * (n.first + k);
-    const double along = half_tape_ + at[k];
-    const double square = t * t * side;
-    const double beta = 1 - square * (0.5 + square * (0.125 + square * 0.0625));
+    const double beta = root(t * t * side);
     const double uy = beta * a.beta_y - t * a.alpha_y;
     const double uz = beta * a.beta_z - t * a.alpha_z;
-    x[k] = a.ex * (along + radius * t);
-    y[k] = a.y + a.ey * along + radius * uy;
-    z[k] = a.z + a.ez * along + radius * uz;
+    x[k] = a.ex * (half_tape_ + at[k] + radius * t);
     slope[k] = -(uy - t * a.ey) / (uz - t * a.ez);
-    dy[k] = a.ey + t * uy - radius * n.second[k] * (a.alpha_y + t * side * a.beta_y);
-  }
-  for (int k = 0; k < count; ++k) {
-    const Profile::Sample r = rail_.At(y[k]);
-    rail_z[k] = r.z;
-    rail_slope[k] = r.slope;
-    modulus[k] = modulus_.At(y[k]);
-  }
-  double h[kMaxNodes], weight[kMaxNodes], cosine[kMaxNodes];
-  for (int k = 0; k < count; ++k) {
-    h[k] = std::max(z[k] - rail_z[k], 0.0);
-    weight[k] = n.step * dy[k] * modulus[k];
+    weight[k] *=
+        n.step * (a.ey + t * uy - radius * n.second[k] * (a.alpha_y + t * side * a.beta_y));
+    h[k] = std::max(h[k], 0.0);
     cosine[k] = 1 / std::sqrt(1 + rail_slope[k] * rail_slope[k]);
   }
-  weight[0] *= std::clamp(n.first - n.low + 0.5, 0.0, 1.0);
-  weight[count - 1] *= std::clamp(n.high - n.first - count + 1.5, 0.0, 1.0);
-  if (count % 2 == 1) {  // a node of nothing
-    h[count] = weight[count] = 0;
-    for (double* p : {at, x, y, z, slope, rail_slope, cosine}) p[count] = p[count - 1];
+  for (; (end - begin) % kWide != 0; ++end) {
+    for (double* p : {at, x, y, z, slope, rail_slope, cosine}) p[end] = p[end - 1];
+    h[end] = weight[end] = 0;
   }
-  const auto pair = [](const double* p, int k) { return Pair{p[k], p[k + 1]}; };
-  PairMoments m;
-  for (int k = 0; k < count; k += 2) {
-    const Pair overlap = pair(h, k), c = pair(cosine, k), locus = pair(slope, k);
-    const Pair depth = overlap * c;
-    const Pair load = pair(weight, k) * overlap * depth * depth;
-    const Pair turned = (locus - pair(rail_slope, k)) * c * c;  // dg/ds
-    const Pair arm_x = pair(x, k), arm_y = pair(y, k) - a.y, arm_z = pair(z, k) - a.z;
-    const Pair push_z = load * c;
-    const Pair push_y = -locus * push_z;
+  WideMoments m;
+  for (int k = begin; k < end; k += kWide) {
+    const auto four = [k](const double* p) -> const WideInMemory& {
+      return *reinterpret_cast<const WideInMemory*>(p + k);
+    };
+    const Wide overlap = four(h), c = four(cosine), locus = four(slope);
+    const Wide depth = overlap * c;
+    const Wide load = four(weight) * overlap * depth * depth;
+    const Wide turned = (locus - four(rail_slope)) * c * c;  // dg/ds
+    const Wide arm_x = four(x), arm_y = four(y) - a.y, arm_z = four(z) - a.z;
+    const Wide push_z = load * c;
+    const Wide push_y = -locus * push_z;
     m.energy += load * depth;
     m.load += load;
     m.bend += load * turned * turned;
-    m.wheel += load * pair(at, k);
+    m.wheel += load * four(at);
     m.arm_x += load * arm_x;
     m.arm_y += load * arm_y;
     m.arm_z += load * arm_z;
@@ -150,7 +167,7 @@ ContactSearch::Moments ContactSearch::Integrate(const Axle& a, const Hump& hump)
     m.turn_y -= arm_x * push_z;
     m.turn_z += arm_x * push_y;
   }
-  const auto sum = [](Pair p) { return p[0] + p[1]; };
+  const auto sum = [](const Wide& p) { return (p[0] + p[1]) + (p[2] + p[3]); };
   return {sum(m.energy), sum(m.load),   sum(m.bend),   sum(m.wheel),  sum(m.arm_x),  sum(m.arm_y),
           sum(m.arm_z),  sum(m.push_y), sum(m.push_z), sum(m.turn_x), sum(m.turn_y), sum(m.turn_z)};
 }

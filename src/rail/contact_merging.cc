@@ -12,6 +12,8 @@ namespace {
 constexpr double kApart = 2.081;
 constexpr double kEnd = 0.5e-3;  ///< contact this near to an end is at the end [m]
 
+double SizeOf(const Overlap& p) { return std::sqrt(p.push[1] * p.push[1] + p.push[2] * p.push[2]); }
+
 }  // namespace
 
 void ContactSearch::Link(const Axle& axle, const Samples& s, Hump* hump,
@@ -36,10 +38,8 @@ void ContactSearch::Link(const Axle& axle, const Samples& s, Hump* hump,
     if (samples[i] < 0) {
       merge.locus[i] = LocusAt(axle, i == 1 ? hump->top : next->top);
     } else {
-      const double low = WheelY(std::max(samples[i] - 1, 0));
-      const double high = WheelY(std::min(samples[i] + 1, samples_ - 1));
-      const double at = StationaryNear(axle, low, high, i == 0 ? -1 : 1);
-      merge.locus[i] = LocusAt(axle, at);
+      double at = 0;
+      merge.locus[i] = StationaryNear(axle, s, samples[i], i == 0 ? -1 : 1, &at);
       if (i == 0) ridge = at;
     }
     h[i] = merge.locus[i].overlap;
@@ -58,8 +58,22 @@ void ContactSearch::Link(const Axle& axle, const Samples& s, Hump* hump,
   hump->end = next->begin = ridge;
 }
 
+ContactSearch::Readings ContactSearch::ReadEnergies(const Moments* moments, int first,
+                                                    int last) noexcept {
+  Readings u;
+  for (int from = first; from <= last; ++from) {
+    double energy = 0;
+    for (int to = from; to <= last; ++to) {
+      energy += moments[to].energy;
+      u.stored[from][to] = StoredEnergy(energy);
+    }
+  }
+  return u;
+}
+
 void ContactSearch::AddReadings(const Axle& axle, const Humps& humps, int from,
-                                const Moments* moments, Overlaps* found) const noexcept {
+                                const Moments* moments, const Readings& readings,
+                                Overlaps* found) const noexcept {
   Moments sum;
   double weight = from > 0 ? 1 - humps.hump[from - 1].next.m : 1;
   bool at_end = false;
@@ -71,7 +85,7 @@ void ContactSearch::AddReadings(const Axle& axle, const Humps& humps, int from,
     weight *= merge;
     if (!(share > 0) || !(sum.energy > 0)) continue;
     Overlap& patch = found->patch[static_cast<size_t>(found->count++)];
-    Describe(axle, sum, &patch);
+    Describe(axle, sum, readings.stored[from][to], &patch);
     patch.weight = share;
     patch.at_end = at_end || patch.wheel_y < wheel_.min_y() + kEnd ||
                    patch.wheel_y > wheel_.max_y() - kEnd || patch.y < rail_.min_y() + kEnd ||
@@ -80,32 +94,30 @@ void ContactSearch::AddReadings(const Axle& axle, const Humps& humps, int from,
 }
 
 double ContactSearch::EnergyOfMerging(const Humps& humps, int first, int last, int ridge,
-                                      const Moments* moments) noexcept {
+                                      const Readings& readings) noexcept {
   const auto merge = [&](int k) { return humps.hump[k].next.m; };
   double change = 0;
   for (int from = first; from <= ridge + 1; ++from) {
-    double energy = 0;
     double weight = from > first && from - 1 != ridge ? 1 - merge(from - 1) : 1;
     for (int to = from; to <= last; ++to) {
-      energy += moments[to].energy;
       const double ends = to < last && to != ridge ? 1 - merge(to) : 1;
       if (to >= ridge) {
         const bool across = from <= ridge && to > ridge;
-        change += (across ? 1 : -1) * weight * ends * StoredEnergy(energy);
+        change += (across ? 1 : -1) * weight * ends * readings.stored[from][to];
       }
       if (to != ridge) weight *= merge(to);
-      if (from == ridge + 1 && to == last) break;
     }
   }
   return change;
 }
 
 void ContactSearch::AddMerging(const Axle& a, const Humps& humps, int first, int last,
-                               const Moments* moments, int begin, Overlaps* found) const noexcept {
+                               const Readings& readings, int begin,
+                               Overlaps* found) const noexcept {
   Vec3 push{}, turn{};
   for (int k = first; k < last; ++k) {
     const Merge& merge = humps.hump[k].next;
-    const double change = EnergyOfMerging(humps, first, last, k, moments);
+    const double change = EnergyOfMerging(humps, first, last, k, readings);
     for (int i = 0; i < 3; ++i) {
       const Locus& l = merge.locus[i];
       const double z = change * merge.slope[i];
@@ -120,11 +132,11 @@ void ContactSearch::AddMerging(const Axle& a, const Humps& humps, int first, int
   double all = 0;
   for (int i = begin; i < found->count; ++i) {
     const Overlap& p = found->patch[static_cast<size_t>(i)];
-    all += p.weight * std::hypot(p.push[1], p.push[2]);
+    all += p.weight * SizeOf(p);
   }
   for (int i = begin; i < found->count; ++i) {
     Overlap& p = found->patch[static_cast<size_t>(i)];
-    const double share = std::hypot(p.push[1], p.push[2]) / all;
+    const double share = SizeOf(p) / all;
     for (size_t j = 0; j < 3; ++j) {
       p.push[j] += share * push[j];
       p.turn[j] += share * turn[j];

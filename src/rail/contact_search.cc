@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/wide.h"
+
 namespace phs::rail {
 namespace {
 
@@ -23,36 +25,19 @@ double RootOfRest(double square) {
 }  // namespace
 
 ContactSearch::ContactSearch(Profile wheel, Profile rail, double half_tape, double radius,
-                             const Hertz& hertz)
+                             const Hertz& hertz, int fineness)
     : wheel_(std::move(wheel)),
       rail_(std::move(rail)),
       half_tape_(half_tape),
       radius_(radius),
-      modulus_(wheel_, rail_, radius, hertz) {
+      modulus_(wheel_, rail_, radius, hertz),
+      nodes_in_hump_(fineness * kNodesInHump),
+      nodes_in_top_(fineness * kNodesInTop) {
   begin_ = wheel_.min_y();
-  PlaceSamples();
-  samples_ = static_cast<int>(along_at_.size());
-  for (int i = 0; i < samples_; ++i) {
-    const Profile::Sample s = wheel_.At(WheelY(i));
-    const double r = radius_ + s.z;
-    radius_at_.push_back(r);
-    radius_slope_.push_back(r * s.slope);
-    radius_square_.push_back(0.5 * r * s.slope * s.slope);
-    stretch_at_.push_back(std::sqrt(1 + s.slope * s.slope));
-    cosine_at_.push_back(1 / stretch_at_.back());
-  }
-  const double width = wheel_.max_y() - wheel_.min_y();
-  int nodes = std::max(2, static_cast<int>(std::ceil(width / kWheelStep)));
-  for (Grid& grid : grid_) {
-    grid.step = width / nodes;
-    for (int i = 0; i <= nodes; ++i) {
-      const Profile::Sample s = wheel_.At(begin_ + grid.step * i);
-      grid.radius.push_back(radius_ + s.z);
-      grid.slope.push_back(s.slope);
-      grid.second.push_back(s.second);
-    }
-    nodes *= 2;
-  }
+  PlaceSamples(kWheelStep / fineness);
+  int levels = kLevels;
+  for (int f = 1; f < fineness; f *= 2) levels += 2;
+  PlaceNodes(kWheelStep, levels);
   MeasureMargins();
   const double rail_width = rail_.max_y() - rail_.min_y();
   const int pieces = static_cast<int>(std::ceil(rail_width / kRailStep));
@@ -62,11 +47,38 @@ ContactSearch::ContactSearch(Profile wheel, Profile rail, double half_tape, doub
   rail_z_.push_back(2 * rail_z_.back() - rail_z_[rail_z_.size() - 2]);
 }
 
-void ContactSearch::PlaceSamples() {
+void ContactSearch::PlaceSamples(double step) {
   const double width = wheel_.max_y() - begin_;
-  const int pieces =
-      std::clamp(static_cast<int>(std::ceil(width / kWheelStep)), 1, kMaxSamples - 1);
+  const int pieces = std::clamp(static_cast<int>(std::ceil(width / step)), 1, kMaxSamples - 1);
   for (int i = 0; i <= pieces; ++i) along_at_.push_back(width * i / pieces);
+  samples_ = pieces + 1;
+  for (int i = 0; i < samples_; ++i) {
+    const Profile::Sample s = wheel_.At(WheelY(i));
+    const double r = radius_ + s.z;
+    radius_at_.push_back(r);
+    radius_slope_.push_back(r * s.slope);
+    radius_square_.push_back(0.5 * r * s.slope * s.slope);
+    stretch_at_.push_back(std::sqrt(1 + s.slope * s.slope));
+    cosine_at_.push_back(1 / stretch_at_.back());
+  }
+}
+
+void ContactSearch::PlaceNodes(double step, int levels) {
+  const double width = wheel_.max_y() - begin_;
+  // Two levels for twice as many nodes: 2, 3, 4, 6, … for 2 on the coarsest.
+  const int coarsest = 2 * static_cast<int>(std::ceil(0.5 * width / step));
+  for (int level = 0; level < levels; ++level) {
+    const int nodes = (level % 2 == 0 ? coarsest : 3 * coarsest / 2) << (level / 2);
+    Grid grid;
+    grid.step = width / nodes;
+    for (int i = 0; i <= nodes; ++i) {
+      const Profile::Sample s = wheel_.At(begin_ + grid.step * i);
+      grid.radius.push_back(radius_ + s.z);
+      grid.slope.push_back(s.slope);
+      grid.second.push_back(s.second);
+    }
+    grid_.push_back(std::move(grid));
+  }
 }
 
 ContactSearch::Axle ContactSearch::PlaceAxle(const WheelPlacement& wheel, double rail_y,
@@ -105,10 +117,12 @@ ContactSearch::Locus ContactSearch::LocusAt(const Axle& a, double wheel_y) const
   const Profile::Sample r = rail_.At(l.y);
   l.rail_slope = r.slope;
   l.overlap = l.z - r.z;
+  l.wheel_bend = s.second;
+  l.rail_bend = r.second * l.stretch;
   return l;
 }
 
-void ContactSearch::Sample(const Axle& a, Samples* samples) const noexcept {
+PHS_WIDE void ContactSearch::Sample(const Axle& a, Samples* samples) const noexcept {
   // Only the part of the wheel that lies over the rail, and kBeyond samples more.
   const double centre = a.y + half_tape_ * a.ey + radius_ * a.beta_y;
   const double from = rail_.min_y() - centre - begin_ - kBeyond;
@@ -140,13 +154,16 @@ void ContactSearch::Sample(const Axle& a, Samples* samples) const noexcept {
     place[i] = at;
     z[i] = z0 + a.ez * along_at_[i] + a.beta_z * down - a.alpha_z * radius_slope_[i];
   }
+  bool doubtful = false;
   for (int i = first; i < end; ++i) {
     // Beyond the ends the rail goes on straight, as its profile does.
     const int j = static_cast<int>(std::min(std::max(place[i], 0.0), rail_end));
     const double below = rail_z_[j];
     const double rail_z = below + (place[i] - j) * (rail_z_[j + 1] - below);
     samples->depth[i] = (z[i] - rail_z) * cosine_at_[i];
+    doubtful |= std::abs(samples->depth[i]) < kDoubt;
   }
+  if (!doubtful) return;
   // Whether a sample overlaps at all is said by the rail itself.
   for (int i = first; i < end; ++i) {
     if (std::abs(samples->depth[i]) < kDoubt) {
@@ -182,7 +199,8 @@ double ContactSearch::EdgeOfRun(const Axle& axle, const Samples& s, int sample, 
   return EdgeBetween(axle, inside, outside, inside + share * (outside - inside));
 }
 
-void ContactSearch::Describe(const Axle& a, const Moments& m, Overlap* patch) const noexcept {
+void ContactSearch::Describe(const Axle& a, const Moments& m, double stored,
+                             Overlap* patch) const noexcept {
   Overlap& p = *patch;
   p.wheel_y = m.wheel / m.load;
   p.arm = {m.arm_x / m.load, m.arm_y / m.load, m.arm_z / m.load};
@@ -192,7 +210,7 @@ void ContactSearch::Describe(const Axle& a, const Moments& m, Overlap* patch) co
       std::sqrt(p.arm[0] * p.arm[0] + p.arm[1] * p.arm[1] + p.arm[2] * p.arm[2] - along * along);
   p.y = a.y + p.arm[1];
   p.z = a.z + p.arm[2];
-  p.energy = StoredEnergy(m.energy);
+  p.energy = stored;
   const double scale = 20.0 / 9 * p.energy / m.energy;
   p.push = {0, scale * m.push_y, scale * m.push_z};
   p.turn = {scale * m.turn_x, scale * m.turn_y, scale * m.turn_z};
@@ -212,14 +230,12 @@ void ContactSearch::Find(const WheelPlacement& wheel, double rail_y, double rail
   found->axle = {axle.ex, axle.ey, axle.ez};
   Moments moments[kMaxHumps];
   for (int k = 0; k < humps.count; ++k) moments[k] = Integrate(axle, humps.hump[k]);
-  int chain = 0;  // humps that merge: `chain` … k
-  int chain_begin = 0;
-  for (int k = 0; k < humps.count; ++k) {
-    AddReadings(axle, humps, k, moments, found);
-    if (humps.hump[k].next.m > 0) continue;
-    if (k > chain) AddMerging(axle, humps, chain, k, moments, chain_begin, found);
-    chain = k + 1;
-    chain_begin = found->count;
+  for (int first = 0, last = 0; first < humps.count; first = ++last) {
+    while (humps.hump[last].next.m > 0) ++last;  // humps that merge: `first` … `last`
+    const int begin = found->count;
+    const Readings readings = ReadEnergies(moments, first, last);
+    for (int k = first; k <= last; ++k) AddReadings(axle, humps, k, moments, readings, found);
+    if (last > first) AddMerging(axle, humps, first, last, readings, begin, found);
   }
 }
 

@@ -107,7 +107,9 @@ class ContactSearch {
  public:
   /// @param half_tape lateral distance of the wheel profile's origin from the wheelset centre [m]
   /// @param radius at the wheel profile's origin [m]
-  ContactSearch(Profile wheel, Profile rail, double half_tape, double radius, const Hertz& hertz);
+  /// @param fineness 1, 2 or 4: so many times more samples and nodes, to see what they change
+  ContactSearch(Profile wheel, Profile rail, double half_tape, double radius, const Hertz& hertz,
+                int fineness = 1);
 
   /// `rail_y`, `rail_z`: origin of the rail profile in C. Pure; no allocation.
   void Find(const WheelPlacement& wheel, double rail_y, double rail_z,
@@ -129,12 +131,13 @@ class ContactSearch {
   double half_tape() const { return half_tape_; }
 
  private:
-  static constexpr int kMaxSamples = 256;
+  static constexpr int kMaxFineness = 4;
+  static constexpr int kMaxSamples = 512;
   static constexpr int kMaxHumps = 3;
-  static constexpr int kLevels = 5;
-  static constexpr int kNodesInHump = 12;  ///< at least
+  static constexpr int kLevels = 9;        ///< and two more for twice the fineness
+  static constexpr int kNodesInHump = 12;  ///< times fineness, at least
   static constexpr int kNodesInTop = 8;    ///< of a parabola with the top of the hump, at least
-  static constexpr int kMaxNodes = 2 * kMaxSamples;  ///< even
+  static constexpr int kMaxNodes = 1024;   ///< even
 
   struct Axle {
     double ex, ey, ez;
@@ -148,8 +151,9 @@ class ContactSearch {
     double x, y, z;
     double slope;  ///< of the wheel
     double rail_slope;
-    double overlap;  ///< h
-    double stretch;  ///< dy / d wheel_y
+    double overlap;                ///< h
+    double stretch;                ///< dy / d wheel_y
+    double wheel_bend, rail_bend;  ///< change of both slopes over wheel_y, the wheel upright [1/m]
   };
   /// How far a hump has grown together with the next, and how that follows from the overlap between
   /// them, of this hump and of the next.
@@ -168,7 +172,7 @@ class ContactSearch {
     int beside;   ///< the last sample before `top` where it is none
     bool joined;  ///< to the next one without a gap
     bool at_end;
-    int level;   ///< of the nodes; kLevels: the hump's own
+    int level;   ///< of the nodes; the number of grids: the hump's own
     Merge next;  ///< with the next hump
   };
   struct Humps {
@@ -181,6 +185,10 @@ class ContactSearch {
     double wheel = 0, arm_x = 0, arm_y = 0, arm_z = 0;  ///< weighted as L
     double push_y = 0, push_z = 0, turn_x = 0, turn_y = 0, turn_z = 0;
     void Add(const Moments& m);
+  };
+  /// What the humps [from] … [to] store if they are one patch [J].
+  struct Readings {
+    double stored[kMaxHumps][kMaxHumps];
   };
   /// Places of the wheel at equal distances: `first` … `first + count - 1`, the ends of a hump lie
   /// at `low` and `high`.
@@ -198,7 +206,8 @@ class ContactSearch {
     double depth[kMaxSamples];  ///< h times the cosine of the wheel's slope: normal depth
   };
 
-  void PlaceSamples();
+  void PlaceSamples(double step);
+  void PlaceNodes(double step, int levels);
   void MeasureMargins();
   Axle PlaceAxle(const WheelPlacement& wheel, double rail_y, double rail_z) const noexcept;
   Locus LocusAt(const Axle& axle, double wheel_y) const noexcept;
@@ -209,9 +218,13 @@ class ContactSearch {
   /// Edge of a run next to `sample` on the side of `next` = sample +- 1, or beyond it.
   double EdgeOfRun(const Axle& axle, const Samples& samples, int sample, int next,
                    bool sought) const noexcept;
-  /// Where wheel and rail have the same slope between two places: the deepest one, or with `sign`
-  /// -1 the ridge. The middle where there is none.
-  double StationaryNear(const Axle& axle, double low, double high, double sign = 1) const noexcept;
+  /// Where wheel and rail have the same slope beside a sample: the deepest place, or with `sign` -1
+  /// the ridge. `place`: on the wheel [m].
+  Locus StationaryNear(const Axle& axle, const Samples& samples, int sample, double sign,
+                       double* place) const noexcept;
+  /// The same between two places. The middle where there is none.
+  double StationaryBetween(const Axle& axle, double low, double high,
+                           double sign = 1) const noexcept;
   /// Sets `next` of a hump, and where both meet.
   void Link(const Axle& axle, const Samples& samples, Hump* hump, Hump* next) const noexcept;
   void FindHumps(const Axle& axle, const Samples& samples, Humps* humps) const noexcept;
@@ -222,21 +235,23 @@ class ContactSearch {
   void ChooseNodes(const Samples& samples, Humps* humps) const noexcept;
   /// The coarsest nodes that are enough for a hump in a run of overlap `run` wide [m].
   int LevelOf(const Samples& samples, const Hump& hump, double run) const;
-  /// `own`: room for 3 kNodesInHump numbers.
+  /// `own`: room for 3 kNodesInHump kMaxFineness numbers.
   Nodes FindNodes(const Hump& hump, double* own) const noexcept;
   Moments Integrate(const Axle& axle, const Hump& hump) const noexcept;
+  static Readings ReadEnergies(const Moments* moments, int first, int last) noexcept;
   /// Every way of reading hump `from` and its followers as one patch, with its weight.
   void AddReadings(const Axle& axle, const Humps& humps, int from, const Moments* moments,
-                   Overlaps* found) const noexcept;
+                   const Readings& readings, Overlaps* found) const noexcept;
   /// dU/dm of the ridge after hump `ridge` among the humps `first` … `last` of a run.
   static double EnergyOfMerging(const Humps& humps, int first, int last, int ridge,
-                                const Moments* moments) noexcept;
+                                const Readings& readings) noexcept;
   /// The wrench of the merging of humps `first` … `last`, added to their patches from `begin` on.
-  void AddMerging(const Axle& axle, const Humps& humps, int first, int last, const Moments* moments,
-                  int begin, Overlaps* found) const noexcept;
+  void AddMerging(const Axle& axle, const Humps& humps, int first, int last,
+                  const Readings& readings, int begin, Overlaps* found) const noexcept;
   /// U of E [J].
   static double StoredEnergy(double e) noexcept;
-  void Describe(const Axle& axle, const Moments& moments, Overlap* patch) const noexcept;
+  void Describe(const Axle& axle, const Moments& moments, double stored,
+                Overlap* patch) const noexcept;
   double WheelY(int sample) const { return begin_ + along_at_[static_cast<size_t>(sample)]; }
   double Vertical(const Samples& samples, int i) const {
     return samples.depth[i] * stretch_at_[static_cast<size_t>(i)];
@@ -249,7 +264,8 @@ class ContactSearch {
   ContactModulus modulus_;
   double begin_;  ///< first sampled wheel position [m]
   int samples_;
-  Grid grid_[kLevels];
+  int nodes_in_hump_, nodes_in_top_;
+  std::vector<Grid> grid_;
   std::vector<double> along_at_;  ///< [sample] wheel y beyond the first [m]
   /// [sample] of the wheel: R, R t, R t^2/2, cosine of the slope and its inverse.
   std::vector<double> radius_at_, radius_slope_, radius_square_, cosine_at_, stretch_at_;

@@ -34,7 +34,12 @@ Status Validate(const CreepLawParams& p) {
 
 }  // namespace
 
-CreepForce CreepLaw::CalcWithSlope(const CreepInput& input, CreepSlope* slope) const noexcept {
+CreepForce CreepLaw::CalcNear(const CreepInput& input, const CreepMemo&) const noexcept {
+  return Calc(input);
+}
+
+CreepForce CreepLaw::CalcWithSlope(const CreepInput& input, CreepSlope* slope,
+                                   CreepMemo*) const noexcept {
   constexpr double kShare = 1e-3;     // of the creepage
   constexpr double kSmallest = 1e-7;  // where there is none
   const CreepForce here = Calc(input);

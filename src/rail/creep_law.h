@@ -2,7 +2,9 @@
 // creep_laws.cc; axes and signs: creep.h.
 #pragma once
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <memory>
 #include <string>
 #include <vector>
@@ -27,6 +29,12 @@ struct FrictionLaw {
   }
 };
 
+/// What a law keeps of a patch while only its creepages change; plain data of each law's own.
+struct CreepMemo {
+  bool filled = false;
+  alignas(double) std::array<std::byte, 896> room;
+};
+
 /// Thread-safe, allocation-free after creation.
 class CreepLaw {
  public:
@@ -34,7 +42,11 @@ class CreepLaw {
   virtual CreepForce Calc(const CreepInput& input) const noexcept = 0;
   /// The same force with its slope at held friction; for implicit steps. By one-sided differences
   /// where a law knows no better.
-  virtual CreepForce CalcWithSlope(const CreepInput& input, CreepSlope* slope) const noexcept;
+  /// `memo`: filled for CalcNear, if the law has use for it; may be null.
+  virtual CreepForce CalcWithSlope(const CreepInput& input, CreepSlope* slope,
+                                   CreepMemo* memo) const noexcept;
+  /// As Calc, to the last bit; quicker near to where `memo` was filled.
+  virtual CreepForce CalcNear(const CreepInput& input, const CreepMemo& memo) const noexcept;
   virtual std::string name() const = 0;
 };
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/wide.h"
 #include "rail/creep_table_grid.h"
 
 namespace phs::rail {
@@ -20,7 +21,7 @@ struct Folded {
   Face face;
 };
 
-Folded Fold(const NormalisedCreepage& c) {
+PHS_WITHIN_WIDE Folded Fold(const NormalisedCreepage& c) {
   Folded f;
   f.sign_x = c.u < 0 ? -1.0 : 1.0;
   f.u = std::abs(c.u);
@@ -43,7 +44,7 @@ struct Spot {
   double per_p;
 };
 
-Spot Find(const Folded& f, double chi) {
+PHS_WITHIN_WIDE Spot Find(const Folded& f, double chi) {
   const FaceGrid& grid = kGrids[f.face];
   Spot spot;
   spot.t = f.p / (f.p + kSizeUnit);
@@ -59,30 +60,35 @@ Spot Find(const Folded& f, double chi) {
   return spot;
 }
 
+std::array<int, 3> NodesOf(const Spot& at) { return {at.extent.node, at.one.node, at.two.node}; }
+
 /// g and its derivatives over t and the places on both axes of the face.
 struct Sums {
   double value[kStride] = {};
   double by_t[kStride] = {}, by_one[kStride] = {}, by_two[kStride] = {};
 };
 
-constexpr int kRow = 3 * kStride;  ///< neighbours along the last axis lie side by side
+/// Neighbours along the last axis lie side by side.
+constexpr int kRow = 3 * kStride;
+static_assert(sizeof(CreepTable::Cell::row) == 9 * kRow * sizeof(double));
 
 /// out = sum of weight[k] in[k].
-void Blend(const std::array<double, 3>& weight, const double (*in)[kRow], double* out) {
+PHS_WITHIN_WIDE void Blend(const std::array<double, 3>& weight, const double (*in)[kRow],
+                           double* out) {
   for (int q = 0; q < kRow; ++q) {
     out[q] = weight[0] * in[0][q] + weight[1] * in[1][q] + weight[2] * in[2][q];
   }
 }
 
-void BlendRow(const std::array<double, 3>& weight, const double* row, double* out) {
+PHS_WITHIN_WIDE void BlendRow(const std::array<double, 3>& weight, const double* row, double* out) {
   for (int q = 0; q < kStride; ++q) {
     out[q] = weight[0] * row[q] + weight[1] * row[kStride + q] + weight[2] * row[2 * kStride + q];
   }
 }
 
-/// Axis by axis, so that what value and slopes share is done once.
-template <bool kSlope>
-Sums Interpolate(const double* data, const Folded& f, const Spot& at) {
+/// The nine rows that meet at a spot, with the shape of the patch put in.
+PHS_WITHIN_WIDE void CutOut(const double* data, const Folded& f, const Spot& at,
+                            double (*out)[kRow]) {
   const FaceGrid& grid = kGrids[f.face];
   const std::size_t n1 = static_cast<std::size_t>(grid.nodes[1]) + 2;
   const std::size_t n2 = static_cast<std::size_t>(grid.nodes[2]) + 2;
@@ -92,16 +98,24 @@ Sums Interpolate(const double* data, const Folded& f, const Spot& at) {
       data + grid.offset +
       (((at.shape.node * n1 + at.extent.node) * n2 + at.one.node) * n3 + at.two.node) * kStride;
   const std::array<double, 3>& chi = at.shape.weight;
+  for (std::size_t k = 0; k < 3; ++k) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      const double* row = corner + (j * n2 + k) * n3 * kStride;
+      double* cut = out[3 * k + j];
+      for (int q = 0; q < kRow; ++q) {
+        cut[q] = chi[0] * row[q] + chi[1] * row[plane + q] + chi[2] * row[2 * plane + q];
+      }
+    }
+  }
+}
+
+/// Axis by axis, so that what value and slopes share is done once.
+template <bool kSlope>
+PHS_WITHIN_WIDE Sums Interpolate(const double (*cell)[kRow], const Spot& at) {
   const std::array<double, 3> by_t = at.extent.Slope();
   double along[3][kRow], along_t[3][kRow];  // [place on the first axis of the face]
   for (std::size_t k = 0; k < 3; ++k) {
-    double extent[3][kRow];
-    for (std::size_t j = 0; j < 3; ++j) {
-      const double* row = corner + (j * n2 + k) * n3 * kStride;
-      for (int q = 0; q < kRow; ++q) {
-        extent[j][q] = chi[0] * row[q] + chi[1] * row[plane + q] + chi[2] * row[2 * plane + q];
-      }
-    }
+    const double(*extent)[kRow] = cell + 3 * k;
     Blend(at.extent.weight, extent, along[k]);
     if constexpr (kSlope) Blend(by_t, extent, along_t[k]);
   }
@@ -120,12 +134,12 @@ Sums Interpolate(const double* data, const Folded& f, const Spot& at) {
 }
 
 /// The splines may overshoot a little where the force saturates: what brings it back to f N.
-double CutOf(const double* g, double t) {
+PHS_WITHIN_WIDE double CutOf(const double* g, double t) {
   const double size2 = (g[0] * g[0] + g[1] * g[1]) * t * t;
   return size2 > 1 ? 1 / std::sqrt(size2) : 1;
 }
 
-NormalisedForce ForceOf(const Folded& f, const Spot& at, const double* g) {
+PHS_WITHIN_WIDE NormalisedForce ForceOf(const Folded& f, const Spot& at, const double* g) {
   const double force = at.t * CutOf(g, at.t);
   return {g[0] * force * f.sign_x, g[1] * force * f.sign_yw, g[2] * at.t * f.sign_yw};
 }
@@ -134,13 +148,13 @@ NormalisedForce ForceOf(const Folded& f, const Spot& at, const double* g) {
 struct Moves {
   double t = 0, one = 0, two = 0;
 };
-Moves MovesWithU(const Folded& f, const Spot& at) {
+PHS_WITHIN_WIDE Moves MovesWithU(const Folded& f, const Spot& at) {
   const double per = kPerUnit * at.per_p;
   if (f.face != kFaceU) return {0, per, 0};
   return {kSizeUnit / ((f.p + kSizeUnit) * (f.p + kSizeUnit)), -f.v * at.per_p * per,
           -f.half_w * at.per_p * per};
 }
-Moves MovesWithV(const Folded& f, const Spot& at) {
+PHS_WITHIN_WIDE Moves MovesWithV(const Folded& f, const Spot& at) {
   const double per = kPerUnit * at.per_p;
   if (f.face == kFaceU) return {0, per, 0};
   if (f.face == kFaceW) return {0, 0, per};
@@ -149,7 +163,8 @@ Moves MovesWithV(const Folded& f, const Spot& at) {
 }
 
 /// Slope of t g, or of g/|g| where that is the force.
-void SlopeAlong(const Sums& g, const Moves& move, double t, double cut, double* x, double* y) {
+PHS_WITHIN_WIDE void SlopeAlong(const Sums& g, const Moves& move, double t, double cut, double* x,
+                                double* y) {
   const double rise = move.t * (kSizes - 1);
   double d[2];
   for (int q = 0; q < 2; ++q) {
@@ -176,23 +191,41 @@ CreepTable CreepTable::FromData(std::vector<double> data) {
   return table;
 }
 
-NormalisedForce CreepTable::At(const NormalisedCreepage& c) const noexcept {
+PHS_WIDE NormalisedForce CreepTable::At(const NormalisedCreepage& c) const noexcept {
   const Folded f = Fold(c);
   if (!(f.p > 0)) return {};
   const Spot at = Find(f, c.chi);
-  return ForceOf(f, at, Interpolate<false>(data_.data(), f, at).value);
+  double row[9][kRow];
+  CutOut(data_.data(), f, at, row);
+  return ForceOf(f, at, Interpolate<false>(row, at).value);
 }
 
-NormalisedForce CreepTable::At(const NormalisedCreepage& c, NormalisedSlope* slope) const noexcept {
+PHS_WIDE NormalisedForce CreepTable::At(const NormalisedCreepage& c,
+                                        const Cell& cell) const noexcept {
+  const Folded f = Fold(c);
+  if (f.face != cell.face || c.chi != cell.chi || !(f.p > 0)) return At(c);
+  const Spot at = Find(f, c.chi);
+  if (NodesOf(at) != cell.node) return At(c);
+  return ForceOf(f, at, Interpolate<false>(cell.row, at).value);
+}
+
+PHS_WIDE NormalisedForce CreepTable::At(const NormalisedCreepage& c, NormalisedSlope* slope,
+                                        Cell* cell) const noexcept {
   const Folded f = Fold(c);
   if (f.p == 0) {  // no direction: that of u stands for the linear limit
-    At({kSmallest, 0, 0, c.chi}, slope);
+    At({kSmallest, 0, 0, c.chi}, slope, nullptr);
     return {};
   }
   *slope = {};
   if (!(f.p > 0)) return {};
   const Spot at = Find(f, c.chi);
-  const Sums sums = Interpolate<true>(data_.data(), f, at);
+  Cell own;
+  if (cell == nullptr) cell = &own;
+  cell->face = f.face;
+  cell->node = NodesOf(at);
+  cell->chi = c.chi;
+  CutOut(data_.data(), f, at, cell->row);
+  const Sums sums = Interpolate<true>(cell->row, at);
   const double cut = CutOf(sums.value, at.t);
   SlopeAlong(sums, MovesWithU(f, at), at.t, cut, &slope->x_u, &slope->y_u);
   SlopeAlong(sums, MovesWithV(f, at), at.t, cut, &slope->x_v, &slope->y_v);

@@ -18,6 +18,7 @@
 // a/b from 0.11 to 9 rms 0.05 %, largest 1.1 % (tests/rail/creep_table_test.cc).
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -34,10 +35,22 @@ class CreepTable {
   static CreepTable FromData(std::vector<double> data);
   static std::size_t DataSize();
 
+  /// A part of the table with the shape of the patch put in: what creepages near by need.
+  struct Cell {
+    int face = -1;  ///< none
+    std::array<int, 3> node;
+    double chi;
+    double row[9][12];
+  };
+
   /// @pre not empty.
   NormalisedForce At(const NormalisedCreepage& creepage) const noexcept;
   /// The same with the slope of the interpolated force, in closed form.
-  NormalisedForce At(const NormalisedCreepage& creepage, NormalisedSlope* slope) const noexcept;
+  /// `cell`: filled with the part of the table that was used; may be null.
+  NormalisedForce At(const NormalisedCreepage& creepage, NormalisedSlope* slope,
+                     Cell* cell) const noexcept;
+  /// As At(creepage), to the last bit; quicker where it falls into the cell.
+  NormalisedForce At(const NormalisedCreepage& creepage, const Cell& cell) const noexcept;
   std::span<const double> data() const { return data_; }
   bool empty() const { return data_.empty(); }
 

@@ -1,6 +1,7 @@
 #include "rail/simplified_theory.h"
 
 #include <cmath>
+#include <new>
 #include <utility>
 
 #include "base/numbers.h"
@@ -18,6 +19,28 @@ class SimplifiedTheoryLaw : public CreepLaw {
   SimplifiedTheoryLaw(const CreepLawParams& p, Source source)
       : params_(p), curve_(p.material.poisson_ratio), source_(std::move(source)) {}
   CreepForce Calc(const CreepInput& in) const noexcept override {
+    return CalcBy(in, [&](const NormalisedCreepage& c) { return source_(c); });
+  }
+  CreepForce CalcNear(const CreepInput& in, const CreepMemo& memo) const noexcept override {
+    if constexpr (requires { source_(NormalisedCreepage(), memo); }) {
+      return CalcBy(in, [&](const NormalisedCreepage& c) { return source_(c, memo); });
+    }
+    return Calc(in);
+  }
+  CreepForce CalcWithSlope(const CreepInput& in, CreepSlope* slope,
+                           CreepMemo* memo) const noexcept override {
+    // The changes of creepage below have slopes of their own.
+    const bool changed = params_.slope_reduction.active() || params_.blended_flexibility;
+    if constexpr (requires(NormalisedSlope * s) { source_(NormalisedCreepage(), s, memo); }) {
+      if (!changed && InContact(in)) return CalcClosed(in, slope, memo);
+    }
+    return CreepLaw::CalcWithSlope(in, slope, memo);
+  }
+  std::string name() const override { return params_.method; }
+
+ private:
+  template <typename Force>
+  CreepForce CalcBy(const CreepInput& in, const Force& normalised) const noexcept {
     if (!InContact(in)) return {};
     const double shear = params_.material.shear_modulus_Pa;
     const KalkerCoefficients c = curve_.AtShare(in.a / (in.a + in.b));
@@ -26,31 +49,21 @@ class SimplifiedTheoryLaw : public CreepLaw {
       changed = WithSlopeReduction(changed, c, shear, params_.slope_reduction);
     }
     if (params_.blended_flexibility) changed = WithBlendedFlexibility(changed, c, shear);
-    return ForceOf(in, source_(Normalise(changed, c, shear, params_.elliptic_bound)));
+    return ForceOf(in, normalised(Normalise(changed, c, shear, params_.elliptic_bound)));
   }
-  CreepForce CalcWithSlope(const CreepInput& in, CreepSlope* slope) const noexcept override {
-    // The changes of creepage above have slopes of their own.
-    const bool changed = params_.slope_reduction.active() || params_.blended_flexibility;
-    if constexpr (requires(NormalisedSlope * s) { source_(NormalisedCreepage(), s); }) {
-      if (!changed && InContact(in)) return CalcClosed(in, slope);
-    }
-    return CreepLaw::CalcWithSlope(in, slope);
-  }
-  std::string name() const override { return params_.method; }
 
- private:
   static CreepForce ForceOf(const CreepInput& in, const NormalisedForce& f) {
     const double limit = in.friction * in.normal;
     return WithoutDelivery(in, {limit * f.x, limit * f.y, limit * (in.a + in.b) * f.moment});
   }
 
   /// With the source's own slope: u and v are proportional to xi and eta.
-  CreepForce CalcClosed(const CreepInput& in, CreepSlope* slope) const noexcept {
+  CreepForce CalcClosed(const CreepInput& in, CreepSlope* slope, CreepMemo* memo) const noexcept {
     const KalkerCoefficients c = curve_.AtShare(in.a / (in.a + in.b));
     const double shear = params_.material.shear_modulus_Pa;
     const bool elliptic = params_.elliptic_bound;
     NormalisedSlope s;
-    const NormalisedForce force = source_(Normalise(in, c, shear, elliptic), &s);
+    const NormalisedForce force = source_(Normalise(in, c, shear, elliptic), &s, memo);
     CreepInput unit = in;
     unit.xi = unit.eta = 1;
     const NormalisedCreepage per = Normalise(unit, c, shear, elliptic);
@@ -69,11 +82,19 @@ struct FastsimSource {
   Fastsim fastsim;
   NormalisedForce operator()(const NormalisedCreepage& c) const noexcept { return fastsim.Calc(c); }
 };
+static_assert(sizeof(CreepTable::Cell) <= sizeof(CreepMemo::room));
 struct TableSource {
   std::shared_ptr<const CreepTable> table;
   NormalisedForce operator()(const NormalisedCreepage& c) const noexcept { return table->At(c); }
-  NormalisedForce operator()(const NormalisedCreepage& c, NormalisedSlope* slope) const noexcept {
-    return table->At(c, slope);
+  NormalisedForce operator()(const NormalisedCreepage& c, NormalisedSlope* slope,
+                             CreepMemo* memo) const noexcept {
+    CreepTable::Cell* cell = memo == nullptr ? nullptr : new (memo->room.data()) CreepTable::Cell;
+    if (memo != nullptr) memo->filled = true;
+    return table->At(c, slope, cell);
+  }
+  NormalisedForce operator()(const NormalisedCreepage& c, const CreepMemo& memo) const noexcept {
+    if (!memo.filled) return table->At(c);
+    return table->At(c, *std::launder(reinterpret_cast<const CreepTable::Cell*>(memo.room.data())));
   }
 };
 

@@ -110,6 +110,9 @@ struct PressedPatch {
   double damper = 0;                ///< normal damping of the whole patch [N s/m]
 };
 
+/// What the creep law keeps of the patches of a pressed wheel between calls at nearby speeds.
+using WheelMemo = std::array<CreepMemo, kMaxPatches>;
+
 /// A wheel pressed on its rail: filled by WheelRail::Press, read by WheelRail::CalcForces.
 struct PressedWheel {
   std::array<PressedPatch, kMaxPatches> patch;

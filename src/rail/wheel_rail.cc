@@ -123,7 +123,8 @@ void WheelRail::Press(const WheelsetMotion& motion, Side side, const RailOffset&
 }
 
 void WheelRail::CalcForces(const WheelsetMotion& motion, const PressedWheel& pressed,
-                           WheelRailForces* out, WheelDamping* damping) const noexcept {
+                           WheelRailForces* out, WheelDamping* damping,
+                           WheelMemo* memo) const noexcept {
   if (damping != nullptr) damping->count = 0;
   if (const auto& linear = impl_->params.linear) {
     CalcLinearContact(*linear, impl_->params.wheel_radius, impl_->params.speed_floor, motion, out,
@@ -133,7 +134,8 @@ void WheelRail::CalcForces(const WheelsetMotion& motion, const PressedWheel& pre
   ClearSpeedSums(out);
   for (int k = 0; k < out->count; ++k) {
     const auto i = static_cast<size_t>(k);
-    impl_->AddForces(motion, pressed.patch[i], &out->patch[i], out, damping);
+    impl_->AddForces(motion, pressed.patch[i], &out->patch[i], out, damping,
+                     memo == nullptr ? nullptr : &(*memo)[i]);
   }
 }
 

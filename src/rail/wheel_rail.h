@@ -38,9 +38,10 @@ class WheelRail {
              const RailSupport& support, PressedWheel* pressed,
              WheelRailForces* out) const noexcept;
   /// Then the forces at the speeds of `motion`, as often as wanted; `out` as Press left it. With
-  /// `damping`, also how they resist a change of these speeds.
+  /// `damping`, also how they resist a change of these speeds. `memo` of the same pressed wheel: filled
+  /// with `damping`, else used.
   void CalcForces(const WheelsetMotion& motion, const PressedWheel& pressed, WheelRailForces* out,
-                  WheelDamping* damping = nullptr) const noexcept;
+                  WheelDamping* damping = nullptr, WheelMemo* memo = nullptr) const noexcept;
   const WheelRailParams& params() const;
   const CreepLaw& creep_law() const;
   /// A wheel lowered on the undisplaced rail until it touches; position in C.

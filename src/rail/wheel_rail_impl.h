@@ -28,10 +28,10 @@ struct WheelRail::Impl {
              WheelRailForces* out) const noexcept;
   /// Normal and creep force of a pressed patch at the speeds of `motion`, added to the sums.
   void AddForces(const WheelsetMotion& motion, const PressedPatch& pressed, ContactPatch* patch,
-                 WheelRailForces* out, WheelDamping* damping) const noexcept;
+                 WheelRailForces* out, WheelDamping* damping, CreepMemo* memo) const noexcept;
   /// Creepages and creep force of a patch whose normal force (of the whole patch) is known.
   void AddCreep(const WheelsetMotion& motion, const PressedPatch& axes, ContactPatch* patch,
-                WheelRailForces* out, WheelDamping* damping) const noexcept;
+                WheelRailForces* out, WheelDamping* damping, CreepMemo* memo) const noexcept;
 };
 
 }  // namespace phs::rail

@@ -83,8 +83,8 @@ void AddCreepDampers(const CreepSlope& slope, double scale, const PressedPatch& 
 }  // namespace
 
 void WheelRail::Impl::AddCreep(const WheelsetMotion& motion, const PressedPatch& axes,
-                               ContactPatch* at, WheelRailForces* out,
-                               WheelDamping* damping) const noexcept {
+                               ContactPatch* at, WheelRailForces* out, WheelDamping* damping,
+                               CreepMemo* memo) const noexcept {
   ContactPatch& patch = *at;
   const Vec3 turning = Cross(motion.rotation, patch.point);
   Vec3 velocity = motion.velocity;
@@ -105,8 +105,9 @@ void WheelRail::Impl::AddCreep(const WheelsetMotion& motion, const PressedPatch&
   const CreepInput input{patch.a,         patch.b,   patch.normal, way * patch.xi,
                          way * patch.eta, patch.phi, reference,    patch.friction};
   CreepSlope slope;
-  const CreepForce whole =
-      damping != nullptr ? creep->CalcWithSlope(input, &slope) : creep->Calc(input);
+  const CreepForce whole = damping != nullptr ? creep->CalcWithSlope(input, &slope, memo)
+                           : memo != nullptr  ? creep->CalcNear(input, *memo)
+                                              : creep->Calc(input);
   if (damping != nullptr) {
     // Running backwards turns both axes of the law: its slopes stay.
     AddCreepDampers(slope, patch.weight / reference, axes, patch.point, damping);
@@ -184,8 +185,8 @@ void WheelRail::Impl::Press(const Overlap& overlap, double approach, const Vec3&
 }
 
 void WheelRail::Impl::AddForces(const WheelsetMotion& motion, const PressedPatch& pressed,
-                                ContactPatch* at, WheelRailForces* out,
-                                WheelDamping* damping) const noexcept {
+                                ContactPatch* at, WheelRailForces* out, WheelDamping* damping,
+                                CreepMemo* memo) const noexcept {
   ContactPatch& patch = *at;
   const double weight = patch.weight;
   const double closing = Dot(motion.velocity, pressed.push) + Dot(motion.rotation, pressed.turn);
@@ -195,7 +196,7 @@ void WheelRail::Impl::AddForces(const WheelsetMotion& motion, const PressedPatch
                                                               weight * pressed.damper};
   }
   patch.normal = normal;
-  AddCreep(motion, pressed, at, out, damping);
+  AddCreep(motion, pressed, at, out, damping, memo);
   patch.normal = weight * normal;
   for (size_t i = 0; i < 3; ++i) {
     out->force[i] -= patch.normal * pressed.push[i];

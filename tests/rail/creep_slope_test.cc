@@ -26,11 +26,20 @@ TEST(CreepSlope, OfTheTableEqualsCentredDifferences) {
     const NormalisedCreepage c{size * one(random), size * one(random), 2 * size * one(random),
                                0.5 + 0.4 * one(random)};
     NormalisedSlope s;
-    const NormalisedForce f = Built().At(c, &s);
+    CreepTable::Cell cell;
+    const NormalisedForce f = Built().At(c, &s, &cell);
     const NormalisedForce same = Built().At(c);
     EXPECT_EQ(f.x, same.x);
     EXPECT_EQ(f.y, same.y);
     EXPECT_EQ(f.moment, same.moment);
+    // Beside it, in the same cell or not, the cell changes no bit.
+    const double beside = i % 2 == 0 ? 0.01 : 0.3;
+    const NormalisedCreepage near{c.u * (1 + beside * one(random)),
+                                  c.v + size * beside * one(random), c.w, c.chi};
+    const NormalisedForce with = Built().At(near, cell), without = Built().At(near);
+    EXPECT_EQ(with.x, without.x);
+    EXPECT_EQ(with.y, without.y);
+    EXPECT_EQ(with.moment, without.moment);
     const auto at = [&](double du, double dv) {
       return Built().At({c.u + du, c.v + dv, c.w, c.chi});
     };
@@ -61,8 +70,8 @@ TEST(CreepSlope, OfTheLawEqualsDifferencesAndTheLinearLimitAtRest) {
                         20,
                         0.3};
     CreepSlope s, differences;
-    const CreepForce f = table->CalcWithSlope(in, &s);
-    const CreepForce same = table->CreepLaw::CalcWithSlope(in, &differences);
+    const CreepForce f = table->CalcWithSlope(in, &s, nullptr);
+    const CreepForce same = table->CreepLaw::CalcWithSlope(in, &differences, nullptr);
     EXPECT_EQ(f.x, same.x);
     EXPECT_EQ(f.y, same.y);
     EXPECT_EQ(f.moment, same.moment);
@@ -74,10 +83,10 @@ TEST(CreepSlope, OfTheLawEqualsDifferencesAndTheLinearLimitAtRest) {
   }
   const CreepInput rest{6e-3, 5e-3, 8e4, 0, 0, 0, 10, 0.3};
   CreepSlope s, expected;
-  const CreepForce none = table->CalcWithSlope(rest, &s);
+  const CreepForce none = table->CalcWithSlope(rest, &s, nullptr);
   EXPECT_EQ(none.x, 0);
   EXPECT_EQ(none.y, 0);
-  linear->CalcWithSlope(rest, &expected);
+  linear->CalcWithSlope(rest, &expected, nullptr);
   EXPECT_NEAR(s.x_xi / expected.x_xi, 1, 0.02);
   EXPECT_NEAR(s.y_eta / expected.y_eta, 1, 0.02);
   EXPECT_NEAR(s.x_eta / expected.x_xi, 0, 1e-6);
