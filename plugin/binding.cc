@@ -129,6 +129,7 @@ Status Binding::LoadRail(mjModel* m, const AttachOptions& options) {
   if (!rail.ok()) return rail.error();
   params.rail_profile = rail.value();
   params.wear = options.wear;
+  params.contact_fineness = options.contact_fineness;
   params.gauge = track_->gauge();
   params.gauge_height = track_->gauge_height();
   // Clearance between flange and gauge line as on 1435 mm with 1360 mm between the flange backs.

@@ -160,7 +160,7 @@ void ContactSearch::AddBetween(const Axle& axle, int sample, Humps* humps) const
   h.joined = false;
   h.begin = EdgeBetween(axle, middle, low, 0.5 * (middle + low));
   h.end = EdgeBetween(axle, middle, high, 0.5 * (middle + high));
-  h.width = h.end - h.begin;
+  h.width = ArcAt(h.end) - ArcAt(h.begin);
   h.next.m = 0;
   h.at_end = false;
 }
@@ -219,7 +219,8 @@ void ContactSearch::SplitRun(const Axle& axle, const Samples& s, int begin, int 
     h.begin = first && !open_begin ? EdgeOfRun(axle, s, low, low - 1, narrow) : WheelY(low);
     h.end = last && !open_end ? EdgeOfRun(axle, s, high, high + 1, narrow) : WheelY(high);
     // Edges beyond the samples lie half a step away on the whole.
-    h.width = narrow ? h.end - h.begin : 0.5 * (h.end + WheelY(high) - h.begin - WheelY(low));
+    const double ends = ArcAt(h.end) - ArcAt(h.begin);
+    h.width = narrow ? ends : 0.5 * (ends + ArcAt(WheelY(high)) - ArcAt(WheelY(low)));
     h.joined = !last;
     h.at_end = (first && open_begin) || (last && open_end);
     h.next.m = 0;

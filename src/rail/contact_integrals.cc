@@ -44,55 +44,63 @@ int ContactSearch::LevelOf(const Samples& s, const Hump& hump, double run) const
   const int i = hump.sample;
   if (i > s.first && i < s.last) {  // a narrow top on a wide foot
     const double bend = 2 * Vertical(s, i) - Vertical(s, i - 1) - Vertical(s, i + 1);
-    const double top =
-        (WheelY(i + 1) - WheelY(i - 1)) * std::sqrt(2 * hump.depth / std::max(bend, 1e-12));
+    const double top = (ArcAt(WheelY(i + 1)) - ArcAt(WheelY(i - 1))) *
+                       std::sqrt(2 * hump.depth / std::max(bend, 1e-12));
     widest = std::min(widest, top / nodes_in_top_);
   }
   int level = 0;
   const auto step = [&](int i) { return grid_[static_cast<size_t>(i)].step; };
   while (level + 1 < levels && step(level) > widest) ++level;
-  while (hump.end - hump.begin > 0.5 * kMaxNodes * step(level)) --level;
+  while (ArcAt(hump.end) - ArcAt(hump.begin) > 0.5 * kMaxNodes * step(level)) --level;
   return level;
 }
 
 ContactSearch::Nodes ContactSearch::FindNodes(const Hump& hump, double* own) const noexcept {
   Nodes n;
   if (hump.level == static_cast<int>(grid_.size())) {
-    n.step = (hump.end - hump.begin) / nodes_in_hump_;
-    n.begin = hump.begin + 0.5 * n.step;
-    n.low = -0.5;
-    n.high = nodes_in_hump_ - 0.5;
     n.first = 0;
     n.count = nodes_in_hump_;
+    n.low = -0.5;
+    n.high = n.count - 0.5;
+    double* at = own;
+    double* radius = at + n.count;
+    double* slope = radius + n.count;
+    double* second = slope + n.count;
+    double* across = second + n.count;
+    const double step = (hump.end - hump.begin) / n.count;
     for (int k = 0; k < n.count; ++k) {
-      const Profile::Sample s = wheel_.At(n.begin + n.step * k);
-      own[k] = radius_ + s.z;
-      own[nodes_in_hump_ + k] = s.slope;
-      own[2 * nodes_in_hump_ + k] = s.second;
+      at[k] = hump.begin + step * (k + 0.5);
+      const Profile::Sample s = wheel_.At(at[k]);
+      radius[k] = radius_ + s.z;
+      slope[k] = s.slope;
+      second[k] = s.second;
+      across[k] = step;
     }
-    n.radius = own;
-    n.slope = &own[nodes_in_hump_];
-    n.second = &own[2 * nodes_in_hump_];
+    n.at = at;
+    n.radius = radius;
+    n.slope = slope;
+    n.second = second;
+    n.across = across;
     return n;
   }
   const Grid& grid = grid_[static_cast<size_t>(hump.level)];
-  n.begin = begin_;
-  n.step = grid.step;
-  n.low = (hump.begin - begin_) / n.step;
-  n.high = (hump.end - begin_) / n.step;
+  n.low = ArcAt(hump.begin) / grid.step;
+  n.high = ArcAt(hump.end) / grid.step;
   n.first = std::max(0, static_cast<int>(std::ceil(n.low - 0.5)));
   const int end =
-      std::min(static_cast<int>(grid.radius.size()), static_cast<int>(std::floor(n.high + 1.5)));
+      std::min(static_cast<int>(grid.at.size()), static_cast<int>(std::floor(n.high + 1.5)));
   n.count = std::clamp(end - n.first, 0, kMaxNodes);
+  n.at = grid.at.data() + n.first;
   n.radius = grid.radius.data() + n.first;
   n.slope = grid.slope.data() + n.first;
   n.second = grid.second.data() + n.first;
+  n.across = grid.across.data() + n.first;
   return n;
 }
 
 PHS_WIDE ContactSearch::Moments ContactSearch::Integrate(const Axle& a,
                                                          const Hump& hump) const noexcept {
-  double own[3 * kNodesInHump * kMaxFineness];
+  double own[5 * kNodesInHump * kMaxFineness];
   const Nodes n = FindNodes(hump, own);
   // Pass by pass, so that the arithmetic between the look-ups is done for several nodes at a time.
   // Rows of numbers, one for each node; a few spare ones fill the last block.
@@ -106,7 +114,7 @@ PHS_WIDE ContactSearch::Moments ContactSearch::Integrate(const Axle& a,
   for (int k = 0; k < n.count; ++k) {
     const double t = n.slope[k];
     const double beta = root(t * t * side);
-    at[k] = n.begin + n.step * (n.first + k);
+    at[k] = n.at[k];
     y[k] = a.y + a.ey * (half_tape_ + at[k]) + n.radius[k] * (beta * a.beta_y - t * a.alpha_y);
     z[k] = a.z + a.ez * (half_tape_ + at[k]) + n.radius[k] * (beta * a.beta_z - t * a.alpha_z);
   }
@@ -134,7 +142,7 @@ PHS_WIDE ContactSearch::Moments ContactSearch::Integrate(const Axle& a,
     x[k] = a.ex * (half_tape_ + at[k] + radius * t);
     slope[k] = -(uy - t * a.ey) / (uz - t * a.ez);
     weight[k] *=
-        n.step * (a.ey + t * uy - radius * n.second[k] * (a.alpha_y + t * side * a.beta_y));
+        n.across[k] * (a.ey + t * uy - radius * n.second[k] * (a.alpha_y + t * side * a.beta_y));
     h[k] = std::max(h[k], 0.0);
     cosine[k] = 1 / std::sqrt(1 + rail_slope[k] * rail_slope[k]);
   }

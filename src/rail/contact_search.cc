@@ -64,21 +64,48 @@ void ContactSearch::PlaceSamples(double step) {
 }
 
 void ContactSearch::PlaceNodes(double step, int levels) {
+  // Arc of the surface, [piece] from the begin on.
+  constexpr double kFineStep = 0.02e-3;
   const double width = wheel_.max_y() - begin_;
+  const int pieces = static_cast<int>(std::ceil(width / kFineStep));
+  const double piece = width / pieces;
+  std::vector<double> arc{0};
+  for (int i = 0; i < pieces; ++i) {
+    const double slope = wheel_.At(begin_ + piece * (i + 0.5)).slope;
+    arc.push_back(arc.back() + piece * std::sqrt(1 + slope * slope));
+  }
+  for (const double along : along_at_) {
+    const auto i = static_cast<size_t>(std::min(along / piece, pieces - 1.0));
+    const double share = along / piece - static_cast<double>(i);
+    arc_at_.push_back(arc[i] + share * (arc[i + 1] - arc[i]));
+  }
   // Two levels for twice as many nodes: 2, 3, 4, 6, … for 2 on the coarsest.
-  const int coarsest = 2 * static_cast<int>(std::ceil(0.5 * width / step));
+  const int coarsest = 2 * static_cast<int>(std::ceil(0.5 * arc.back() / step));
   for (int level = 0; level < levels; ++level) {
     const int nodes = (level % 2 == 0 ? coarsest : 3 * coarsest / 2) << (level / 2);
     Grid grid;
-    grid.step = width / nodes;
-    for (int i = 0; i <= nodes; ++i) {
-      const Profile::Sample s = wheel_.At(begin_ + grid.step * i);
+    grid.step = arc.back() / nodes;
+    size_t i = 0;
+    for (int k = 0; k <= nodes; ++k) {
+      while (i + 2 < arc.size() && arc[i + 1] < grid.step * k) ++i;
+      const double share = (grid.step * k - arc[i]) / (arc[i + 1] - arc[i]);
+      const double at = begin_ + piece * (static_cast<double>(i) + share);
+      const Profile::Sample s = wheel_.At(at);
+      grid.at.push_back(at);
       grid.radius.push_back(radius_ + s.z);
       grid.slope.push_back(s.slope);
       grid.second.push_back(s.second);
+      grid.across.push_back(grid.step / std::sqrt(1 + s.slope * s.slope));
     }
     grid_.push_back(std::move(grid));
   }
+}
+
+double ContactSearch::ArcAt(double wheel_y) const noexcept {
+  const double last = static_cast<double>(samples_ - 2);
+  const double place = (wheel_y - begin_) / along_at_.back() * (last + 1);
+  const auto i = static_cast<size_t>(std::clamp(place, 0.0, last));
+  return arc_at_[i] + (place - static_cast<double>(i)) * (arc_at_[i + 1] - arc_at_[i]);
 }
 
 ContactSearch::Axle ContactSearch::PlaceAxle(const WheelPlacement& wheel, double rail_y,

@@ -165,7 +165,7 @@ class ContactSearch {
   /// Hump of overlap between two ends [m on the wheel profile].
   struct Hump {
     double begin, end;
-    double width;  ///< about [m]
+    double width;  ///< about, along the surface [m]
     double top;    ///< deepest place: of a sample, or itself where `sample` is -1
     double depth;  ///< overlap there [m]
     int sample;
@@ -190,16 +190,17 @@ class ContactSearch {
   struct Readings {
     double stored[kMaxHumps][kMaxHumps];
   };
-  /// Places of the wheel at equal distances: `first` … `first + count - 1`, the ends of a hump lie
-  /// at `low` and `high`.
+  /// Places of the wheel at equal distances along its surface: `first` … `first + count - 1`, the
+  /// ends of a hump lie at `low` and `high`.
   struct Nodes {
-    double begin, step, low, high;  ///< [m, m, steps, steps]
+    double low, high;  ///< [steps]
     int first, count;
-    const double *radius, *slope, *second;
+    const double *at, *radius, *slope, *second;  ///< `at`: on the wheel [m]
+    const double* across;                        ///< distance across the wheel [m]
   };
   struct Grid {
-    double step;  ///< [m]
-    std::vector<double> radius, slope, second;
+    double step;  ///< along the surface [m]
+    std::vector<double> at, radius, slope, second, across;
   };
   struct Samples {
     int first, last;
@@ -235,7 +236,7 @@ class ContactSearch {
   void ChooseNodes(const Samples& samples, Humps* humps) const noexcept;
   /// The coarsest nodes that are enough for a hump in a run of overlap `run` wide [m].
   int LevelOf(const Samples& samples, const Hump& hump, double run) const;
-  /// `own`: room for 3 kNodesInHump kMaxFineness numbers.
+  /// `own`: room for 5 kNodesInHump kMaxFineness numbers.
   Nodes FindNodes(const Hump& hump, double* own) const noexcept;
   Moments Integrate(const Axle& axle, const Hump& hump) const noexcept;
   static Readings ReadEnergies(const Moments* moments, int first, int last) noexcept;
@@ -252,6 +253,8 @@ class ContactSearch {
   static double StoredEnergy(double e) noexcept;
   void Describe(const Axle& axle, const Moments& moments, double stored,
                 Overlap* patch) const noexcept;
+  /// Way along the surface from the first sample [m].
+  double ArcAt(double wheel_y) const noexcept;
   double WheelY(int sample) const { return begin_ + along_at_[static_cast<size_t>(sample)]; }
   double Vertical(const Samples& samples, int i) const {
     return samples.depth[i] * stretch_at_[static_cast<size_t>(i)];
@@ -267,6 +270,7 @@ class ContactSearch {
   int nodes_in_hump_, nodes_in_top_;
   std::vector<Grid> grid_;
   std::vector<double> along_at_;  ///< [sample] wheel y beyond the first [m]
+  std::vector<double> arc_at_;    ///< [sample] the same along the surface [m]
   /// [sample] of the wheel: R, R t, R t^2/2, cosine of the slope and its inverse.
   std::vector<double> radius_at_, radius_slope_, radius_square_, cosine_at_, stretch_at_;
   std::vector<double> margin_;  ///< [sample] what a hump before the next may rise above both [m]

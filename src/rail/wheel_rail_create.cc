@@ -104,8 +104,9 @@ Result<WheelRail> WheelRail::Create(const WheelRailParams& params) {
     impl->climb_y -= 1e-4;
   }
   const double half_tape = params.flange_back_distance / 2 - params.flange_back_position;
-  impl->search = std::make_unique<ContactSearch>(std::move(wheel).value(), std::move(rail).value(),
-                                                 half_tape, params.wheel_radius, impl->hertz);
+  impl->search =
+      std::make_unique<ContactSearch>(std::move(wheel).value(), std::move(rail).value(), half_tape,
+                                      params.wheel_radius, impl->hertz, params.contact_fineness);
   // Mere touch: lower a centred wheel from above until it overlaps.
   Overlaps found;
   double above = -params.wheel_radius - 0.05;

@@ -24,6 +24,7 @@ struct Scenario {
   std::string wheel;              ///< profile; empty = as in the bogie file
   std::string rail;
   std::string creep;                ///< creep law; empty = as in the bogie file
+  int contact_fineness = 1;         ///< of the normal contact's grid (contact_search.h)
   std::string phs;                  ///< PHS model; empty = as in the bogie file
   double speed_m_s = 0;             ///< held by the drives, > 0
   rail::FrictionSettings friction;  ///< nothing set: the track's

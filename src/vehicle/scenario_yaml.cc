@@ -81,6 +81,7 @@ std::string ToYaml(const Scenario& s) {
   out.Text("wheel", Anywhere(s.wheel));
   out.Text("rail", Anywhere(s.rail));
   out.Word("creep", s.creep);
+  if (s.contact_fineness != 1) out.Number("contact_fineness", s.contact_fineness);
   out.Text("phs", Anywhere(s.phs));
   out.Number("speed_m_s", s.speed_m_s);
   WriteFriction(s.friction, &out);

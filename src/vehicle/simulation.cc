@@ -127,6 +127,7 @@ Result<Simulation> Simulation::Create(const Scenario& scenario) {
   options.wheel_profile = scenario.wheel;
   options.rail_profile = scenario.rail;
   options.creep_law = scenario.creep;
+  options.contact_fineness = scenario.contact_fineness;
   options.phs_model = scenario.phs;
   options.friction = scenario.friction;
   options.speed_m_s = scenario.speed_m_s;

@@ -31,6 +31,7 @@ Json DescribeScenario(const Scenario& s) {
                     {"wheel", s.wheel},
                     {"rail", s.rail},
                     {"creep", s.creep},
+                    {"contact_fineness", s.contact_fineness},
                     {"phs", s.phs},
                     {"speed_m_s", s.speed_m_s},
                     {"friction", number_or_null(s.friction.tread)},
