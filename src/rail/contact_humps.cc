@@ -116,7 +116,7 @@ void ContactSearch::FindHumps(const Axle& axle, const Samples& s, Humps* humps) 
     if (s.depth[i] > 0) {
       int end = i;
       while (end < s.last && s.depth[end + 1] > 0) ++end;
-      SplitRun(axle, s, i, end, humps);
+      SplitRun(s, i, end, humps);
       i = end;
       continue;
     }
@@ -126,20 +126,6 @@ void ContactSearch::FindHumps(const Axle& axle, const Samples& s, Humps* humps) 
     AddBetween(axle, i, humps);
   }
   for (int k = 0; k + 1 < humps->count; ++k) Link(axle, s, &humps->hump[k], &humps->hump[k + 1]);
-  ChooseNodes(s, humps);
-}
-
-void ContactSearch::ChooseNodes(const Samples& s, Humps* humps) const noexcept {
-  // Humps that meet have the same nodes, those of the wheel.
-  for (int k = 0; k < humps->count;) {
-    int last = k;
-    double width = humps->hump[k].width;
-    while (humps->hump[last].joined) width += humps->hump[++last].width;
-    int level = 0;
-    for (int i = k; i <= last; ++i) level = std::max(level, LevelOf(s, humps->hump[i], width));
-    if (last > k) level = std::min(level, static_cast<int>(grid_.size()) - 1);
-    for (; k <= last; ++k) humps->hump[k].level = level;
-  }
 }
 
 void ContactSearch::AddBetween(const Axle& axle, int sample, Humps* humps) const noexcept {
@@ -158,15 +144,13 @@ void ContactSearch::AddBetween(const Axle& axle, int sample, Humps* humps) const
   h.sample = -1;
   h.beside = sample;
   h.joined = false;
-  h.begin = EdgeBetween(axle, middle, low, 0.5 * (middle + low));
-  h.end = EdgeBetween(axle, middle, high, 0.5 * (middle + high));
-  h.width = ArcAt(h.end) - ArcAt(h.begin);
+  h.begin = low;
+  h.end = high;
   h.next.m = 0;
   h.at_end = false;
 }
 
-void ContactSearch::SplitRun(const Axle& axle, const Samples& s, int begin, int end,
-                             Humps* humps) const noexcept {
+void ContactSearch::SplitRun(const Samples& s, int begin, int end, Humps* humps) const noexcept {
   // Ridges: local minima of the overlap inside the run, each with the humps beside it.
   int ridge[kMaxRidges];
   int ridges = 0;
@@ -204,8 +188,6 @@ void ContactSearch::SplitRun(const Axle& axle, const Samples& s, int begin, int 
     for (int k = weakest; k + 1 < ridges; ++k) ridge[k] = ridge[k + 1];
     --ridges;
   }
-  // One sample's edges are sought; of more the nodes reach beyond them, and their width is told by the samples.
-  const bool narrow = begin == end;
   const bool open_begin = begin == s.first;
   const bool open_end = end == s.last;
   for (int k = 0; k <= ridges; ++k) {
@@ -216,11 +198,8 @@ void ContactSearch::SplitRun(const Axle& axle, const Samples& s, int begin, int 
     h.sample = greatest(low, high);
     h.top = WheelY(h.sample);
     h.depth = overlap(h.sample);
-    h.begin = first && !open_begin ? EdgeOfRun(axle, s, low, low - 1, narrow) : WheelY(low);
-    h.end = last && !open_end ? EdgeOfRun(axle, s, high, high + 1, narrow) : WheelY(high);
-    // Edges beyond the samples lie half a step away on the whole.
-    const double ends = ArcAt(h.end) - ArcAt(h.begin);
-    h.width = narrow ? ends : 0.5 * (ends + ArcAt(WheelY(high)) - ArcAt(WheelY(low)));
+    h.begin = WheelY(first && !open_begin ? low - 1 : low);
+    h.end = WheelY(last && !open_end ? high + 1 : high);
     h.joined = !last;
     h.at_end = (first && open_begin) || (last && open_end);
     h.next.m = 0;

@@ -37,117 +37,64 @@ void ContactSearch::Moments::Add(const Moments& m) {
 
 double ContactSearch::StoredEnergy(double e) noexcept { return std::pow(e, 5.0 / 9); }
 
-int ContactSearch::LevelOf(const Samples& s, const Hump& hump, double run) const {
-  const int levels = static_cast<int>(grid_.size());
-  if (run < nodes_in_hump_ * grid_.back().step) return levels;
-  double widest = run / nodes_in_hump_;  // distance of nodes
-  const int i = hump.sample;
-  if (i > s.first && i < s.last) {  // a narrow top on a wide foot
-    const double bend = 2 * Vertical(s, i) - Vertical(s, i - 1) - Vertical(s, i + 1);
-    const double top = (ArcAt(WheelY(i + 1)) - ArcAt(WheelY(i - 1))) *
-                       std::sqrt(2 * hump.depth / std::max(bend, 1e-12));
-    widest = std::min(widest, top / nodes_in_top_);
-  }
-  int level = 0;
-  const auto step = [&](int i) { return grid_[static_cast<size_t>(i)].step; };
-  while (level + 1 < levels && step(level) > widest) ++level;
-  while (ArcAt(hump.end) - ArcAt(hump.begin) > 0.5 * kMaxNodes * step(level)) --level;
-  return level;
-}
-
-ContactSearch::Nodes ContactSearch::FindNodes(const Hump& hump, double* own) const noexcept {
-  Nodes n;
-  if (hump.level == static_cast<int>(grid_.size())) {
-    n.first = 0;
-    n.count = nodes_in_hump_;
-    n.low = -0.5;
-    n.high = n.count - 0.5;
-    double* at = own;
-    double* radius = at + n.count;
-    double* slope = radius + n.count;
-    double* second = slope + n.count;
-    double* across = second + n.count;
-    const double step = (hump.end - hump.begin) / n.count;
-    for (int k = 0; k < n.count; ++k) {
-      at[k] = hump.begin + step * (k + 0.5);
-      const Profile::Sample s = wheel_.At(at[k]);
-      radius[k] = radius_ + s.z;
-      slope[k] = s.slope;
-      second[k] = s.second;
-      across[k] = step;
-    }
-    n.at = at;
-    n.radius = radius;
-    n.slope = slope;
-    n.second = second;
-    n.across = across;
-    return n;
-  }
-  const Grid& grid = grid_[static_cast<size_t>(hump.level)];
-  n.low = ArcAt(hump.begin) / grid.step;
-  n.high = ArcAt(hump.end) / grid.step;
-  n.first = std::max(0, static_cast<int>(std::ceil(n.low - 0.5)));
-  const int end =
-      std::min(static_cast<int>(grid.at.size()), static_cast<int>(std::floor(n.high + 1.5)));
-  n.count = std::clamp(end - n.first, 0, kMaxNodes);
-  n.at = grid.at.data() + n.first;
-  n.radius = grid.radius.data() + n.first;
-  n.slope = grid.slope.data() + n.first;
-  n.second = grid.second.data() + n.first;
-  n.across = grid.across.data() + n.first;
-  return n;
-}
-
 PHS_WIDE ContactSearch::Moments ContactSearch::Integrate(const Axle& a,
                                                          const Hump& hump) const noexcept {
-  double own[5 * kNodesInHump * kMaxFineness];
-  const Nodes n = FindNodes(hump, own);
+  // Humps that meet share the node between them.
+  const double low = nodes_.PlaceOf(hump.begin);
+  const double high = nodes_.PlaceOf(hump.end);
+  const int first = std::max(0, static_cast<int>(std::ceil(low - 0.5)));
+  const int beyond =
+      std::min(static_cast<int>(nodes_.at.size()), static_cast<int>(std::floor(high + 1.5)));
+  const int count = std::clamp(beyond - first, 0, kMaxNodes);
+  const double* at = nodes_.at.data() + first;
+  const double* radius = nodes_.radius.data() + first;
+  const double* wheel_slope = nodes_.slope.data() + first;
+  const double* second = nodes_.second.data() + first;
+  const double* across = nodes_.across.data() + first;
   // Pass by pass, so that the arithmetic between the look-ups is done for several nodes at a time.
   // Rows of numbers, one for each node; a few spare ones fill the last block.
   constexpr int kRow = kMaxNodes + kWide;
-  double at[kRow], x[kRow], y[kRow], z[kRow], h[kRow];
+  double x[kRow], place[kRow], y[kRow], z[kRow], h[kRow];
   double weight[kRow], slope[kRow], rail_slope[kRow], cosine[kRow];
   const double side = a.side * a.side;
   const auto root = [](double square) {
     return 1 - square * (0.5 + square * (0.125 + square * 0.0625));
   };
-  for (int k = 0; k < n.count; ++k) {
-    const double t = n.slope[k];
+  for (int k = 0; k < count; ++k) {
+    const double t = wheel_slope[k];
     const double beta = root(t * t * side);
-    at[k] = n.at[k];
-    y[k] = a.y + a.ey * (half_tape_ + at[k]) + n.radius[k] * (beta * a.beta_y - t * a.alpha_y);
-    z[k] = a.z + a.ez * (half_tape_ + at[k]) + n.radius[k] * (beta * a.beta_z - t * a.alpha_z);
+    place[k] = at[k];
+    y[k] = a.y + a.ey * (half_tape_ + at[k]) + radius[k] * (beta * a.beta_y - t * a.alpha_y);
+    z[k] = a.z + a.ez * (half_tape_ + at[k]) + radius[k] * (beta * a.beta_z - t * a.alpha_z);
   }
-  for (int k = 0; k < n.count; ++k) {
+  for (int k = 0; k < count; ++k) {
     const Profile::Sample r = rail_.At(y[k]);
     h[k] = z[k] - r.z;
     rail_slope[k] = r.slope;
   }
   // Nodes beyond the edges hold nothing.
   int begin = 0;
-  int end = n.count;
+  int end = count;
   while (begin < end && !(h[begin] > 0)) ++begin;
   while (begin < end && !(h[end - 1] > 0)) --end;
   if (begin == end) return {};
   for (int k = begin; k < end; ++k) weight[k] = modulus_.At(y[k]);
-  // Humps that meet share the node between them.
-  if (begin == 0) weight[0] *= std::clamp(n.first - n.low + 0.5, 0.0, 1.0);
-  if (end == n.count) weight[end - 1] *= std::clamp(n.high - n.first - end + 1.5, 0.0, 1.0);
+  if (begin == 0) weight[0] *= std::clamp(first - low + 0.5, 0.0, 1.0);
+  if (end == count) weight[end - 1] *= std::clamp(high - first - end + 1.5, 0.0, 1.0);
   for (int k = begin; k < end; ++k) {
-    const double t = n.slope[k];
-    const double radius = n.radius[k];
+    const double t = wheel_slope[k];
+    const double r = radius[k];
     const double beta = root(t * t * side);
     const double uy = beta * a.beta_y - t * a.alpha_y;
     const double uz = beta * a.beta_z - t * a.alpha_z;
-    x[k] = a.ex * (half_tape_ + at[k] + radius * t);
+    x[k] = a.ex * (half_tape_ + at[k] + r * t);
     slope[k] = -(uy - t * a.ey) / (uz - t * a.ez);
-    weight[k] *=
-        n.across[k] * (a.ey + t * uy - radius * n.second[k] * (a.alpha_y + t * side * a.beta_y));
+    weight[k] *= across[k] * (a.ey + t * uy - r * second[k] * (a.alpha_y + t * side * a.beta_y));
     h[k] = std::max(h[k], 0.0);
     cosine[k] = 1 / std::sqrt(1 + rail_slope[k] * rail_slope[k]);
   }
   for (; (end - begin) % kWide != 0; ++end) {
-    for (double* p : {at, x, y, z, slope, rail_slope, cosine}) p[end] = p[end - 1];
+    for (double* p : {place, x, y, z, slope, rail_slope, cosine}) p[end] = p[end - 1];
     h[end] = weight[end] = 0;
   }
   WideMoments m;
@@ -165,7 +112,7 @@ PHS_WIDE ContactSearch::Moments ContactSearch::Integrate(const Axle& a,
     m.energy += load * depth;
     m.load += load;
     m.bend += load * turned * turned;
-    m.wheel += load * four(at);
+    m.wheel += load * four(place);
     m.arm_x += load * arm_x;
     m.arm_y += load * arm_y;
     m.arm_z += load * arm_z;

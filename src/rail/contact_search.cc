@@ -8,10 +8,9 @@
 namespace phs::rail {
 namespace {
 
-constexpr double kWheelStep = 1.2e-3;  ///< of the samples and of the coarsest nodes [m]
+constexpr double kWheelStep = 1.2e-3;  ///< of the samples [m]
 constexpr double kRailStep = 0.125e-3;
 constexpr double kBeyond = 6e-3;  ///< samples beyond the ends of the rail [m]
-constexpr double kEdge = 1e-5;    ///< of a step of Newton, whose error is its square [m]
 constexpr double kDoubt = 2e-6;   ///< chords of the rail's table are this near to it, normal [m]
 /// Flattest relative curvature across: conformal regions carry a wide but finite patch.
 constexpr double kFlattest = 0.05;
@@ -31,13 +30,9 @@ ContactSearch::ContactSearch(Profile wheel, Profile rail, double half_tape, doub
       half_tape_(half_tape),
       radius_(radius),
       modulus_(wheel_, rail_, radius, hertz),
-      nodes_in_hump_(fineness * kNodesInHump),
-      nodes_in_top_(fineness * kNodesInTop) {
+      nodes_(wheel_, rail_, radius, fineness) {
   begin_ = wheel_.min_y();
   PlaceSamples(kWheelStep / fineness);
-  int levels = kLevels;
-  for (int f = 1; f < fineness; f *= 2) levels += 2;
-  PlaceNodes(kWheelStep, levels);
   MeasureMargins();
   const double rail_width = rail_.max_y() - rail_.min_y();
   const int pieces = static_cast<int>(std::ceil(rail_width / kRailStep));
@@ -61,51 +56,6 @@ void ContactSearch::PlaceSamples(double step) {
     stretch_at_.push_back(std::sqrt(1 + s.slope * s.slope));
     cosine_at_.push_back(1 / stretch_at_.back());
   }
-}
-
-void ContactSearch::PlaceNodes(double step, int levels) {
-  // Arc of the surface, [piece] from the begin on.
-  constexpr double kFineStep = 0.02e-3;
-  const double width = wheel_.max_y() - begin_;
-  const int pieces = static_cast<int>(std::ceil(width / kFineStep));
-  const double piece = width / pieces;
-  std::vector<double> arc{0};
-  for (int i = 0; i < pieces; ++i) {
-    const double slope = wheel_.At(begin_ + piece * (i + 0.5)).slope;
-    arc.push_back(arc.back() + piece * std::sqrt(1 + slope * slope));
-  }
-  for (const double along : along_at_) {
-    const auto i = static_cast<size_t>(std::min(along / piece, pieces - 1.0));
-    const double share = along / piece - static_cast<double>(i);
-    arc_at_.push_back(arc[i] + share * (arc[i + 1] - arc[i]));
-  }
-  // Two levels for twice as many nodes: 2, 3, 4, 6, … for 2 on the coarsest.
-  const int coarsest = 2 * static_cast<int>(std::ceil(0.5 * arc.back() / step));
-  for (int level = 0; level < levels; ++level) {
-    const int nodes = (level % 2 == 0 ? coarsest : 3 * coarsest / 2) << (level / 2);
-    Grid grid;
-    grid.step = arc.back() / nodes;
-    size_t i = 0;
-    for (int k = 0; k <= nodes; ++k) {
-      while (i + 2 < arc.size() && arc[i + 1] < grid.step * k) ++i;
-      const double share = (grid.step * k - arc[i]) / (arc[i + 1] - arc[i]);
-      const double at = begin_ + piece * (static_cast<double>(i) + share);
-      const Profile::Sample s = wheel_.At(at);
-      grid.at.push_back(at);
-      grid.radius.push_back(radius_ + s.z);
-      grid.slope.push_back(s.slope);
-      grid.second.push_back(s.second);
-      grid.across.push_back(grid.step / std::sqrt(1 + s.slope * s.slope));
-    }
-    grid_.push_back(std::move(grid));
-  }
-}
-
-double ContactSearch::ArcAt(double wheel_y) const noexcept {
-  const double last = static_cast<double>(samples_ - 2);
-  const double place = (wheel_y - begin_) / along_at_.back() * (last + 1);
-  const auto i = static_cast<size_t>(std::clamp(place, 0.0, last));
-  return arc_at_[i] + (place - static_cast<double>(i)) * (arc_at_[i + 1] - arc_at_[i]);
 }
 
 ContactSearch::Axle ContactSearch::PlaceAxle(const WheelPlacement& wheel, double rail_y,
@@ -197,33 +147,6 @@ PHS_WIDE void ContactSearch::Sample(const Axle& a, Samples* samples) const noexc
       samples->depth[i] = LocusAt(a, WheelY(i)).overlap * cosine_at_[i];
     }
   }
-}
-
-double ContactSearch::EdgeBetween(const Axle& axle, double inside, double outside,
-                                  double at) const noexcept {
-  // Newton on the overlap, kept between the ends; the integrals feel its error squared.
-  double low = std::min(inside, outside);
-  double high = std::max(inside, outside);
-  const bool outwards = outside > inside;
-  for (int i = 0; i < 40; ++i) {
-    const Locus l = LocusAt(axle, at);
-    ((l.overlap > 0) == outwards ? low : high) = at;
-    double next = at - l.overlap / ((l.slope - l.rail_slope) * l.stretch);
-    if (!(next > low && next < high)) next = 0.5 * (low + high);
-    const double step = std::abs(next - at);
-    at = next;
-    if (step < kEdge) break;
-  }
-  return at;
-}
-
-double ContactSearch::EdgeOfRun(const Axle& axle, const Samples& s, int sample, int next,
-                                bool sought) const noexcept {
-  if (!sought) return WheelY(next);
-  const double share = s.depth[sample] / (s.depth[sample] - s.depth[next]);
-  const double inside = WheelY(sample);
-  const double outside = WheelY(next);
-  return EdgeBetween(axle, inside, outside, inside + share * (outside - inside));
 }
 
 void ContactSearch::Describe(const Axle& a, const Moments& m, double stored,

@@ -54,6 +54,7 @@
 #include <vector>
 
 #include "rail/contact_modulus.h"
+#include "rail/contact_nodes.h"
 #include "rail/frames.h"
 #include "rail/hertz.h"
 #include "rail/profile.h"
@@ -131,13 +132,9 @@ class ContactSearch {
   double half_tape() const { return half_tape_; }
 
  private:
-  static constexpr int kMaxFineness = 4;
   static constexpr int kMaxSamples = 512;
   static constexpr int kMaxHumps = 3;
-  static constexpr int kLevels = 9;        ///< and two more for twice the fineness
-  static constexpr int kNodesInHump = 12;  ///< times fineness, at least
-  static constexpr int kNodesInTop = 8;    ///< of a parabola with the top of the hump, at least
-  static constexpr int kMaxNodes = 1024;   ///< even
+  static constexpr int kMaxNodes = 1024;
 
   struct Axle {
     double ex, ey, ez;
@@ -162,17 +159,16 @@ class ContactSearch {
     Locus locus[3];   ///< their places
     double slope[3];  ///< dm/dh [1/m]
   };
-  /// Hump of overlap between two ends [m on the wheel profile].
+  /// Hump of overlap: between two ends on the wheel profile, which lie where it meets the next hump or beyond
+  /// its edge [m].
   struct Hump {
     double begin, end;
-    double width;  ///< about, along the surface [m]
     double top;    ///< deepest place: of a sample, or itself where `sample` is -1
     double depth;  ///< overlap there [m]
     int sample;
     int beside;   ///< the last sample before `top` where it is none
     bool joined;  ///< to the next one without a gap
     bool at_end;
-    int level;   ///< of the nodes; the number of grids: the hump's own
     Merge next;  ///< with the next hump
   };
   struct Humps {
@@ -190,35 +186,16 @@ class ContactSearch {
   struct Readings {
     double stored[kMaxHumps][kMaxHumps];
   };
-  /// Places of the wheel at equal distances along its surface: `first` … `first + count - 1`, the
-  /// ends of a hump lie at `low` and `high`.
-  struct Nodes {
-    double low, high;  ///< [steps]
-    int first, count;
-    const double *at, *radius, *slope, *second;  ///< `at`: on the wheel [m]
-    const double* across;                        ///< distance across the wheel [m]
-  };
-  struct Grid {
-    double step;  ///< along the surface [m]
-    std::vector<double> at, radius, slope, second, across;
-  };
   struct Samples {
     int first, last;
     double depth[kMaxSamples];  ///< h times the cosine of the wheel's slope: normal depth
   };
 
   void PlaceSamples(double step);
-  void PlaceNodes(double step, int levels);
   void MeasureMargins();
   Axle PlaceAxle(const WheelPlacement& wheel, double rail_y, double rail_z) const noexcept;
   Locus LocusAt(const Axle& axle, double wheel_y) const noexcept;
   void Sample(const Axle& axle, Samples* samples) const noexcept;
-  /// Where the overlap ends between `inside` (h >= 0) and `outside` (h <= 0).
-  /// starting from `at`.
-  double EdgeBetween(const Axle& axle, double inside, double outside, double at) const noexcept;
-  /// Edge of a run next to `sample` on the side of `next` = sample +- 1, or beyond it.
-  double EdgeOfRun(const Axle& axle, const Samples& samples, int sample, int next,
-                   bool sought) const noexcept;
   /// Where wheel and rail have the same slope beside a sample: the deepest place, or with `sign` -1
   /// the ridge. `place`: on the wheel [m].
   Locus StationaryNear(const Axle& axle, const Samples& samples, int sample, double sign,
@@ -231,13 +208,7 @@ class ContactSearch {
   void FindHumps(const Axle& axle, const Samples& samples, Humps* humps) const noexcept;
   /// A hump that lies between a sample and the next, if there is one.
   void AddBetween(const Axle& axle, int sample, Humps* humps) const noexcept;
-  void SplitRun(const Axle& axle, const Samples& samples, int begin, int end,
-                Humps* humps) const noexcept;
-  void ChooseNodes(const Samples& samples, Humps* humps) const noexcept;
-  /// The coarsest nodes that are enough for a hump in a run of overlap `run` wide [m].
-  int LevelOf(const Samples& samples, const Hump& hump, double run) const;
-  /// `own`: room for 5 kNodesInHump kMaxFineness numbers.
-  Nodes FindNodes(const Hump& hump, double* own) const noexcept;
+  void SplitRun(const Samples& samples, int begin, int end, Humps* humps) const noexcept;
   Moments Integrate(const Axle& axle, const Hump& hump) const noexcept;
   static Readings ReadEnergies(const Moments* moments, int first, int last) noexcept;
   /// Every way of reading hump `from` and its followers as one patch, with its weight.
@@ -253,8 +224,6 @@ class ContactSearch {
   static double StoredEnergy(double e) noexcept;
   void Describe(const Axle& axle, const Moments& moments, double stored,
                 Overlap* patch) const noexcept;
-  /// Way along the surface from the first sample [m].
-  double ArcAt(double wheel_y) const noexcept;
   double WheelY(int sample) const { return begin_ + along_at_[static_cast<size_t>(sample)]; }
   double Vertical(const Samples& samples, int i) const {
     return samples.depth[i] * stretch_at_[static_cast<size_t>(i)];
@@ -265,12 +234,10 @@ class ContactSearch {
   double half_tape_;
   double radius_;
   ContactModulus modulus_;
+  ContactNodes nodes_;
   double begin_;  ///< first sampled wheel position [m]
   int samples_;
-  int nodes_in_hump_, nodes_in_top_;
-  std::vector<Grid> grid_;
   std::vector<double> along_at_;  ///< [sample] wheel y beyond the first [m]
-  std::vector<double> arc_at_;    ///< [sample] the same along the surface [m]
   /// [sample] of the wheel: R, R t, R t^2/2, cosine of the slope and its inverse.
   std::vector<double> radius_at_, radius_slope_, radius_square_, cosine_at_, stretch_at_;
   std::vector<double> margin_;  ///< [sample] what a hump before the next may rise above both [m]

@@ -1,0 +1,93 @@
+#include "rail/contact_nodes.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace phs::rail {
+namespace {
+
+constexpr double kDepth = 80e-6;   ///< of a hump under a usual load [m]
+constexpr double kNodesInIt = 16;  ///< error of the force about 1e-4
+constexpr double kPiece = 0.1e-3;
+constexpr double kFlattest = 1, kSharpest = 60;  ///< B [1/m]
+constexpr double kEven = 3e-3;                   ///< half, along the surface [m]
+constexpr double kEnd = 1e-3;  ///< curvature is not asked for nearer to an end [m]
+
+double Curvature(const Profile& p, double y) {
+  const Profile::Sample s = p.At(std::clamp(y, p.min_y() + kEnd, p.max_y() - kEnd));
+  return s.second / std::pow(1 + s.slope * s.slope, 1.5);
+}
+
+/// The rail's place with the slope nearest to `slope`.
+double PartnerOf(const Profile& rail, double slope) {
+  double best = rail.min_y();
+  double least = 1e9;
+  for (double y = rail.min_y(); y <= rail.max_y(); y += kPiece) {
+    const double off = std::abs(std::atan(rail.At(y).slope) - std::atan(slope));
+    if (off >= least) continue;
+    least = off;
+    best = y;
+  }
+  return best;
+}
+
+}  // namespace
+
+ContactNodes::ContactNodes(const Profile& wheel, const Profile& rail, double radius_at_origin,
+                           int fineness)
+    : begin_(wheel.min_y()) {
+  const double width = wheel.max_y() - begin_;
+  const auto pieces = static_cast<size_t>(std::ceil(width / kPiece));
+  const double piece = width / static_cast<double>(pieces);
+  const auto along = [&](double i) { return begin_ + piece * i; };
+  per_piece_ = 1 / piece;
+  // [end of a piece] ds/dy, way along the surface, sqrt(B).
+  std::vector<double> stretch, arc, root;
+  for (size_t i = 0; i <= pieces; ++i) {
+    const double y = along(static_cast<double>(i));
+    const double slope = wheel.At(y).slope;
+    stretch.push_back(std::sqrt(1 + slope * slope));
+    arc.push_back(i == 0 ? 0 : arc.back() + 0.5 * piece * (stretch[i - 1] + stretch[i]));
+    const double b = 0.5 * (Curvature(rail, PartnerOf(rail, slope)) - Curvature(wheel, y));
+    root.push_back(std::sqrt(std::clamp(b, kFlattest, kSharpest)));
+  }
+  const double step = 2 * std::sqrt(kDepth) / (kNodesInIt * fineness);
+  size_t first = 0;
+  for (size_t i = 0; i <= pieces; ++i) {
+    while (arc[i] - arc[first] > kEven) ++first;
+    double sum = 0;
+    double weights = 0;
+    for (size_t j = first; j <= pieces && arc[j] - arc[i] < kEven; ++j) {
+      const double away = std::abs(arc[j] - arc[i]) / kEven;
+      const double weight = (1 - away * away) * (1 - away * away) * stretch[j];
+      sum += weight * root[j];
+      weights += weight;
+    }
+    density_.push_back(sum / weights * stretch[i] / step);
+    place_.push_back(i == 0 ? 0 : place_.back() + 0.5 * piece * (density_[i - 1] + density_[i]));
+  }
+  size_t i = 0;
+  for (int k = 0; k <= place_.back(); ++k) {
+    while (i + 2 < place_.size() && place_[i + 1] < k) ++i;
+    // Density goes linearly over a piece, place with its square.
+    const double bend = (density_[i + 1] - density_[i]) * per_piece_;
+    const double left = k - place_[i];
+    const double beyond =
+        2 * left / (density_[i] + std::sqrt(density_[i] * density_[i] + 2 * bend * left));
+    at.push_back(along(static_cast<double>(i)) + beyond);
+    across.push_back(1 / (density_[i] + bend * beyond));
+    const Profile::Sample s = wheel.At(at.back());
+    radius.push_back(radius_at_origin + s.z);
+    slope.push_back(s.slope);
+    second.push_back(s.second);
+  }
+}
+
+double ContactNodes::PlaceOf(double wheel_y) const noexcept {
+  const double place = (wheel_y - begin_) * per_piece_;
+  const auto i =
+      static_cast<size_t>(std::clamp(place, 0.0, static_cast<double>(place_.size() - 2)));
+  return place_[i] + (place - static_cast<double>(i)) * (place_[i + 1] - place_[i]);
+}
+
+}  // namespace phs::rail
