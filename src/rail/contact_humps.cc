@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kSpare = 1.25;     ///< a yawed wheel is more curved across
 constexpr double kMostRoll = 0.06;  ///< and other differences of slope at a contact [rad]
-/// Humps nearer to each other (a of contact_search.h) are one: two have a weight of a millionth.
+/// Humps of samples nearer to each other (a of contact_search.h) are not looked at.
 constexpr double kSameHump = 1e-4;
 constexpr double kPlace = 3e-6;  ///< a last step, which leaves much less [m]
 constexpr int kNewtons = 6;
@@ -30,7 +30,7 @@ void ContactSearch::MeasureMargins() {
     double most = -1e9;
     double wheel_bend = 0;
     double arc = 0;
-    for (double y = WheelY(i); y <= WheelY(std::min(i + 1, samples_ - 1)); y += kFineStep) {
+    for (double y = WheelY(2 * i); y <= WheelY(2 * std::min(i + 1, samples_ - 1)); y += kFineStep) {
       const Profile::Sample s = wheel_.At(y);
       least = std::min(least, std::atan(s.slope) - kMostRoll);
       most = std::max(most, std::atan(s.slope) + kMostRoll);
@@ -51,7 +51,7 @@ void ContactSearch::MeasureMargins() {
 
 ContactSearch::Locus ContactSearch::StationaryNear(const Axle& axle, const Samples& s, int sample,
                                                    double sign, double* place) const noexcept {
-  sample = std::clamp(sample, s.first + 1, s.last - 1);
+  sample = std::clamp(sample, 2 * s.first + 1, 2 * s.last - 1);
   const double low = WheelY(sample - 1);
   const double high = WheelY(sample + 1);
   // From the top of the parabola through three samples by Newton's steps.
@@ -108,28 +108,46 @@ double ContactSearch::StationaryBetween(const Axle& axle, double low, double hig
   return at;
 }
 
-void ContactSearch::FindHumps(const Axle& axle, const Samples& s, Humps* humps) const noexcept {
+void ContactSearch::FindHumps(const Axle& axle, Samples* samples, Humps* humps) const noexcept {
+  const Samples& s = *samples;
   int near = s.first;  // the next sample that may have to do with a hump
   for (int i = s.first; i <= s.last && humps->count < kMaxHumps; ++i) {
-    while (near <= s.last && (near < i || s.depth[near] < -most_margin_)) ++near;
+    while (near <= s.last && (near < i || s.coarse[near] < -most_margin_)) ++near;
     i = std::max(i, near - 1);
-    if (s.depth[i] > 0) {
+    if (s.coarse[i] > 0) {
       int end = i;
-      while (end < s.last && s.depth[end + 1] > 0) ++end;
-      SplitRun(s, i, end, humps);
+      while (end < s.last && s.coarse[end + 1] > 0) ++end;
+      AddRun(axle, i, end, samples, humps);
       i = end;
       continue;
     }
     // A hump between two samples that both do not touch.
-    if (i == s.last || s.depth[i + 1] > 0) continue;
-    if (std::max(s.depth[i], s.depth[i + 1]) < -margin_[static_cast<size_t>(i)]) continue;
+    if (i == s.last || s.coarse[i + 1] > 0) continue;
+    if (std::max(s.coarse[i], s.coarse[i + 1]) < -margin_[static_cast<size_t>(i)]) continue;
     AddBetween(axle, i, humps);
   }
-  for (int k = 0; k + 1 < humps->count; ++k) Link(axle, s, &humps->hump[k], &humps->hump[k + 1]);
+  for (int k = 0; k + 1 < humps->count; ++k) {
+    Link(axle, samples, &humps->hump[k], &humps->hump[k + 1]);
+  }
 }
 
-void ContactSearch::AddBetween(const Axle& axle, int sample, Humps* humps) const noexcept {
-  const double low = WheelY(sample), high = WheelY(sample + 1);
+void ContactSearch::AddRun(const Axle& axle, int begin, int end, Samples* s,
+                           Humps* humps) const noexcept {
+  SampleMiddles(axle, begin - 1, end + 1, s);
+  int from = 2 * begin;
+  int to = 2 * end;
+  if (begin > s->first && s->At(from - 1) > 0) --from;
+  if (end < s->last && s->At(to + 1) > 0) ++to;
+  for (int i = from; i <= to && humps->count < kMaxHumps; ++i) {
+    if (!(s->At(i) > 0)) continue;
+    const int first = i;
+    while (i < to && s->At(i + 1) > 0) ++i;
+    SplitRun(*s, first, i, humps);
+  }
+}
+
+void ContactSearch::AddBetween(const Axle& axle, int coarse, Humps* humps) const noexcept {
+  const double low = WheelY(2 * coarse), high = WheelY(2 * coarse + 2);
   const auto rises = [&](double at) {
     const Locus l = LocusAt(axle, at);
     return l.slope > l.rail_slope;
@@ -142,8 +160,8 @@ void ContactSearch::AddBetween(const Axle& axle, int sample, Humps* humps) const
   h.top = middle;
   h.depth = depth;
   h.sample = -1;
-  h.beside = sample;
-  h.joined = false;
+  h.beside = 2 * coarse;
+  h.joined = h.after = false;
   h.begin = low;
   h.end = high;
   h.next.m = 0;
@@ -154,7 +172,9 @@ void ContactSearch::SplitRun(const Samples& s, int begin, int end, Humps* humps)
   // Ridges: local minima of the overlap inside the run, each with the humps beside it.
   int ridge[kMaxRidges];
   int ridges = 0;
-  const auto overlap = [&](int i) { return Vertical(s, i); };
+  double heights[2 * kMaxSamples];
+  for (int i = begin; i <= end; ++i) heights[i - begin] = Vertical(s, i);
+  const auto overlap = [&](int i) { return heights[i - begin]; };
   const auto greatest = [&](int from, int to) {
     int at = from;
     double most = 0;
@@ -188,8 +208,8 @@ void ContactSearch::SplitRun(const Samples& s, int begin, int end, Humps* humps)
     for (int k = weakest; k + 1 < ridges; ++k) ridge[k] = ridge[k + 1];
     --ridges;
   }
-  const bool open_begin = begin == s.first;
-  const bool open_end = end == s.last;
+  const bool open_begin = begin == 2 * s.first;
+  const bool open_end = end == 2 * s.last;
   for (int k = 0; k <= ridges; ++k) {
     const bool first = k == 0, last = k == ridges;
     const int low = first ? begin : ridge[k - 1];
@@ -201,6 +221,7 @@ void ContactSearch::SplitRun(const Samples& s, int begin, int end, Humps* humps)
     h.begin = WheelY(first && !open_begin ? low - 1 : low);
     h.end = WheelY(last && !open_end ? high + 1 : high);
     h.joined = !last;
+    h.after = !first;
     h.at_end = (first && open_begin) || (last && open_end);
     h.next.m = 0;
   }
@@ -211,17 +232,17 @@ void ContactSearch::FindPoints(const WheelPlacement& wheel, double rail_y, doubl
   const Axle axle = PlaceAxle(wheel, rail_y, rail_z);
   Samples s;
   Sample(axle, &s);
+  SampleMiddles(axle, s.first, s.last, &s);
   found->count = 0;
-  const auto depth = [&](int i) {
-    return measure == Depth::kVertical ? Vertical(s, i) : s.depth[i];
-  };
+  const auto depth = [&](int i) { return measure == Depth::kVertical ? Vertical(s, i) : s.At(i); };
   // The deepest local maxima, in their order on the wheel.
   int top[kMaxHumps];
   int tops = 0;
-  for (int i = s.first; i <= s.last; ++i) {
-    const bool left = i == s.first || depth(i) >= depth(i - 1);
-    const bool right = i == s.last || depth(i) > depth(i + 1);
-    if (!left || !right || !(s.depth[i] > 0)) continue;
+  const int first = 2 * s.first, last = 2 * s.last;
+  for (int i = first; i <= last; ++i) {
+    const bool left = i == first || depth(i) >= depth(i - 1);
+    const bool right = i == last || depth(i) > depth(i + 1);
+    if (!left || !right || !(s.At(i) > 0)) continue;
     if (tops == kMaxHumps) {
       int* least =
           std::min_element(top, top + tops, [&](int a, int b) { return depth(a) < depth(b); });
@@ -233,7 +254,7 @@ void ContactSearch::FindPoints(const WheelPlacement& wheel, double rail_y, doubl
   }
   for (int k = 0; k < tops; ++k) {
     const int i = top[k];
-    const bool inside = i > s.first && i < s.last;
+    const bool inside = i > first && i < last;
     double at = WheelY(i);
     const Locus l = inside ? StationaryNear(axle, s, i, 1, &at) : LocusAt(axle, at);
     if (!(l.overlap > 0)) continue;

@@ -39,12 +39,12 @@ double ContactSearch::StoredEnergy(double e) noexcept { return std::pow(e, 5.0 /
 
 PHS_WIDE ContactSearch::Moments ContactSearch::Integrate(const Axle& a,
                                                          const Hump& hump) const noexcept {
-  // Humps that meet share the node between them.
+  // Humps that meet share the node between them: it reaches half a node to both sides.
   const double low = nodes_.PlaceOf(hump.begin);
   const double high = nodes_.PlaceOf(hump.end);
-  const int first = std::max(0, static_cast<int>(std::ceil(low - 0.5)));
-  const int beyond =
-      std::min(static_cast<int>(nodes_.at.size()), static_cast<int>(std::floor(high + 1.5)));
+  const int first = std::max(0, static_cast<int>(std::ceil(hump.after ? low - 0.5 : low)));
+  const int beyond = std::min(static_cast<int>(nodes_.at.size()),
+                              static_cast<int>(std::floor(hump.joined ? high + 1.5 : high + 1)));
   const int count = std::clamp(beyond - first, 0, kMaxNodes);
   const double* at = nodes_.at.data() + first;
   const double* radius = nodes_.radius.data() + first;
@@ -79,8 +79,9 @@ PHS_WIDE ContactSearch::Moments ContactSearch::Integrate(const Axle& a,
   while (begin < end && !(h[end - 1] > 0)) --end;
   if (begin == end) return {};
   for (int k = begin; k < end; ++k) weight[k] = modulus_.At(y[k]);
-  if (begin == 0) weight[0] *= std::clamp(first - low + 0.5, 0.0, 1.0);
-  if (end == count) weight[end - 1] *= std::clamp(high - first - end + 1.5, 0.0, 1.0);
+  if (begin == 0 && hump.after) weight[0] *= std::clamp(first - low + 0.5, 0.0, 1.0);
+  if (end == count && hump.joined)
+    weight[end - 1] *= std::clamp(high - first - end + 1.5, 0.0, 1.0);
   for (int k = begin; k < end; ++k) {
     const double t = wheel_slope[k];
     const double r = radius[k];

@@ -16,30 +16,34 @@ double SizeOf(const Overlap& p) { return std::sqrt(p.push[1] * p.push[1] + p.pus
 
 }  // namespace
 
-void ContactSearch::Link(const Axle& axle, const Samples& s, Hump* hump,
+void ContactSearch::Link(const Axle& axle, Samples* samples, Hump* hump,
                          Hump* next) const noexcept {
+  const Samples& s = *samples;
   Merge& merge = hump->next;
-  const int from = hump->sample < 0 ? hump->beside + 1 : hump->sample;
+  const int from = hump->sample < 0 ? hump->beside + 2 : hump->sample;
   const int to = next->sample < 0 ? next->beside : next->sample;
+  if (!hump->joined) SampleMiddles(axle, from / 2, (to + 1) / 2, samples);
   int lowest = from;
   for (int i = from; i <= to; ++i) lowest = Vertical(s, i) < Vertical(s, lowest) ? i : lowest;
   const double between = Vertical(s, lowest);
   // The tops may rise above their samples; what is surely apart is left at once.
   const auto most = [&](const Hump& h) {
     if (h.sample < 0) return h.depth;
-    const auto i = static_cast<size_t>(h.sample);
-    return h.depth + stretch_at_[i] * std::max(margin_[i > 0 ? i - 1 : 0], margin_[i]);
+    const auto i = static_cast<size_t>(h.sample / 2);
+    const double margin =
+        h.sample % 2 == 0 && i > 0 ? std::max(margin_[i - 1], margin_[i]) : margin_[i];
+    return h.depth + coarse_.stretch[i] * margin;
   };
   if ((1 - between / most(*hump)) * (1 - between / most(*next)) > kApart) return;
-  const int samples[] = {lowest, hump->sample, next->sample};
+  const int at_sample[] = {lowest, hump->sample, next->sample};
   double ridge = 0;
   double h[3];
   for (int i = 0; i < 3; ++i) {
-    if (samples[i] < 0) {
+    if (at_sample[i] < 0) {
       merge.locus[i] = LocusAt(axle, i == 1 ? hump->top : next->top);
     } else {
       double at = 0;
-      merge.locus[i] = StationaryNear(axle, s, samples[i], i == 0 ? -1 : 1, &at);
+      merge.locus[i] = StationaryNear(axle, s, at_sample[i], i == 0 ? -1 : 1, &at);
       if (i == 0) ridge = at;
     }
     h[i] = merge.locus[i].overlap;

@@ -8,7 +8,7 @@
 namespace phs::rail {
 namespace {
 
-constexpr double kWheelStep = 1.2e-3;  ///< of the samples [m]
+constexpr double kWheelStep = 1.2e-3;  ///< of the coarse samples [m]
 constexpr double kRailStep = 0.125e-3;
 constexpr double kBeyond = 6e-3;  ///< samples beyond the ends of the rail [m]
 constexpr double kDoubt = 2e-6;   ///< chords of the rail's table are this near to it, normal [m]
@@ -45,17 +45,23 @@ ContactSearch::ContactSearch(Profile wheel, Profile rail, double half_tape, doub
 void ContactSearch::PlaceSamples(double step) {
   const double width = wheel_.max_y() - begin_;
   const int pieces = std::clamp(static_cast<int>(std::ceil(width / step)), 1, kMaxSamples - 1);
-  for (int i = 0; i <= pieces; ++i) along_at_.push_back(width * i / pieces);
+  half_step_ = 0.5 * width / pieces;
   samples_ = pieces + 1;
   for (int i = 0; i < samples_; ++i) {
-    const Profile::Sample s = wheel_.At(WheelY(i));
-    const double r = radius_ + s.z;
-    radius_at_.push_back(r);
-    radius_slope_.push_back(r * s.slope);
-    radius_square_.push_back(0.5 * r * s.slope * s.slope);
-    stretch_at_.push_back(std::sqrt(1 + s.slope * s.slope));
-    cosine_at_.push_back(1 / stretch_at_.back());
+    coarse_.Add(wheel_, begin_, 2 * i * half_step_, radius_);
+    if (i < pieces) middle_.Add(wheel_, begin_, (2 * i + 1) * half_step_, radius_);
   }
+}
+
+void ContactSearch::Row::Add(const Profile& wheel, double begin, double at, double radius) {
+  const Profile::Sample s = wheel.At(begin + at);
+  const double r = radius + s.z;
+  along.push_back(at);
+  down.push_back(r);
+  slope.push_back(r * s.slope);
+  square.push_back(0.5 * r * s.slope * s.slope);
+  stretch.push_back(std::sqrt(1 + s.slope * s.slope));
+  cosine.push_back(1 / stretch.back());
 }
 
 ContactSearch::Axle ContactSearch::PlaceAxle(const WheelPlacement& wheel, double rail_y,
@@ -99,20 +105,29 @@ ContactSearch::Locus ContactSearch::LocusAt(const Axle& a, double wheel_y) const
   return l;
 }
 
-PHS_WIDE void ContactSearch::Sample(const Axle& a, Samples* samples) const noexcept {
-  // Only the part of the wheel that lies over the rail, and kBeyond samples more.
+void ContactSearch::Sample(const Axle& a, Samples* samples) const noexcept {
+  // Only the part of the wheel that lies over the rail, and kBeyond more.
   const double centre = a.y + half_tape_ * a.ey + radius_ * a.beta_y;
   const double from = rail_.min_y() - centre - begin_ - kBeyond;
   const double to = rail_.max_y() - centre - begin_ + kBeyond;
   samples->first = 0;
   samples->last = -1;
-  if (!(from < along_at_.back() && to > 0)) return;  // not a number, or far away
-  const auto index = [&](double along) {
-    return static_cast<int>(std::lower_bound(along_at_.begin(), along_at_.end(), along) -
-                            along_at_.begin());
-  };
-  samples->first = std::max(index(from) - 1, 0);
-  samples->last = std::min(index(to), samples_ - 1);
+  if (!(from < coarse_.along.back() && to > 0)) return;  // not a number, or far away
+  const double per_sample = 0.5 / half_step_;
+  samples->first = std::max(static_cast<int>(std::ceil(from * per_sample)) - 1, 0);
+  samples->last =
+      std::min(static_cast<int>(std::ceil(std::min(to * per_sample, 1e6))), samples_ - 1);
+  SampleRow(a, coarse_, samples->first, samples->last + 1, samples->coarse);
+}
+
+void ContactSearch::SampleMiddles(const Axle& a, int from, int end,
+                                  Samples* samples) const noexcept {
+  SampleRow(a, middle_, std::max(from, samples->first), std::min(end, samples->last),
+            samples->middle);
+}
+
+PHS_WIDE void ContactSearch::SampleRow(const Axle& a, const Row& row, int first, int end,
+                                       double* depth) const noexcept {
   // y and z of the locus with beta = 1 - t^2 side^2/2; place in the rail's table.
   const double side = a.side * a.side;
   const double rail_end = static_cast<double>(rail_z_.size() - 2);
@@ -121,15 +136,14 @@ PHS_WIDE void ContactSearch::Sample(const Axle& a, Samples* samples) const noexc
   const double y2 = a.beta_y * rail_per_step_;
   const double y3 = a.alpha_y * rail_per_step_;
   const double z0 = a.z + a.ez * (half_tape_ + begin_);
+  const double *along = row.along.data(), *radius = row.down.data(), *slope = row.slope.data();
+  const double *square = row.square.data(), *cosine = row.cosine.data();
   double place[kMaxSamples];
   double z[kMaxSamples];
-  const int first = samples->first;
-  const int end = samples->last + 1;
   for (int i = first; i < end; ++i) {
-    const double down = radius_at_[i] - side * radius_square_[i];
-    const double at = y0 + y1 * along_at_[i] + y2 * down - y3 * radius_slope_[i];
-    place[i] = at;
-    z[i] = z0 + a.ez * along_at_[i] + a.beta_z * down - a.alpha_z * radius_slope_[i];
+    const double down = radius[i] - side * square[i];
+    place[i] = y0 + y1 * along[i] + y2 * down - y3 * slope[i];
+    z[i] = z0 + a.ez * along[i] + a.beta_z * down - a.alpha_z * slope[i];
   }
   bool doubtful = false;
   for (int i = first; i < end; ++i) {
@@ -137,15 +151,13 @@ PHS_WIDE void ContactSearch::Sample(const Axle& a, Samples* samples) const noexc
     const int j = static_cast<int>(std::min(std::max(place[i], 0.0), rail_end));
     const double below = rail_z_[j];
     const double rail_z = below + (place[i] - j) * (rail_z_[j + 1] - below);
-    samples->depth[i] = (z[i] - rail_z) * cosine_at_[i];
-    doubtful |= std::abs(samples->depth[i]) < kDoubt;
+    depth[i] = (z[i] - rail_z) * cosine[i];
+    doubtful |= std::abs(depth[i]) < kDoubt;
   }
   if (!doubtful) return;
   // Whether a sample overlaps at all is said by the rail itself.
   for (int i = first; i < end; ++i) {
-    if (std::abs(samples->depth[i]) < kDoubt) {
-      samples->depth[i] = LocusAt(a, WheelY(i)).overlap * cosine_at_[i];
-    }
+    if (std::abs(depth[i]) < kDoubt) depth[i] = LocusAt(a, begin_ + along[i]).overlap * cosine[i];
   }
 }
 
@@ -175,7 +187,7 @@ void ContactSearch::Find(const WheelPlacement& wheel, double rail_y, double rail
   Samples samples;
   Sample(axle, &samples);
   Humps humps;
-  FindHumps(axle, samples, &humps);
+  FindHumps(axle, &samples, &humps);
   found->count = 0;
   found->axle = {axle.ex, axle.ey, axle.ez};
   Moments moments[kMaxHumps];

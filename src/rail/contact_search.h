@@ -166,8 +166,8 @@ class ContactSearch {
     double top;    ///< deepest place: of a sample, or itself where `sample` is -1
     double depth;  ///< overlap there [m]
     int sample;
-    int beside;   ///< the last sample before `top` where it is none
-    bool joined;  ///< to the next one without a gap
+    int beside;          ///< the last coarse sample before `top` where it is none
+    bool joined, after;  ///< to the next one without a gap, to the one before
     bool at_end;
     Merge next;  ///< with the next hump
   };
@@ -186,16 +186,32 @@ class ContactSearch {
   struct Readings {
     double stored[kMaxHumps][kMaxHumps];
   };
+  /// Normal depth, h times the cosine of the wheel's slope, at equal distances: coarse ones over the
+  /// rail, and those in the middle between where overlap is looked at. Together they count as 0, 1, 2, …
+  /// from the first coarse one; sample 2 i is coarse[i], sample 2 i + 1 middle[i].
   struct Samples {
-    int first, last;
-    double depth[kMaxSamples];  ///< h times the cosine of the wheel's slope: normal depth
+    int first, last;  ///< of the coarse ones
+    double coarse[kMaxSamples], middle[kMaxSamples];
+    double At(int sample) const {
+      return sample % 2 == 0 ? coarse[sample / 2] : middle[sample / 2];
+    }
+  };
+  /// [sample] of the wheel: y beyond the first, R, R t, R t^2/2, cosine of the slope and its inverse.
+  struct Row {
+    std::vector<double> along, down, slope, square, cosine, stretch;
+    void Add(const Profile& wheel, double begin, double at, double radius);
   };
 
   void PlaceSamples(double step);
   void MeasureMargins();
   Axle PlaceAxle(const WheelPlacement& wheel, double rail_y, double rail_z) const noexcept;
   Locus LocusAt(const Axle& axle, double wheel_y) const noexcept;
+  /// The coarse ones.
   void Sample(const Axle& axle, Samples* samples) const noexcept;
+  /// Those after the coarse ones `from` … `end` - 1.
+  void SampleMiddles(const Axle& axle, int from, int end, Samples* samples) const noexcept;
+  void SampleRow(const Axle& axle, const Row& row, int first, int end,
+                 double* depth) const noexcept;
   /// Where wheel and rail have the same slope beside a sample: the deepest place, or with `sign` -1
   /// the ridge. `place`: on the wheel [m].
   Locus StationaryNear(const Axle& axle, const Samples& samples, int sample, double sign,
@@ -204,10 +220,13 @@ class ContactSearch {
   double StationaryBetween(const Axle& axle, double low, double high,
                            double sign = 1) const noexcept;
   /// Sets `next` of a hump, and where both meet.
-  void Link(const Axle& axle, const Samples& samples, Hump* hump, Hump* next) const noexcept;
-  void FindHumps(const Axle& axle, const Samples& samples, Humps* humps) const noexcept;
-  /// A hump that lies between a sample and the next, if there is one.
-  void AddBetween(const Axle& axle, int sample, Humps* humps) const noexcept;
+  void Link(const Axle& axle, Samples* samples, Hump* hump, Hump* next) const noexcept;
+  void FindHumps(const Axle& axle, Samples* samples, Humps* humps) const noexcept;
+  /// A hump that lies between a coarse sample and the next, if there is one.
+  void AddBetween(const Axle& axle, int coarse, Humps* humps) const noexcept;
+  /// The humps among the coarse samples `begin` … `end` that overlap, and beside them.
+  void AddRun(const Axle& axle, int begin, int end, Samples* samples, Humps* humps) const noexcept;
+  /// The humps of the samples `begin` … `end`, which all overlap.
   void SplitRun(const Samples& samples, int begin, int end, Humps* humps) const noexcept;
   Moments Integrate(const Axle& axle, const Hump& hump) const noexcept;
   static Readings ReadEnergies(const Moments* moments, int first, int last) noexcept;
@@ -224,9 +243,10 @@ class ContactSearch {
   static double StoredEnergy(double e) noexcept;
   void Describe(const Axle& axle, const Moments& moments, double stored,
                 Overlap* patch) const noexcept;
-  double WheelY(int sample) const { return begin_ + along_at_[static_cast<size_t>(sample)]; }
+  double WheelY(int sample) const { return begin_ + half_step_ * sample; }
   double Vertical(const Samples& samples, int i) const {
-    return samples.depth[i] * stretch_at_[static_cast<size_t>(i)];
+    const Row& row = i % 2 == 0 ? coarse_ : middle_;
+    return samples.At(i) * row.stretch[static_cast<size_t>(i / 2)];
   }
 
   Profile wheel_;
@@ -235,12 +255,11 @@ class ContactSearch {
   double radius_;
   ContactModulus modulus_;
   ContactNodes nodes_;
-  double begin_;  ///< first sampled wheel position [m]
-  int samples_;
-  std::vector<double> along_at_;  ///< [sample] wheel y beyond the first [m]
-  /// [sample] of the wheel: R, R t, R t^2/2, cosine of the slope and its inverse.
-  std::vector<double> radius_at_, radius_slope_, radius_square_, cosine_at_, stretch_at_;
-  std::vector<double> margin_;  ///< [sample] what a hump before the next may rise above both [m]
+  double begin_;      ///< first sampled wheel position [m]
+  double half_step_;  ///< between samples [m]
+  int samples_;       ///< coarse ones
+  Row coarse_, middle_;
+  std::vector<double> margin_;  ///< [coarse] what a hump before the next may rise above both [m]
   double most_margin_;
   double rail_begin_, rail_per_step_;
   std::vector<double> rail_z_;  ///< fine equidistant table for the samples
