@@ -3,6 +3,7 @@
 #include <cmath>
 #include <new>
 
+#include "base/wide.h"
 #include "plugin/binding_work.h"
 #include "plugin/kept_wheelsets.h"
 
@@ -36,7 +37,7 @@ void PlaceOnTrack(const mjData* d, const rail::Track& track, int body, WheelsetS
 
 /// Adds `scale` times the dampers of a wheel, about the point from which `arm` leads to the
 /// wheelset's centre; world axes.
-void AddDampers(const rail::WheelDamping& dampers, Side side, const rail::TrackFrame& frame,
+PHS_WIDE void AddDampers(const rail::WheelDamping& dampers, Side side, const rail::TrackFrame& frame,
                 const Vec3& arm, double scale, SpatialMatrix* sum) {
   for (int k = 0; k < dampers.count; ++k) {
     const auto& damper = dampers.damper[static_cast<size_t>(k)];

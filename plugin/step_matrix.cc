@@ -2,12 +2,14 @@
 
 #include <algorithm>
 
+#include "base/wide.h"
+
 namespace phs::plugin {
 namespace {
 
 /// to += factor from; the two do not overlap.
-inline void AddScaled(double factor, const double* __restrict from, int count,
-                      double* __restrict to) {
+PHS_WITHIN_WIDE void AddScaled(double factor, const double* __restrict from, int count,
+                               double* __restrict to) {
   for (int i = 0; i < count; ++i) to[i] += factor * from[i];
 }
 
@@ -24,8 +26,8 @@ void StepMatrix::AddOuter(double coefficient, const double* row) {
   }
 }
 
-void StepMatrix::AddSpatial(const SpatialMatrix& damping, const double* motions, const int* dofs,
-                            int count) {
+PHS_WIDE void StepMatrix::AddSpatial(const SpatialMatrix& damping, const double* motions,
+                                     const int* dofs, int count) {
   // Component by component, so that neighbouring dofs go side by side; four at a time.
   constexpr int kBlock = 4;
   double c[6][kMaxChain], y[6][kMaxChain];
@@ -53,7 +55,7 @@ void StepMatrix::AddSpatial(const SpatialMatrix& damping, const double* motions,
   }
 }
 
-bool StepMatrix::Factor() {
+PHS_WIDE bool StepMatrix::Factor() {
   for (int k = m_->nv - 1; k >= 0; --k) {
     double* own = entries_ + m_->dof_Madr[k];
     if (!(own[0] > 0)) return false;

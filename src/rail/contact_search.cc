@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kWheelStep = 1.2e-3;  ///< of the coarse samples [m]
 constexpr double kRailStep = 0.125e-3;
-constexpr double kBeyond = 6e-3;  ///< samples beyond the ends of the rail [m]
+constexpr double kBeyond = 4e-3;  ///< samples beyond the ends of the rail [m]
 constexpr double kDoubt = 2e-6;   ///< chords of the rail's table are this near to it, normal [m]
 /// Flattest relative curvature across: conformal regions carry a wide but finite patch.
 constexpr double kFlattest = 0.05;
@@ -38,8 +38,10 @@ ContactSearch::ContactSearch(Profile wheel, Profile rail, double half_tape, doub
   const int pieces = static_cast<int>(std::ceil(rail_width / kRailStep));
   rail_begin_ = rail_.min_y();
   rail_per_step_ = pieces / rail_width;
-  for (int i = 0; i <= pieces; ++i) rail_z_.push_back(rail_.At(rail_begin_ + i / rail_per_step_).z);
-  rail_z_.push_back(2 * rail_z_.back() - rail_z_[rail_z_.size() - 2]);
+  for (int i = 0; i < pieces; ++i) {
+    const double z = rail_.At(rail_begin_ + i / rail_per_step_).z;
+    rail_pieces_.push_back({z, rail_.At(rail_begin_ + (i + 1) / rail_per_step_).z - z});
+  }
 }
 
 void ContactSearch::PlaceSamples(double step) {
@@ -130,7 +132,7 @@ PHS_WIDE void ContactSearch::SampleRow(const Axle& a, const Row& row, int first,
                                        double* depth) const noexcept {
   // y and z of the locus with beta = 1 - t^2 side^2/2; place in the rail's table.
   const double side = a.side * a.side;
-  const double rail_end = static_cast<double>(rail_z_.size() - 2);
+  const double rail_end = static_cast<double>(rail_pieces_.size() - 1);
   const double y0 = (a.y + a.ey * (half_tape_ + begin_) - rail_begin_) * rail_per_step_;
   const double y1 = a.ey * rail_per_step_;
   const double y2 = a.beta_y * rail_per_step_;
@@ -138,23 +140,29 @@ PHS_WIDE void ContactSearch::SampleRow(const Axle& a, const Row& row, int first,
   const double z0 = a.z + a.ez * (half_tape_ + begin_);
   const double *along = row.along.data(), *radius = row.down.data(), *slope = row.slope.data();
   const double *square = row.square.data(), *cosine = row.cosine.data();
-  double place[kMaxSamples];
-  double z[kMaxSamples];
+  // Loop by loop, so that all but the look-up itself is done for several samples at a time.
+  double beyond[kMaxSamples], z[kMaxSamples];
+  int piece[kMaxSamples];
   for (int i = first; i < end; ++i) {
     const double down = radius[i] - side * square[i];
-    place[i] = y0 + y1 * along[i] + y2 * down - y3 * slope[i];
+    const double place = y0 + y1 * along[i] + y2 * down - y3 * slope[i];
     z[i] = z0 + a.ez * along[i] + a.beta_z * down - a.alpha_z * slope[i];
-  }
-  bool doubtful = false;
-  for (int i = first; i < end; ++i) {
     // Beyond the ends the rail goes on straight, as its profile does.
-    const int j = static_cast<int>(std::min(std::max(place[i], 0.0), rail_end));
-    const double below = rail_z_[j];
-    const double rail_z = below + (place[i] - j) * (rail_z_[j + 1] - below);
-    depth[i] = (z[i] - rail_z) * cosine[i];
-    doubtful |= std::abs(depth[i]) < kDoubt;
+    double inside = place > 0 ? place : 0;
+    inside = inside < rail_end ? inside : rail_end;
+    piece[i] = static_cast<int>(inside);
+    beyond[i] = place - piece[i];
   }
-  if (!doubtful) return;
+  for (int i = first; i < end; ++i) {
+    const RailPiece& p = rail_pieces_[static_cast<size_t>(piece[i])];
+    z[i] -= p.z + beyond[i] * p.rise;
+  }
+  int doubtful = 0;
+  for (int i = first; i < end; ++i) {
+    depth[i] = z[i] * cosine[i];
+    doubtful += std::abs(depth[i]) < kDoubt ? 1 : 0;
+  }
+  if (doubtful == 0) return;
   // Whether a sample overlaps at all is said by the rail itself.
   for (int i = first; i < end; ++i) {
     if (std::abs(depth[i]) < kDoubt) depth[i] = LocusAt(a, begin_ + along[i]).overlap * cosine[i];

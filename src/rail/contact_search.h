@@ -196,6 +196,9 @@ class ContactSearch {
       return sample % 2 == 0 ? coarse[sample / 2] : middle[sample / 2];
     }
   };
+  struct RailPiece {
+    double z, rise;
+  };
   /// [sample] of the wheel: y beyond the first, R, R t, R t^2/2, cosine of the slope and its inverse.
   struct Row {
     std::vector<double> along, down, slope, square, cosine, stretch;
@@ -262,7 +265,7 @@ class ContactSearch {
   std::vector<double> margin_;  ///< [coarse] what a hump before the next may rise above both [m]
   double most_margin_;
   double rail_begin_, rail_per_step_;
-  std::vector<double> rail_z_;  ///< fine equidistant table for the samples
+  std::vector<RailPiece> rail_pieces_;  ///< fine equidistant chords for the samples
 };
 
 }  // namespace phs::rail
