@@ -78,34 +78,17 @@ ContactSearch::Locus ContactSearch::StationaryNear(const Axle& axle, const Sampl
 
 double ContactSearch::StationaryBetween(const Axle& axle, double low, double high,
                                         double sign) const noexcept {
-  // The slopes of wheel and rail agree: false position that does not get stuck (Illinois).
-  const auto difference = [&](double at) {
+  // The slopes of wheel and rail agree. By halves: beside a steep end of the rail nothing else is sure.
+  const auto deeper = [&](double at) {
     const Locus l = LocusAt(axle, at);
-    return sign * (l.slope - l.rail_slope);  // > 0: deeper further out
+    return sign * (l.slope - l.rail_slope) > 0;  // further out
   };
-  double f_low = difference(low);
-  double f_high = difference(high);
-  if (!(f_low > 0 && f_high < 0)) return 0.5 * (low + high);
-  int side = 0;
-  double at = low;
-  for (int i = 0; i < 30; ++i) {
-    const double next = (low * f_high - high * f_low) / (f_high - f_low);
-    if (std::abs(next - at) < kPlace) return next;
-    at = next;
-    const double f = difference(at);
-    if (f > 0) {
-      low = at;
-      f_low = f;
-      if (side == 1) f_high *= 0.5;
-      side = 1;
-    } else {
-      high = at;
-      f_high = f;
-      if (side == -1) f_low *= 0.5;
-      side = -1;
-    }
+  if (!deeper(low) || deeper(high)) return 0.5 * (low + high);
+  while (high - low > kPlace) {
+    const double middle = 0.5 * (low + high);
+    (deeper(middle) ? low : high) = middle;
   }
-  return at;
+  return 0.5 * (low + high);
 }
 
 void ContactSearch::FindHumps(const Axle& axle, Samples* samples, Humps* humps) const noexcept {

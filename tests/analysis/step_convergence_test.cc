@@ -1,11 +1,12 @@
-// Numbers of a run at the default step against half of it. The step is of second order
-// (StepOrderTest), so that four thirds of the change is what the default step errs.
+// Numbers of a run at the step of the shipped scenarios against half of it. The step is of second order
+// (StepOrderTest), so that four thirds of the change is what the step errs.
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <map>
 #include <string>
 
+#include "vehicle/scenario_file.h"
 #include "vehicle/simulation.h"
 #include "vehicle/summary.h"
 
@@ -85,9 +86,16 @@ bool IsJudged(const std::string& name) {
   return true;
 }
 
+/// The step that a shipped scenario says.
+double ShippedStep(const std::string& name) {
+  const auto scenario = LoadScenario(name);
+  EXPECT_TRUE(scenario.ok()) << scenario.error().Line();
+  return scenario.value().timestep_s;
+}
+
 /// Every number changes by at most `share` under half the step, signed ones by `share_of_scale`.
 void ExpectConverged(const Scenario& scenario, double share, double share_of_scale) {
-  const double step = kDefaultStep_s;
+  const double step = ShippedStep("curve_r550");
   const Numbers coarse = RunAt(scenario, step);
   const Numbers fine = RunAt(scenario, step / 2);
   const auto scales = Scales(fine);
@@ -136,7 +144,7 @@ TEST(StepConvergenceTest, WearOnRoughTrackWithinTwoPercentOfItsLimit) {
     }
     return sum;
   };
-  const double step = kDefaultStep_s / 2;  // that of the shipped rough scenarios
+  const double step = ShippedStep("curve_r550_rough");
   const double coarse = wear(RunAt(s, step));
   const double fine = wear(RunAt(s, step / 2));
   EXPECT_GT(fine, 10);

@@ -200,9 +200,8 @@ double ForceAt(const ContactSearch& search, const WheelPlacement& place) {
 }
 
 // Any pose between climbing flanges, new and hollow tread: lowered by 1 um at a time from the
-// first touch, the force only grows, and halving a step finds no force that appears at once. What
-// lies between two samples of the wheel is seen late: at one pose in some thousand, a flange root
-// yawed by more than 20 mrad, the force steps by up to 9 %. Such yaw is left out here.
+// first touch, the force only grows, and halving a step finds no force that appears at once. (Yawed by
+// more than 30 mrad, one flange in a thousand touches between two samples, which is seen late.)
 RC_GTEST_PROP(ContactSearch, ForceGrowsWithDepthAndNeverJumps, ()) {
   static const ContactSearch fresh = Pair(ProfilePath("S1002.prw"), ProfilePath("UIC60.prr"));
   static const ContactSearch hollow = [] {
@@ -214,7 +213,7 @@ RC_GTEST_PROP(ContactSearch, ForceGrowsWithDepthAndNeverJumps, ()) {
   const ContactSearch& search = *rc::gen::inRange(0, 2) == 0 ? fresh : hollow;
   const double side = *rc::gen::inRange(-10000, 10000);
   const double roll = *rc::gen::inRange(-11000, 11000);
-  const double yaw = *rc::gen::inRange(-18000, 18000);
+  const double yaw = *rc::gen::inRange(-30000, 30000);
   WheelPlacement place{1e-6 * side, 0, 1e-6 * roll, 1e-6 * yaw};
   double above = -kRadius - 0.03;
   double below = -kRadius + 0.03;
@@ -239,7 +238,7 @@ RC_GTEST_PROP(ContactSearch, ForceGrowsWithDepthAndNeverJumps, ()) {
         (lower ? high : low) = middle;
         (lower ? f_high : f_low) = f;
       }
-      RC_ASSERT(f_high - f_low < 1.5e-2 * force + 100);
+      RC_ASSERT(f_high - f_low < 3e-3 * force + 50);
     }
     before = force;
   }
