@@ -10,6 +10,7 @@ constexpr int kIterations = 40;
 constexpr int kRounds = 12;
 constexpr double kTolerance = 1e-8;  ///< [m]
 constexpr double kBack = 0.01;
+constexpr double kLongest = 5;  ///< step over rest
 
 double Dot(const Vec3& a, const Vec3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
@@ -23,8 +24,10 @@ void BendUnder(const Overlaps& found, const RailSupport& s, const Vec3& from, Ve
   Vec3 normal[kMaxOverlaps];
   for (int i = 0; i < found.count; ++i) {
     const Overlap& p = found.patch[static_cast<size_t>(i)];
-    normal[i] = NormalOf(p);
-    stiffness[i] = p.weight * std::sqrt(Dot(p.push, p.push)) / (p.depth * std::sqrt(p.depth));
+    // Where humps merge a patch pushes a little beside its own normal.
+    const double push = std::sqrt(p.push[1] * p.push[1] + p.push[2] * p.push[2]);
+    normal[i] = {0, p.push[1] / push, p.push[2] / push};
+    stiffness[i] = p.weight * push / (p.depth * std::sqrt(p.depth));
   }
   for (int iteration = 0; iteration < kIterations; ++iteration) {
     // Residual in displacements, r = w - F(w)/k; jacobian = 1 + sum N' n n / k.
@@ -65,8 +68,10 @@ Vec3 FindOnSupport(const ContactSearch& search, const WheelPlacement& wheel, dou
   search.FindPoints(wheel, rail_y, rail_z, ContactSearch::Depth::kNormal, found);
   if (found->count == 0) return {};
   BendUnder(*found, s, {}, &w);
-  Vec3 last_w{};
-  Vec3 last_move{};
+  // r(w) = G(w) - w with G the place under held shapes; its slope is -1 but for what the shapes do
+  // (Broyden 1965).
+  Eigen::Matrix2d slope = -Eigen::Matrix2d::Identity();
+  Eigen::Vector2d step, before;
   for (int round = 0; round < kRounds; ++round) {
     search.Find(wheel, rail_y + w[1], rail_z + w[2], found);
     // A guess may lie beyond the end of contact.
@@ -74,19 +79,18 @@ Vec3 FindOnSupport(const ContactSearch& search, const WheelPlacement& wheel, dou
       for (size_t i = 1; i < 3; ++i) w[i] *= 1 - back;
       search.Find(wheel, rail_y + w[1], rail_z + w[2], found);
     }
-    const Vec3 before = w;
-    BendUnder(*found, s, before, &w);
-    const Vec3 move = {0, w[1] - before[1], w[2] - before[2]};
+    const Vec3 from = w;
+    BendUnder(*found, s, from, &w);
+    const Eigen::Vector2d rest(w[1] - from[1], w[2] - from[2]);
     // The last bit is done with the shapes held.
-    if (std::abs(move[1]) + std::abs(move[2]) < kTolerance) return move;
-    // Shapes that alternate: the root of the moves between both places.
-    const double back = Dot(last_move, move);
-    if (back < 0) {
-      const double share = Dot(last_move, last_move) / (Dot(last_move, last_move) - back);
-      for (size_t i = 1; i < 3; ++i) w[i] = last_w[i] + share * (before[i] - last_w[i]);
+    if (rest.lpNorm<1>() < kTolerance) return {0, rest[0], rest[1]};
+    if (round > 0) {
+      slope += (rest - before - slope * step) * step.transpose() / step.squaredNorm();
     }
-    last_w = before;
-    last_move = move;
+    step = -slope.inverse() * rest;
+    if (!(step.norm() < kLongest * rest.norm())) step = rest;
+    before = rest;
+    w = {0, from[1] + step[0], from[2] + step[1]};
   }
   search.Find(wheel, rail_y + w[1], rail_z + w[2], found);
   return {};

@@ -2,9 +2,9 @@
 //
 // It stands displaced by w where the springs balance the contact, k w = F(w): the patches found
 // with the rail at w give F, and with their shapes held F falls as Hertz's force, by depth^1.5 of
-// each patch. Newton on the held shapes, a new search, and so on until the rest is below 1 um. The
-// first guess takes the deepest points of the undisplaced rail, as it gives way far more than the
-// contact.
+// each patch. Newton on the held shapes, a new search, Broyden's method for what the shapes change,
+// until the rest is below 0.01 um. The first guess takes the deepest points of the undisplaced rail,
+// as it gives way far more than the contact.
 #pragma once
 
 #include "rail/contact_search.h"

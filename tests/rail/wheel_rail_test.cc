@@ -306,28 +306,6 @@ TEST(WheelRail, NoCycleDeliversEnergy) {
   }
 }
 
-TEST(WheelRail, ElasticSupportIsInSeriesWithTheContact) {
-  const WheelRail pair = Create(StandardPair());
-  for (const RailSupport& support :
-       {RailSupport{0, 0, 6e7, 0}, RailSupport{2e7, 0, 4e7, 0}, RailSupport{5e6, 0, 1e9, 0}}) {
-    for (const double y : {-5e-3, 0.0, 5e-3, 6.5e-3}) {
-      WheelsetMotion m = Rolling(pair, 20, y, 0, 3e-3);
-      const WheelRailForces f = Load(pair, 8e4, &m, support);
-      ASSERT_GT(f.count, 0);
-      // Rigid rail displaced by hand: the same forces.
-      const RailOffset moved{-f.rail_lateral, -f.rail_vertical, 0, 0};
-      const WheelRailForces rigid = Calc(pair, m, {}, moved);
-      EXPECT_NEAR(-rigid.force[2], 8e4, 800);
-      EXPECT_NEAR(f.rail_vertical * support.vertical_stiffness_N_per_m, -f.elastic_force[2], 800);
-      if (support.lateral_stiffness_N_per_m > 0) {
-        EXPECT_NEAR(f.rail_lateral * support.lateral_stiffness_N_per_m, -f.elastic_force[1], 800);
-      } else {
-        EXPECT_EQ(f.rail_lateral, 0);
-      }
-    }
-  }
-}
-
 TEST(WheelRail, LiftedWheelHasNoForce) {
   const WheelRail pair = Create(StandardPair());
   WheelsetMotion m = Rolling(pair, 20, 0, 0, 0);
@@ -408,24 +386,6 @@ TEST(WheelRail, ReferenceSpeedIsTheMeanOfBothBodies) {
   WheelsetMotion m = Rolling(pair, 20, 0, 0, 0);
   m.rotation = {};  // locked wheel
   EXPECT_NEAR(Load(pair, 6e4, &m).patch[0].xi, -2, 1e-9);
-}
-
-TEST(WheelRail, TheDamperOfTheSupportTakesPower) {
-  WheelRailParams params = StandardPair();
-  params.damping_ratio = 0;
-  const WheelRail pair = Create(params);
-  WheelsetMotion m = Rolling(pair, 20, 0, 0, 0);
-  m.vertical = pair.touching_height() + 2e-3;
-  m.velocity[2] = 0.02;  // downwards
-  const RailSupport springs{3e7, 0, 7e7, 0};
-  RailSupport dampers = springs;
-  dampers.vertical_damping_Ns_per_m = 9e4;
-  const WheelRailForces without = Calc(pair, m, springs, {}, Side::kRight);
-  const WheelRailForces with = Calc(pair, m, dampers, {}, Side::kRight);
-  EXPECT_NEAR(without.damping_power, 0, 1e-9);
-  // The rail gives way by nearly all of the motion: c v^2, a little less.
-  EXPECT_NEAR(with.damping_power, 9e4 * 0.02 * 0.02, 0.2 * 36);
-  EXPECT_NEAR(with.force[2] - without.force[2], -9e4 * 0.02, 0.1 * 1800);
 }
 
 struct BadParams {
