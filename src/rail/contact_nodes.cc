@@ -18,17 +18,46 @@ double Curvature(const Profile& p, double y) {
   return s.second / std::pow(1 + s.slope * s.slope, 1.5);
 }
 
-/// The rail's place with the slope nearest to `slope`.
-double PartnerOf(const Profile& rail, double slope) {
-  double best = rail.min_y();
-  double least = 1e9;
+/// Angle and curvature over a rail.
+struct RailPoint {
+  double angle, curvature;
+};
+std::vector<RailPoint> PointsOf(const Profile& rail) {
+  std::vector<RailPoint> points;
   for (double y = rail.min_y(); y <= rail.max_y(); y += kPiece) {
-    const double off = std::abs(std::atan(rail.At(y).slope) - std::atan(slope));
-    if (off >= least) continue;
-    least = off;
-    best = y;
+    points.push_back({std::atan(rail.At(y).slope), Curvature(rail, y)});
   }
-  return best;
+  return points;
+}
+
+/// The rail's curvature where its slope is nearest to `slope`.
+double PartnersCurvature(const std::vector<RailPoint>& rail, double slope) {
+  const double angle = std::atan(slope);
+  return std::min_element(rail.begin(), rail.end(),
+                          [&](const RailPoint& a, const RailPoint& b) {
+                            return std::abs(a.angle - angle) < std::abs(b.angle - angle);
+                          })
+      ->curvature;
+}
+
+/// Means over +-kEven of way `arc`; `stretch`: what a place counts for.
+std::vector<double> EvenedOut(const std::vector<double>& values, const std::vector<double>& arc,
+                              const std::vector<double>& stretch) {
+  std::vector<double> even;
+  size_t first = 0;
+  for (size_t i = 0; i < values.size(); ++i) {
+    while (arc[i] - arc[first] > kEven) ++first;
+    double sum = 0;
+    double weights = 0;
+    for (size_t j = first; j < values.size() && arc[j] - arc[i] < kEven; ++j) {
+      const double away = (arc[j] - arc[i]) / kEven;
+      const double weight = (1 - away * away) * (1 - away * away) * stretch[j];
+      sum += weight * values[j];
+      weights += weight;
+    }
+    even.push_back(sum / weights);
+  }
+  return even;
 }
 
 }  // namespace
@@ -41,6 +70,7 @@ ContactNodes::ContactNodes(const Profile& wheel, const Profile& rail, double rad
   const double piece = width / static_cast<double>(pieces);
   const auto along = [&](double i) { return begin_ + piece * i; };
   per_piece_ = 1 / piece;
+  const std::vector<RailPoint> rail_points = PointsOf(rail);
   // [end of a piece] ds/dy, way along the surface, sqrt(B).
   std::vector<double> stretch, arc, root;
   for (size_t i = 0; i <= pieces; ++i) {
@@ -48,22 +78,13 @@ ContactNodes::ContactNodes(const Profile& wheel, const Profile& rail, double rad
     const double slope = wheel.At(y).slope;
     stretch.push_back(std::sqrt(1 + slope * slope));
     arc.push_back(i == 0 ? 0 : arc.back() + 0.5 * piece * (stretch[i - 1] + stretch[i]));
-    const double b = 0.5 * (Curvature(rail, PartnerOf(rail, slope)) - Curvature(wheel, y));
+    const double b = 0.5 * (PartnersCurvature(rail_points, slope) - Curvature(wheel, y));
     root.push_back(std::sqrt(std::clamp(b, kFlattest, kSharpest)));
   }
   const double step = 2 * std::sqrt(kDepth) / (kNodesInIt * fineness);
-  size_t first = 0;
+  const std::vector<double> even = EvenedOut(root, arc, stretch);
   for (size_t i = 0; i <= pieces; ++i) {
-    while (arc[i] - arc[first] > kEven) ++first;
-    double sum = 0;
-    double weights = 0;
-    for (size_t j = first; j <= pieces && arc[j] - arc[i] < kEven; ++j) {
-      const double away = std::abs(arc[j] - arc[i]) / kEven;
-      const double weight = (1 - away * away) * (1 - away * away) * stretch[j];
-      sum += weight * root[j];
-      weights += weight;
-    }
-    density_.push_back(sum / weights * stretch[i] / step);
+    density_.push_back(even[i] * stretch[i] / step);
     place_.push_back(i == 0 ? 0 : place_.back() + 0.5 * piece * (density_[i - 1] + density_[i]));
   }
   size_t i = 0;

@@ -117,8 +117,7 @@ void ContactSearch::Sample(const Axle& a, Samples* samples) const noexcept {
   if (!(from < coarse_.along.back() && to > 0)) return;  // not a number, or far away
   const double per_sample = 0.5 / half_step_;
   samples->first = std::max(static_cast<int>(std::ceil(from * per_sample)) - 1, 0);
-  samples->last =
-      std::min(static_cast<int>(std::ceil(std::min(to * per_sample, 1e6))), samples_ - 1);
+  samples->last = std::min(static_cast<int>(std::ceil(to * per_sample)), samples_ - 1);
   SampleRow(a, coarse_, samples->first, samples->last + 1, samples->coarse);
 }
 

@@ -88,20 +88,23 @@ Status CheckStep(mjModel* m, const mjData* d, const Eigen::VectorXd& activations
   if (!(h > 0 && h <= kLongest)) {
     return Error{"timestep_s", "is " + std::to_string(h) + " s", "1e-6 … 0.05 s", ""};
   }
-  double low = kSmallest;
-  double high = std::max(kLargest, h);
-  if (Stable(m, d, activations, high)) {
-    low = high;
-  } else if (!Stable(m, d, activations, low)) {
-    low = 0;
-  } else {
-    for (int i = 0; i < 10; ++i) {
-      const double middle = std::sqrt(low * high);
-      (Stable(m, d, activations, middle) ? low : high) = middle;
-    }
+  // From the step itself by doubles or halves, then to 2 % below.
+  const bool holds = Stable(m, d, activations, h);
+  double low = h, high = h;
+  while (holds && low == high && high < kLargest) {
+    high *= 2;
+    if (Stable(m, d, activations, high)) low = high;
+  }
+  while (!holds && low == high && low > 0) {
+    low = low > kSmallest ? std::max(0.5 * low, kSmallest) : 0;
+    if (low > 0 && !Stable(m, d, activations, low)) high = low;
+  }
+  for (int i = 0; i < 5 && low > 0 && low < high; ++i) {
+    const double middle = std::sqrt(low * high);
+    (Stable(m, d, activations, middle) ? low : high) = middle;
   }
   *largest = low;
-  if (h <= low || Stable(m, d, activations, h)) return {};
+  if (holds) return {};
   if (low == 0) {
     return Error{"vehicle", "does not stand on straight track at any step", "",
                  "check profiles, gauge, masses and springs"};
