@@ -7,7 +7,7 @@ namespace phs::rail {
 namespace {
 
 constexpr double kDepth = 80e-6;   ///< of a hump under a usual load [m]
-constexpr double kNodesInIt = 14;  ///< in that hump
+constexpr double kNodesInIt = 20;  ///< in that hump
 constexpr double kPiece = 0.1e-3;
 constexpr double kFlattest = 1, kSharpest = 60;  ///< B [1/m]
 constexpr double kEven = 3e-3;                   ///< half, along the surface [m]

@@ -8,7 +8,7 @@
 namespace phs::rail {
 namespace {
 
-constexpr double kWheelStep = 1.2e-3;  ///< of the coarse samples [m]
+constexpr double kWheelStep = 0.9e-3;  ///< of the coarse samples [m]
 constexpr double kRailStep = 0.125e-3;
 constexpr double kBeyond = 4e-3;  ///< samples beyond the ends of the rail [m]
 constexpr double kDoubt = 2e-6;   ///< chords of the rail's table are this near to it, normal [m]

@@ -37,7 +37,7 @@ struct WheelRailParams {
   std::string wheel_profile;                  ///< path: .prw, or a plain y,z table
   std::string rail_profile;                   ///< path: .prr, or a plain y,z table
   TreadWear wear;                             ///< of the wheel profile
-  int contact_fineness = 1;                   ///< of the normal contact's grid: 1, 2 or 4
+  int contact_fineness = 1;                   ///< of the normal contact's grid: 1 … 4
   double gauge = 1.067;                       ///< [m]
   double gauge_height = 0.014;                ///< depth of the gauge points below the rail top [m]
   double rail_cant = 0;  ///< inclination of the rail section, > 0 towards the track [rad]

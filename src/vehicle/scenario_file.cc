@@ -83,7 +83,6 @@ Result<Scenario> ReadScenario(YamlMap map, const std::string& naming) {
     map.Fail("creep", e.error().what, e.error().allowed, e.error().mend);
   }
   s.contact_fineness = map.Integer("contact_fineness", 1, 4, s.contact_fineness);
-  if (s.contact_fineness == 3) map.Fail("contact_fineness", "is 3", "1, 2 or 4");
   s.phs = file("phs", s.phs);
   if (map.Has("speed_m_s")) {
     s.speed_m_s = map.Number("speed_m_s", {.min = 1, .max = 120});

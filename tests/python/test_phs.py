@@ -85,7 +85,7 @@ class RunTest(Folder):
     def test_keywords_and_dicts_are_scenarios(self):
         as_name = phs.run("curve_r550", speed_km_h=60, duration_s=0.2)
         whole = {"track": "curve_r550", "bogie": "phs", "speed_km_h": 60, "wheel": "S1002",
-                 "rail": "UIC60", "friction": 0.35, "creep": "kalker_table", "timestep_s": 0.001,
+                 "rail": "UIC60", "friction": 0.35, "creep": "kalker_table", "timestep_s": 0.00125,
                  "record_interval_s": 0.01, "duration_s": 0.2}
         as_dict = phs.run(whole)
         self.assertAlmostEqual(as_name["speed_m_s"][-1], 60 / 3.6, places=2)
@@ -110,7 +110,7 @@ class RunTest(Folder):
                                         both["phs"]["lead_lateral_m"]))
         self.assertIn("phs_over_rigid_link", both.ratios)
         verified = phs.run("curve_r550", duration_s=0.5, verify=True)
-        self.assertEqual(verified.summary["discretisation"]["half_step_s"], 0.0005)
+        self.assertEqual(verified.summary["discretisation"]["half_step_s"], 0.000625)
 
     def test_errors_say_where_what_and_how(self):
         (self.folder / "there").mkdir()
