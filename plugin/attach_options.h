@@ -17,9 +17,9 @@ struct AttachOptions {
   std::string wheel_profile;
   std::string rail_profile;
   std::string creep_law;
-  int contact_fineness =
-      1;                  ///< so many times more samples and nodes of the normal contact: 1 … 4
-  std::string phs_model;  ///< replaces the model of every PHS system
+  /// So many times more samples and nodes of the normal contact: 1 … 4.
+  int contact_fineness = 1;
+  std::string phs_model;              ///< replaces the model of every PHS system
   rail::FrictionSettings friction;    ///< of wheel on rail
   double speed_m_s = kUnset;          ///< target of the speed hold
   double start_s_m = kUnset;          ///< arc length of the rearmost wheelset at the start

@@ -37,8 +37,9 @@ void PlaceOnTrack(const mjData* d, const rail::Track& track, int body, WheelsetS
 
 /// Adds `scale` times the dampers of a wheel, about the point from which `arm` leads to the
 /// wheelset's centre; world axes.
-PHS_WIDE void AddDampers(const rail::WheelDamping& dampers, Side side, const rail::TrackFrame& frame,
-                const Vec3& arm, double scale, SpatialMatrix* sum) {
+PHS_WIDE void AddDampers(const rail::WheelDamping& dampers, Side side,
+                         const rail::TrackFrame& frame, const Vec3& arm, double scale,
+                         SpatialMatrix* sum) {
   for (int k = 0; k < dampers.count; ++k) {
     const auto& damper = dampers.damper[static_cast<size_t>(k)];
     const Vec3 force = ToWorld(frame, rail::MirrorPolar(damper.force, side));

@@ -22,7 +22,8 @@ void ContactSearch::Link(const Axle& axle, Samples* samples, Hump* hump,
   Merge& merge = hump->next;
   const int from = hump->sample < 0 ? hump->beside + 2 : hump->sample;
   const int to = next->sample < 0 ? next->beside : next->sample;
-  if (!hump->joined) SampleMiddles(axle, from / 2, (to + 1) / 2, samples);
+  // Both neighbours of each are looked at.
+  if (!hump->joined) SampleMiddles(axle, from / 2 - 1, to / 2 + 1, samples);
   int lowest = from;
   for (int i = from; i <= to; ++i) lowest = Vertical(s, i) < Vertical(s, lowest) ? i : lowest;
   const double between = Vertical(s, lowest);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "rail/arc_mean.h"
+
 namespace phs::rail {
 namespace {
 
@@ -99,20 +101,8 @@ class Table {
       const double slope = rail_.At(y).slope;
       arc.push_back(arc.back() + std::sqrt(1 + slope * slope) / per_step_);
     }
-    std::vector<double> even;
-    size_t first = 0;
-    for (size_t i = 0; i < modulus_.size(); ++i) {
-      while (arc[i] - arc[first] > kEven) ++first;
-      double sum = 0;
-      double weights = 0;
-      for (size_t j = first; j < modulus_.size() && arc[j] - arc[i] < kEven; ++j) {
-        const double weight = 1 - std::abs(arc[j] - arc[i]) / kEven;
-        sum += weight * modulus_[j];
-        weights += weight;
-      }
-      even.push_back(sum / weights);
-    }
-    return even;
+    const std::vector<double> same(modulus_.size(), 1);
+    return MeanOverArc(modulus_, arc, same, kEven, [](double away) { return 1 - away; });
   }
 
  private:

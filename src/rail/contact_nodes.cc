@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "rail/arc_mean.h"
+
 namespace phs::rail {
 namespace {
 
@@ -24,7 +26,9 @@ struct RailPoint {
 };
 std::vector<RailPoint> PointsOf(const Profile& rail) {
   std::vector<RailPoint> points;
-  for (double y = rail.min_y(); y <= rail.max_y(); y += kPiece) {
+  const auto count = static_cast<int>((rail.max_y() - rail.min_y()) / kPiece);
+  for (int i = 0; i <= count; ++i) {
+    const double y = rail.min_y() + kPiece * i;
     points.push_back({std::atan(rail.At(y).slope), Curvature(rail, y)});
   }
   return points;
@@ -38,26 +42,6 @@ double PartnersCurvature(const std::vector<RailPoint>& rail, double slope) {
                             return std::abs(a.angle - angle) < std::abs(b.angle - angle);
                           })
       ->curvature;
-}
-
-/// Means over +-kEven of way `arc`; `stretch`: what a place counts for.
-std::vector<double> EvenedOut(const std::vector<double>& values, const std::vector<double>& arc,
-                              const std::vector<double>& stretch) {
-  std::vector<double> even;
-  size_t first = 0;
-  for (size_t i = 0; i < values.size(); ++i) {
-    while (arc[i] - arc[first] > kEven) ++first;
-    double sum = 0;
-    double weights = 0;
-    for (size_t j = first; j < values.size() && arc[j] - arc[i] < kEven; ++j) {
-      const double away = (arc[j] - arc[i]) / kEven;
-      const double weight = (1 - away * away) * (1 - away * away) * stretch[j];
-      sum += weight * values[j];
-      weights += weight;
-    }
-    even.push_back(sum / weights);
-  }
-  return even;
 }
 
 }  // namespace
@@ -82,7 +66,8 @@ ContactNodes::ContactNodes(const Profile& wheel, const Profile& rail, double rad
     root.push_back(std::sqrt(std::clamp(b, kFlattest, kSharpest)));
   }
   const double step = 2 * std::sqrt(kDepth) / (kNodesInIt * fineness);
-  const std::vector<double> even = EvenedOut(root, arc, stretch);
+  const std::vector<double> even = MeanOverArc(
+      root, arc, stretch, kEven, [](double away) { return (1 - away * away) * (1 - away * away); });
   for (size_t i = 0; i <= pieces; ++i) {
     density_.push_back(even[i] * stretch[i] / step);
     place_.push_back(i == 0 ? 0 : place_.back() + 0.5 * piece * (density_[i - 1] + density_[i]));

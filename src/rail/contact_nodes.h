@@ -8,7 +8,8 @@
 //
 // The nodes never move and never change with the overlap. So the sum of kappa g^4 over them is a
 // smooth function of the wheelset's position, whose slope is the force to the last digit: no event of
-// the grid shakes the wheelset.
+// the grid shakes the wheelset. The price: a touch is felt when it reaches a node, up to 0.3 um of depth
+// (some 20 N) late.
 #pragma once
 
 #include <vector>
@@ -30,8 +31,8 @@ struct ContactNodes {
 
  private:
   double begin_, per_piece_;
-  std::vector<double> density_,
-      place_;  ///< [end of a piece] nodes per metre across, nodes from the first
+  std::vector<double> density_;  ///< [end of a piece] nodes per metre across
+  std::vector<double> place_;    ///< [end of a piece] in nodes from the first
 };
 
 }  // namespace phs::rail

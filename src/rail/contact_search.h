@@ -135,7 +135,7 @@ class ContactSearch {
   double half_tape() const { return half_tape_; }
 
  private:
-  static constexpr int kMaxSamples = 512;
+  static constexpr int kMaxSamples = 1024;
   static constexpr int kMaxHumps = 3;
   static constexpr int kMaxNodes = 1024;
 

@@ -32,10 +32,11 @@ TEST(CreepSlope, OfTheTableEqualsCentredDifferences) {
     EXPECT_EQ(f.x, same.x);
     EXPECT_EQ(f.y, same.y);
     EXPECT_EQ(f.moment, same.moment);
-    // Beside it, in the same cell or not, the cell changes no bit.
+    // Beside it, in the same cell or not, of the same shape or not, the cell changes no bit.
     const double beside = i % 2 == 0 ? 0.01 : 0.3;
+    const double chi = i % 3 == 0 ? c.chi + 0.01 : c.chi;
     const NormalisedCreepage near{c.u * (1 + beside * one(random)),
-                                  c.v + size * beside * one(random), c.w, c.chi};
+                                  c.v + size * beside * one(random), c.w, chi};
     const NormalisedForce with = Built().At(near, cell), without = Built().At(near);
     EXPECT_EQ(with.x, without.x);
     EXPECT_EQ(with.y, without.y);

@@ -33,32 +33,33 @@ TEST(ElasticRail, SupportIsInSeriesWithTheContact) {
   }
 }
 
-TEST(ElasticRail, StandsWhereSpringsBalanceTheContact) {
+/// Calls `check(pair, support, motion, forces)` at random poses that carry 80 kN.
+template <typename Check>
+void AtRandomPoses(unsigned seed, const Check& check) {
   const WheelRail pair = Create(StandardPair());
   const RailSupport support{2e7, 0, 6e7, 0};
-  std::mt19937 random(3);
+  std::mt19937 random(seed);
   std::uniform_real_distribution<> unit(-1, 1);
   for (int i = 0; i < 1000; ++i) {
-    WheelsetMotion m =
-        Rolling(pair, 20, 6.5e-3 * unit(random), 0.5e-3 * unit(random), 3e-3 * unit(random));
+    const double lateral = 6.5e-3 * unit(random), roll = 0.5e-3 * unit(random);
+    WheelsetMotion m = Rolling(pair, 20, lateral, roll, 3e-3 * unit(random));
     const WheelRailForces f = Load(pair, 8e4, &m, support);
-    EXPECT_NEAR(f.rail_vertical * support.vertical_stiffness_N_per_m, -f.elastic_force[2],
-                4e-4 * 8e4);
-    EXPECT_NEAR(f.rail_lateral * support.lateral_stiffness_N_per_m, -f.elastic_force[1],
-                4e-4 * 8e4);
+    check(pair, support, m, f);
   }
 }
 
+TEST(ElasticRail, StandsWhereSpringsBalanceTheContact) {
+  AtRandomPoses(3, [](const WheelRail&, const RailSupport& s, const WheelsetMotion&,
+                      const WheelRailForces& f) {
+    EXPECT_NEAR(f.rail_vertical * s.vertical_stiffness_N_per_m, -f.elastic_force[2], 4e-4 * 8e4);
+    EXPECT_NEAR(f.rail_lateral * s.lateral_stiffness_N_per_m, -f.elastic_force[1], 4e-4 * 8e4);
+  });
+}
+
 TEST(ElasticRail, ForceIsTheSlopeOfWhatContactAndSpringsStore) {
-  const WheelRail pair = Create(StandardPair());
-  const RailSupport support{2e7, 0, 6e7, 0};
   constexpr double kStep = 0.2e-6;
-  std::mt19937 random(4);
-  std::uniform_real_distribution<> unit(-1, 1);
-  for (int i = 0; i < 1000; ++i) {
-    WheelsetMotion m =
-        Rolling(pair, 20, 6.5e-3 * unit(random), 0.5e-3 * unit(random), 3e-3 * unit(random));
-    const WheelRailForces f = Load(pair, 8e4, &m, support);
+  AtRandomPoses(4, [](const WheelRail& pair, const RailSupport& support, const WheelsetMotion& m,
+                      const WheelRailForces& f) {
     const auto slope = [&](double WheelsetMotion::*place) {
       WheelsetMotion less = m, more = m;
       less.*place -= kStep;
@@ -68,7 +69,7 @@ TEST(ElasticRail, ForceIsTheSlopeOfWhatContactAndSpringsStore) {
     };
     EXPECT_NEAR(f.elastic_force[1], -slope(&WheelsetMotion::lateral), 5e-4 * 8e4);
     EXPECT_NEAR(f.elastic_force[2], -slope(&WheelsetMotion::vertical), 5e-4 * 8e4);
-  }
+  });
 }
 
 TEST(ElasticRail, TheDamperOfTheSupportTakesPower) {
