@@ -8,7 +8,7 @@
 //
 // The nodes never move and never change with the overlap. So the sum of kappa g^4 over them is a
 // smooth function of the wheelset's position, whose slope is the force to the last digit: no event of
-// the grid shakes the wheelset. The price: a touch is felt when it reaches a node, up to 0.3 um of depth
+// the grid shakes the wheelset. The price: a touch is felt when it reaches a node, up to 0.2 um of depth
 // (some 20 N) late.
 #pragma once
 
