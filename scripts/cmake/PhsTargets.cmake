@@ -35,7 +35,7 @@ endfunction()
 # phs_quick_maths(TARGET): lets the compiler use vector square roots and calculate both sides of a choice; no result
 # changes.
 function(phs_quick_maths target)
-  target_compile_options(${target} PRIVATE -fno-math-errno -fno-trapping-math)
+  target_compile_options(${target} PRIVATE -fno-math-errno -fno-trapping-math -fno-semantic-interposition)
 endfunction()
 
 # phs_npm_ci(COMMENT): the packages of the folder's package-lock.json, in npm_dir of its binary

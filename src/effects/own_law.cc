@@ -145,7 +145,9 @@ class Names {
 
  private:
   Result<Dimension> Take(const std::string& name, std::string* symbol) {
-    const auto [word, unit] = SymbolAndUnit(name);
+    const std::pair<std::string, std::string> symbol_and_unit = SymbolAndUnit(name);
+    const std::string& word = symbol_and_unit.first;
+    const std::string& unit = symbol_and_unit.second;
     *symbol = word;
     const std::string where = "effects." + effect_.name + "." + name;
     const bool starts = !word.empty() && std::isalpha(static_cast<unsigned char>(word[0]));

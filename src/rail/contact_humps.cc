@@ -152,26 +152,32 @@ void ContactSearch::AddBetween(const Axle& axle, int coarse, Humps* humps) const
 }
 
 void ContactSearch::SplitRun(const Samples& s, int begin, int end, Humps* humps) const noexcept {
-  // Ridges: local minima of the overlap inside the run, each with the humps beside it.
-  int ridge[kMaxRidges];
+  // Ridges: local minima of the overlap inside the run. Before, between and after them the tops.
+  int ridge[kMaxRidges], top[kMaxRidges + 1];
   int ridges = 0;
   double heights[2 * kMaxSamples];
-  for (int i = begin; i <= end; ++i) heights[i - begin] = Vertical(s, i);
+  for (int k = (begin + 1) / 2; 2 * k <= end; ++k) {
+    heights[2 * k - begin] = s.coarse[k] * coarse_.stretch[static_cast<size_t>(k)];
+  }
+  for (int k = begin / 2; 2 * k + 1 <= end; ++k) {
+    heights[2 * k + 1 - begin] = s.middle[k] * middle_.stretch[static_cast<size_t>(k)];
+  }
   const auto overlap = [&](int i) { return heights[i - begin]; };
-  const auto greatest = [&](int from, int to) {
-    int at = from;
-    double most = 0;
-    for (int i = from; i <= to; ++i) {
-      const double there = overlap(i);
-      if (there > most) {
-        most = there;
-        at = i;
-      }
+  double before = 0, here = overlap(begin), most = here;
+  top[0] = begin;
+  for (int i = begin; i <= end; ++i) {
+    const double after = i < end ? overlap(i + 1) : 0;
+    if (here > most) {
+      most = here;
+      top[ridges] = i;
     }
-    return at;
-  };
-  for (int i = begin + 1; i < end && ridges < kMaxRidges; ++i) {
-    if (overlap(i) <= overlap(i - 1) && overlap(i) < overlap(i + 1)) ridge[ridges++] = i;
+    if (i > begin && i < end && here <= before && here < after && ridges < kMaxRidges) {
+      ridge[ridges++] = i;
+      top[ridges] = i;
+      most = here;
+    }
+    before = here;
+    here = after;
   }
   // Take out the ridge that separates least until the rest are true and few enough.
   for (;;) {
@@ -179,16 +185,16 @@ void ContactSearch::SplitRun(const Samples& s, int begin, int end, Humps* humps)
     double least = 1;
     for (int k = 0; k < ridges; ++k) {
       const double between = overlap(ridge[k]);
-      const int left = greatest(k == 0 ? begin : ridge[k - 1], ridge[k]);
-      const int right = greatest(ridge[k], k + 1 == ridges ? end : ridge[k + 1]);
-      const double apart = (1 - between / overlap(left)) * (1 - between / overlap(right));
+      const double apart = (1 - between / overlap(top[k])) * (1 - between / overlap(top[k + 1]));
       if (weakest >= 0 && apart >= least) continue;
       weakest = k;
       least = apart;
     }
     const bool room = humps->count + ridges + 1 <= kMaxHumps;
     if (weakest < 0 || (room && least > kSameHump)) break;
-    for (int k = weakest; k + 1 < ridges; ++k) ridge[k] = ridge[k + 1];
+    if (overlap(top[weakest + 1]) > overlap(top[weakest])) top[weakest] = top[weakest + 1];
+    std::copy(ridge + weakest + 1, ridge + ridges, ridge + weakest);
+    std::copy(top + weakest + 2, top + ridges + 1, top + weakest + 1);
     --ridges;
   }
   const bool open_begin = begin == 2 * s.first;
@@ -198,7 +204,7 @@ void ContactSearch::SplitRun(const Samples& s, int begin, int end, Humps* humps)
     const int low = first ? begin : ridge[k - 1];
     const int high = last ? end : ridge[k];
     Hump& h = humps->hump[humps->count++];
-    h.sample = greatest(low, high);
+    h.sample = top[k];
     h.top = WheelY(h.sample);
     h.depth = overlap(h.sample);
     h.begin = WheelY(first && !open_begin ? low - 1 : low);

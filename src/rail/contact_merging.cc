@@ -25,8 +25,13 @@ void ContactSearch::Link(const Axle& axle, Samples* samples, Hump* hump,
   // Both neighbours of each are looked at.
   if (!hump->joined) SampleMiddles(axle, from / 2 - 1, to / 2 + 1, samples);
   int lowest = from;
-  for (int i = from; i <= to; ++i) lowest = Vertical(s, i) < Vertical(s, lowest) ? i : lowest;
-  const double between = Vertical(s, lowest);
+  double between = Vertical(s, from);
+  for (int i = from + 1; i <= to; ++i) {
+    const double there = Vertical(s, i);
+    if (!(there < between)) continue;
+    between = there;
+    lowest = i;
+  }
   // The tops may rise above their samples; what is surely apart is left at once.
   const auto most = [&](const Hump& h) {
     if (h.sample < 0) return h.depth;

@@ -10,7 +10,20 @@
 namespace phs::rail {
 namespace {
 
-using namespace creep_table;
+using creep_table::Face;
+using creep_table::FaceGrid;
+using creep_table::kDataSize;
+using creep_table::kFaceU;
+using creep_table::kFaceV;
+using creep_table::kFaceW;
+using creep_table::kGrids;
+using creep_table::kPerUnit;
+using creep_table::kShapes;
+using creep_table::kSizes;
+using creep_table::kSizeUnit;
+using creep_table::kStride;
+using creep_table::Place;
+using creep_table::PlaceOn;
 
 constexpr double kSmallest = 1e-9;  ///< p of the linear limit
 
@@ -69,13 +82,13 @@ struct Sums {
 };
 
 /// Neighbours along the last axis lie side by side.
-constexpr int kRow = 3 * kStride;
+constexpr std::size_t kRow = 3 * kStride;
 static_assert(sizeof(CreepTable::Cell::row) == 9 * kRow * sizeof(double));
 
 /// out = sum of weight[k] in[k].
 PHS_WITHIN_WIDE void Blend(const std::array<double, 3>& weight, const double (*in)[kRow],
                            double* out) {
-  for (int q = 0; q < kRow; ++q) {
+  for (std::size_t q = 0; q < kRow; ++q) {
     out[q] = weight[0] * in[0][q] + weight[1] * in[1][q] + weight[2] * in[2][q];
   }
 }
@@ -102,7 +115,7 @@ PHS_WITHIN_WIDE void CutOut(const double* data, const Folded& f, const Spot& at,
     for (std::size_t j = 0; j < 3; ++j) {
       const double* row = corner + (j * n2 + k) * n3 * kStride;
       double* cut = out[3 * k + j];
-      for (int q = 0; q < kRow; ++q) {
+      for (std::size_t q = 0; q < kRow; ++q) {
         cut[q] = chi[0] * row[q] + chi[1] * row[plane + q] + chi[2] * row[2 * plane + q];
       }
     }

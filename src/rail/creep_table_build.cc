@@ -12,7 +12,16 @@
 namespace phs::rail {
 namespace {
 
-using namespace creep_table;
+using creep_table::Direction;
+using creep_table::kDataSize;
+using creep_table::kFaces;
+using creep_table::kFaceU;
+using creep_table::kGrids;
+using creep_table::kShapes;
+using creep_table::kSizes;
+using creep_table::kSizeUnit;
+using creep_table::kStride;
+using creep_table::kValues;
 
 /// Solves for B-spline coefficients c[0 … n+1] (one beyond each end) through f[0 … n-1].
 /// Mirror: sign s of f(-x) = s f(x) at the first node; 0 = third difference vanishes there.

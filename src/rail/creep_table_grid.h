@@ -1,6 +1,7 @@
 // Nodes of the creep table and the B-splines through them (private to creep_table*.cc).
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -58,8 +59,8 @@ struct Place {
 };
 inline Place PlaceOn(double s, int nodes) {
   Place place;
-  place.node = static_cast<int>(s + 0.5);
-  if (place.node > nodes - 1) place.node = nodes - 1;
+  const double half_up = s + 0.5;
+  place.node = std::min(static_cast<int>(half_up), nodes - 1);
   const double d = s - place.node;
   place.beyond = d;
   place.weight = {0.5 * (0.5 - d) * (0.5 - d), 0.75 - d * d, 0.5 * (0.5 + d) * (0.5 + d)};

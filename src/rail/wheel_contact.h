@@ -129,7 +129,7 @@ struct WheelDamping {
     double coefficient;  ///< >= 0 [N s/m]
   };
   int count = 0;
-  std::array<Damper, 3 * kMaxPatches> damper;
+  std::array<Damper, 3UL * kMaxPatches> damper;
 };
 
 /// Where rigid bodies touch.

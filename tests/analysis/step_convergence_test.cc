@@ -25,7 +25,7 @@ void Collect(const Json& json, const std::string& path, Numbers* out) {
         json.is_array()
             ? (value.contains("name") ? value["name"].get<std::string>() : std::to_string(index))
             : key;
-    Collect(value, path + "/" + name, out);
+    Collect(value, std::string(path).append("/").append(name), out);
     ++index;
   }
 }

@@ -112,7 +112,7 @@ double Growth(const Simulation& sim, const char* tendon, double lead, double tra
   const int id = mj_name2id(m, mjOBJ_TENDON, tendon);
   const std::pair<const char*, double> moved[] = {
       {"lead_yaw", lead}, {"trail_yaw", trail}, {"lead_y", aside}, {"trail_y", -aside}};
-  double length[2];
+  double length[2] = {};
   const DataPtr d(mj_makeData(m));
   for (const int way : {0, 1}) {
     mju_copy(d->qpos, m->qpos0, m->nq);
@@ -169,7 +169,7 @@ struct Steered {
   double yaw = 0;
   double attack = 0;
 };
-std::map<std::string, Steered> InCurve(Scenario s) {
+std::map<std::string, Steered> InCurve(const Scenario& s) {
   std::map<std::string, Steered> steered;
   auto sim = Simulation::Create(s);
   EXPECT_TRUE(sim.ok()) << sim.error().Line();

@@ -60,7 +60,7 @@ TEST(ContactSearch, ConeOnArcTouchesWhereTheSlopesAgree) {
 
 /// A wheel profile of one concave arc of 0.5 m.
 std::string HollowWheel() {
-  const std::string path = ScratchFile("hollow_wheel.txt");
+  std::string path = ScratchFile("hollow_wheel.txt");
   std::ofstream file(path);
   file.precision(15);
   for (int i = -160; i <= 160; ++i) {
