@@ -87,7 +87,7 @@ py::array Column(const Finished& finished, size_t run, size_t channel) {
   py::array_t<double> view(static_cast<py::ssize_t>(column.size()), column.data(),
                            py::cast(finished));
   view.attr("flags").attr("writeable") = false;
-  return std::move(view);
+  return view;
 }
 
 py::list Channels(const Finished& finished, size_t run) {

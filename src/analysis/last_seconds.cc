@@ -9,7 +9,6 @@
 namespace phs::analysis {
 namespace {
 
-using Json = nlohmann::ordered_json;
 using Rows = std::span<const double>;
 
 /// Rows of a channel from `first` to the end.
@@ -33,13 +32,9 @@ double HalfSwing(Rows x) {
 
 }  // namespace
 
-Json LastSeconds(const vehicle::Simulation& simulation, const vehicle::RunOutcome& run,
-                 double window_s) {
-  Json out = {{"window_s", window_s},
-              {"wheelsets", Json::array()},
-              {"largest_rms_sum_Y_N", nullptr},
-              {"largest_swing_m", nullptr},
-              {"rms_grows", nullptr}};
+LastSeconds CalcLastSeconds(const vehicle::Simulation& simulation, const vehicle::RunOutcome& run,
+                            double window_s) {
+  LastSeconds out{window_s};
   const std::vector<double>& t = run.columns[static_cast<size_t>(run.Find("t_s"))];
   if (run.status != "ok" || t.size() < 4 || t.back() - t.front() < 2 * window_s) return out;
   const auto from = std::lower_bound(t.begin(), t.end(), t.back() - window_s);
@@ -49,17 +44,32 @@ Json LastSeconds(const vehicle::Simulation& simulation, const vehicle::RunOutcom
     const Rows sum_Y = Last(run, w.name + "_sum_Y_N", first);
     const double rms = RmsAboutMean(sum_Y),
                  own = HalfSwing(Last(run, w.name + "_lateral_m", first));
-    out["wheelsets"].push_back({{"name", w.name}, {"rms_sum_Y_N", rms}, {"swing_m", own}});
+    out.wheelsets.push_back({w.name, rms, own});
     swing = std::max(swing, own);
     if (rms <= largest) continue;
     largest = rms;
     const size_t half = sum_Y.size() / 2;
     const double before = RmsAboutMean(sum_Y.first(half));
-    out["rms_grows"] = before > 0 ? RmsAboutMean(sum_Y.subspan(half)) / before : 1;
+    out.rms_grows = before > 0 ? RmsAboutMean(sum_Y.subspan(half)) / before : 1;
   }
-  out["largest_rms_sum_Y_N"] = largest;
-  out["largest_swing_m"] = swing;
+  out.largest_rms_sum_Y_N = largest;
+  out.largest_swing_m = swing;
   return out;
+}
+
+nlohmann::ordered_json LastSecondsJson(const LastSeconds& last) {
+  using Json = nlohmann::ordered_json;
+  const auto number = [](double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); };
+  Json wheelsets = Json::array();
+  for (const LastSeconds::Wheelset& w : last.wheelsets) {
+    wheelsets.push_back(
+        {{"name", w.name}, {"rms_sum_Y_N", w.rms_sum_Y_N}, {"swing_m", w.swing_m}});
+  }
+  return {{"window_s", last.window_s},
+          {"wheelsets", std::move(wheelsets)},
+          {"largest_rms_sum_Y_N", number(last.largest_rms_sum_Y_N)},
+          {"largest_swing_m", number(last.largest_swing_m)},
+          {"rms_grows", number(last.rms_grows)}};
 }
 
 }  // namespace phs::analysis

@@ -204,6 +204,14 @@ double LargestMagnitude(const std::vector<double>& values) {
   return largest;
 }
 
+double LargestShift(const LoadState& state) {
+  return std::max(std::abs(state.x_m[0]), std::abs(state.x_m[1]));
+}
+
+double LeastPressure(const LoadState& state) {
+  return *std::min_element(state.pressure_Pa.begin(), state.pressure_Pa.end());
+}
+
 Json ResultJson(const LoadResult& result, const hydraulics::PhsSystem& system) {
   Json json = {
       {"name", result.load_case.name},
@@ -214,10 +222,9 @@ Json ResultJson(const LoadResult& result, const hydraulics::PhsSystem& system) {
       {"trail_x_m", result.end.x_m[1]},
       {"lead_yaw_rad", result.end.yaw_rad[0]},
       {"trail_yaw_rad", result.end.yaw_rad[1]},
-      {"largest_shift_m", std::max(std::abs(result.end.x_m[0]), std::abs(result.end.x_m[1]))},
+      {"largest_shift_m", LargestShift(result.end)},
       {"largest_cylinder_N", LargestMagnitude(result.end.force_N)},
-      {"least_pressure_Pa",
-       *std::min_element(result.end.pressure_Pa.begin(), result.end.pressure_Pa.end())},
+      {"least_pressure_Pa", LeastPressure(result.end)},
       {"cylinders", Json::array()},
       {"lines", Json::array()},
       {"limits", Json::array()}};
@@ -278,38 +285,45 @@ Json LoadsJson(const vehicle::Simulation& simulation, const std::vector<LoadResu
   return json;
 }
 
-Result<Json> CalcHeldShear(const vehicle::Simulation& simulation,
-                           const std::vector<LoadCase>& cases) {
+Result<HeldShear> CalcHeldShear(const vehicle::Simulation& simulation,
+                                const std::vector<LoadCase>& cases) {
   const plugin::InstantForces instant = simulation.Instant();
   auto made = StandingBogie(simulation);
   if (!made.ok()) return made.error();
   HeldBogie& bogie = made.value();
   const double lever = BoxLever(simulation.model());
   const Vector rest = Vector::Zero();
-  Json json = {{"rest",
-                {{"shear_stiffness_Nm_per_rad", ShearStiffness(&bogie, rest)},
-                 {"lines", LinesJson(bogie.system(), bogie.Describe(0, rest))}}},
-               {"cases", Json::array()}};
+  HeldShear shear;
+  shear.rest = {"rest", true, ShearStiffness(&bogie, rest), bogie.Describe(0, rest)};
   for (const LoadCase& load_case : cases) {
     Vector u = rest;
-    const bool held = LayOn(&bogie, load_case, lever, &u);
-    Json one = {{"name", load_case.name},
-                {"held", held ? 1 : 0},
-                {"shear_stiffness_Nm_per_rad", nullptr},
-                {"largest_shift_m", nullptr},
-                {"least_pressure_Pa", nullptr},
-                {"lines", Json::array()}};
-    LoadState state = bogie.Describe(load_case.load_N, u);
-    one["lines"] = LinesJson(bogie.system(), state);
-    if (held) {
-      one["shear_stiffness_Nm_per_rad"] = ShearStiffness(&bogie, u);
-      one["largest_shift_m"] = std::max(std::abs(state.x_m[0]), std::abs(state.x_m[1]));
-      one["least_pressure_Pa"] =
-          *std::min_element(state.pressure_Pa.begin(), state.pressure_Pa.end());
-    } else {
-      for (Json& line : one["lines"]) line["pressure_Pa"] = nullptr;
+    HeldLoad one{load_case.name, LayOn(&bogie, load_case, lever, &u)};
+    one.state = bogie.Describe(load_case.load_N, u);
+    if (one.held) one.shear_stiffness_Nm_per_rad = ShearStiffness(&bogie, u);
+    shear.cases.push_back(std::move(one));
+  }
+  return shear;
+}
+
+Json HeldShearJson(const vehicle::Simulation& simulation, const HeldShear& shear) {
+  const hydraulics::PhsSystem& system = *simulation.binding().phs()[0].system;
+  Json json = {{"rest",
+                {{"shear_stiffness_Nm_per_rad", shear.rest.shear_stiffness_Nm_per_rad},
+                 {"lines", LinesJson(system, shear.rest.state)}}},
+               {"cases", Json::array()}};
+  for (const HeldLoad& load : shear.cases) {
+    const auto said = [&](double x) { return load.held ? Json(x) : Json(nullptr); };
+    Json lines = LinesJson(system, load.state);
+    if (!load.held) {
+      for (Json& line : lines) line["pressure_Pa"] = nullptr;
     }
-    json["cases"].push_back(std::move(one));
+    json["cases"].push_back(
+        {{"name", load.name},
+         {"held", load.held ? 1 : 0},
+         {"shear_stiffness_Nm_per_rad", said(load.shear_stiffness_Nm_per_rad)},
+         {"largest_shift_m", said(LargestShift(load.state))},
+         {"least_pressure_Pa", said(LeastPressure(load.state))},
+         {"lines", std::move(lines)}});
   }
   return json;
 }

@@ -71,13 +71,27 @@ Result<std::vector<LoadResult>> CalcLoadCases(const vehicle::Simulation& simulat
 nlohmann::ordered_json LoadsJson(const vehicle::Simulation& simulation,
                                  const std::vector<LoadResult>& results);
 
-/// Stiffness of same-sense yaw at rest and with each load held: both axles are turned alike by an
-/// infinitely small angle from where the load has put them, seals free; the sum of their moments
-/// over the angle, springs and linkages included. `{"rest": {"shear_stiffness_Nm_per_rad", "lines":
-/// [{"name", "pressure_Pa"}]}, "cases": [{"name", "held", "shear_stiffness_Nm_per_rad",
-/// "largest_shift_m", "least_pressure_Pa", "lines"}]}`; a load without equilibrium has `held` 0 and
-/// null for its numbers.
-Result<nlohmann::ordered_json> CalcHeldShear(const vehicle::Simulation& simulation,
-                                             const std::vector<LoadCase>& cases);
+/// Stiffness of same-sense yaw with one load held.
+struct HeldLoad {
+  std::string name;
+  bool held = false;  ///< false: the load has no equilibrium, its numbers say nothing
+  double shear_stiffness_Nm_per_rad = 0;
+  LoadState state = {};
+};
+struct HeldShear {
+  HeldLoad rest;
+  std::vector<HeldLoad> cases;
+};
+
+/// At rest and with each load held both axles are turned alike by an infinitely small angle from
+/// where the load has put them, seals free; the sum of their moments over the angle, springs and
+/// linkages included.
+Result<HeldShear> CalcHeldShear(const vehicle::Simulation& simulation,
+                                const std::vector<LoadCase>& cases);
+
+/// `{"rest": {"shear_stiffness_Nm_per_rad", "lines": [{"name", "pressure_Pa"}]}, "cases": [{"name",
+/// "held", "shear_stiffness_Nm_per_rad", "largest_shift_m", "least_pressure_Pa", "lines"}]}`; a load
+/// that is not held has `held` 0 and null for its numbers.
+nlohmann::ordered_json HeldShearJson(const vehicle::Simulation& simulation, const HeldShear& shear);
 
 }  // namespace phs::analysis

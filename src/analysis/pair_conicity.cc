@@ -4,8 +4,6 @@
 
 #include <filesystem>
 
-#include "rail/contact_functions.h"
-
 namespace phs::analysis {
 namespace {
 
@@ -31,45 +29,58 @@ Json DescribePair(const rail::WheelRailParams& p) {
           {"wheel_radius_m", p.wheel_radius}};
 }
 
-Json CurveOf(const rail::ContactFunctions& functions, double load) {
+Json CurveJson(const ConicityCurve& curve) {
   Json amplitude = Json::array(), value = Json::array();
-  for (const rail::Conicity& c : functions.conicity) {
+  for (const rail::Conicity& c : curve.points) {
     amplitude.push_back(c.amplitude);
     value.push_back(c.value);
   }
-  return {{"wheel_load_N", load}, {"amplitude_m", amplitude}, {"equivalent", value}};
+  return {
+      {"wheel_load_N", curve.wheel_load_N}, {"amplitude_m", amplitude}, {"equivalent", value}};
 }
 
 }  // namespace
 
-Json DescribeConicity(const rail::WheelRail& pair, double wheel_load_N) {
+PairConicity CalcConicity(const rail::WheelRail& pair, double wheel_load_N) {
+  PairConicity out{"", pair.params()};
   if (pair.wheel_profile() == nullptr || pair.rail_profile() == nullptr) {
     const auto& linear = pair.params().linear;
-    return {{"missing",
-             "this run has no wheel and rail profiles: numbers stand for them" +
-                 (linear ? fmt::format(", a conicity of {:g} at every amplitude", linear->conicity)
-                         : std::string())}};
+    out.missing =
+        "this run has no wheel and rail profiles: numbers stand for them" +
+        (linear ? fmt::format(", a conicity of {:g} at every amplitude", linear->conicity)
+                : std::string());
+    return out;
   }
-  Json json = DescribePair(pair.params());
-  Json& curves = json["curves"] = Json::array();
   for (const auto& [load, step] :
        {std::pair{0.0, kRigidStep}, std::pair{wheel_load_N, kLoadedStep}}) {
-    if (load == 0 && !curves.empty()) continue;
+    if (load == 0 && !out.curves.empty()) continue;
     const auto functions = rail::CalcContactFunctions(pair, pair, kReach, step, load);
-    if (!functions.ok()) return {{"missing", functions.error().Line()}};
-    if (functions.value().conicity.empty()) {
-      return {{"missing", "the wheelset swings freely at no amplitude from 1 mm on"}};
+    if (!functions.ok()) {
+      out.missing = functions.error().Line();
+      return out;
     }
-    curves.push_back(CurveOf(functions.value(), load));
+    if (functions.value().conicity.empty()) {
+      out.missing = "the wheelset swings freely at no amplitude from 1 mm on";
+      return out;
+    }
+    out.curves.push_back({load, functions.value().conicity});
   }
-  return json;
+  return out;
 }
 
-Json DescribeConicity(const vehicle::Simulation& simulation) {
+PairConicity CalcConicity(const vehicle::Simulation& simulation) {
   const auto& binding = simulation.binding();
   const double wheels = 2.0 * static_cast<double>(binding.wheelsets().size());
   const double load = simulation.model()->body_subtreemass[0] * kGravity / wheels;
-  return DescribeConicity(binding.wheel_rail(), load);
+  return CalcConicity(binding.wheel_rail(), load);
+}
+
+Json ConicityJson(const PairConicity& conicity) {
+  if (!conicity.missing.empty()) return {{"missing", conicity.missing}};
+  Json json = DescribePair(conicity.pair);
+  Json& curves = json["curves"] = Json::array();
+  for (const ConicityCurve& curve : conicity.curves) curves.push_back(CurveJson(curve));
+  return json;
 }
 
 }  // namespace phs::analysis

@@ -7,17 +7,33 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
 
+#include "rail/contact_functions.h"
 #include "rail/wheel_rail.h"
 #include "vehicle/simulation.h"
 
 namespace phs::analysis {
 
-/// `conicity` of summary.json (docs/results.md). Without profiles, or where they do not meet, only
-/// `missing`: the reason. `wheel_load_N` 0: the rigid curve alone.
-nlohmann::ordered_json DescribeConicity(const rail::WheelRail& pair, double wheel_load_N);
+struct ConicityCurve {
+  double wheel_load_N = 0;  ///< 0: rigid bodies
+  std::vector<rail::Conicity> points = {};
+};
+
+struct PairConicity {
+  std::string missing;         ///< why there is none: no profiles, or they do not meet
+  rail::WheelRailParams pair;  ///< with the profiles and the gauge it holds for
+  std::vector<ConicityCurve> curves = {};
+};
+
+/// `wheel_load_N` 0: the rigid curve alone.
+PairConicity CalcConicity(const rail::WheelRail& pair, double wheel_load_N);
 
 /// The same of a simulation, under the mean static load of its wheels.
-nlohmann::ordered_json DescribeConicity(const vehicle::Simulation& simulation);
+PairConicity CalcConicity(const vehicle::Simulation& simulation);
+
+/// `conicity` of summary.json (docs/results.md).
+nlohmann::ordered_json ConicityJson(const PairConicity& conicity);
 
 }  // namespace phs::analysis

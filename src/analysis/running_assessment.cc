@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "analysis/en14363.h"
 #include "analysis/running_statistics.h"
 #include "rail/running_safety.h"
 #include "rail/wear.h"
@@ -13,7 +12,6 @@
 namespace phs::analysis {
 namespace {
 
-using Json = nlohmann::ordered_json;
 using Signal = std::vector<double>;
 
 constexpr double kShortest_m = 5;     ///< sections shorter are not assessed
@@ -104,27 +102,24 @@ Signal Derivative(const Signal& x, double interval_s) {
   return rate;
 }
 
-Json Ride(const vehicle::RunOutcome& run, const Rows& rows, double interval_s) {
-  Json ride;
-  for (const char* axis : {"lateral", "vertical"}) {
-    const Signal speed = Part(Column(run, std::string("car_body_") + axis + "_speed_m_s"), rows);
-    const auto found = AssessAcceleration(Derivative(speed, interval_s), interval_s);
-    if (!found.ok()) continue;
-    ride[axis] = {{"low_m_s2", found.value().low},
-                  {"high_m_s2", found.value().high},
-                  {"rms_m_s2", found.value().rms}};
-  }
-  return ride;
+/// Of the car body along an axis; none where that is not recorded finely enough.
+std::optional<AccelerationStatistics> Ride(const vehicle::RunOutcome& run, const char* axis,
+                                           const Rows& rows, double interval_s) {
+  const Signal speed = Part(Column(run, std::string("car_body_") + axis + "_speed_m_s"), rows);
+  const auto found = AssessAcceleration(Derivative(speed, interval_s), interval_s);
+  if (!found.ok()) return {};
+  return found.value();
 }
 
-/// Keeps the row that comes nearest to its limit or farthest beyond, of every quantity.
-void KeepWorst(const AssessedQuantity& q, const std::string& wheelset, double begin_s,
-               Json* worst) {
-  Json& kept = (*worst)[q.name];
-  const double share = q.value / q.limit;
-  if (!kept.is_null() && kept["share"].get<double>() >= share) return;
-  kept = {{"value", q.value}, {"limit", q.limit},     {"share", share},
-          {"kept", q.kept()}, {"wheelset", wheelset}, {"section_begin_s_m", begin_s}};
+void KeepWorst(const WorstQuantity& found, std::vector<WorstQuantity>* worst) {
+  const auto kept = std::find_if(worst->begin(), worst->end(), [&](const WorstQuantity& w) {
+    return w.quantity.name == found.quantity.name;
+  });
+  if (kept == worst->end()) {
+    worst->push_back(found);
+  } else if (kept->Share() < found.Share()) {
+    *kept = found;
+  }
 }
 
 struct Vehicle {
@@ -135,21 +130,20 @@ struct Vehicle {
   Signal offsets;
 };
 
-/// One section; null if the run did not cover it.
-Result<Json> AssessSection(const Vehicle& v, const rail::TrackSection& section, Json* worst) {
+/// One section; none if the run did not cover it.
+Result<std::optional<AssessedSection>> AssessSection(const Vehicle& v,
+                                                     const rail::TrackSection& section,
+                                                     std::vector<WorstQuantity>* worst) {
   const Signal& place = Column(v.run, "s_m");
   const double radius = section.curvature == 0 ? 0 : std::abs(1 / section.curvature);
-  Json out = {{"kind", section.kind},
-              {"begin_s_m", section.begin_s},
-              {"end_s_m", section.end_s},
-              {"radius_m", section.kind == "curve" ? Json(radius) : Json(nullptr)},
-              {"wheelsets", Json::array()}};
+  AssessedSection out{section.kind, section.begin_s, section.end_s,
+                      section.kind == "curve" ? radius : 0};
   SectionConditions conditions{v.interval_s, v.wheel_load_N, radius, 1, 0};
   const auto& wheelsets = v.simulation.binding().wheelsets();
   for (size_t i = 0; i < wheelsets.size(); ++i) {
     const Rows rows = RowsOn(place, v.offsets[i], section);
     if (rows.last - rows.first < 2 || place[rows.last - 1] - place[rows.first] < kShortest_m) {
-      return Json(nullptr);
+      return std::optional<AssessedSection>();
     }
     const WheelsetForces forces = ForcesOn(v.run, wheelsets[i].name, rows);
     if (section.kind == "tangent") {
@@ -157,21 +151,22 @@ Result<Json> AssessSection(const Vehicle& v, const rail::TrackSection& section, 
     }
     auto found = AssessWheelset(forces, conditions);
     if (!found.ok()) return found.error();
-    Json own = {{"name", wheelsets[i].name}};
+    AssessedWheelset own{wheelsets[i].name, {}, conditions.hunting_Hz};
     for (const AssessedQuantity& q : found.value()) {
       if (!BelongsTo(q.name, section.kind)) continue;
-      own[q.name] = {{"value", q.value}, {"limit", q.limit}, {"kept", q.kept()}};
-      KeepWorst(q, wheelsets[i].name, section.begin_s, worst);
+      own.quantities.push_back(q);
+      KeepWorst({q, wheelsets[i].name, section.begin_s}, worst);
     }
-    if (conditions.hunting_Hz > 0) own["hunting_Hz"] = conditions.hunting_Hz;
-    out["wheelsets"].push_back(own);
-    if (i == 0) out["ride"] = Ride(v.run, rows, v.interval_s);
+    out.wheelsets.push_back(std::move(own));
+    if (i > 0) continue;
+    out.ride_lateral = Ride(v.run, "lateral", rows, v.interval_s);
+    out.ride_vertical = Ride(v.run, "vertical", rows, v.interval_s);
   }
-  return out;
+  return std::optional(std::move(out));
 }
 
-/// Wear and fatigue of one wheel: regime in the steady curve, worn section over the run.
-Json WheelWear(const Vehicle& v, const std::string& wheel, const Rows& steady) {
+/// T-gamma in the steady curve, worn section over the run.
+AssessedWheel WheelWear(const Vehicle& v, const std::string& wheel, const Rows& steady) {
   const Signal& t_gamma = Column(v.run, wheel + "_T_gamma_N");
   const Signal& place = Column(v.run, "s_m");
   const double diameter = 2 * v.simulation.binding().wheel_rail().params().wheel_radius;
@@ -181,17 +176,13 @@ Json WheelWear(const Vehicle& v, const std::string& wheel, const Rows& steady) {
             (rail::CalcWornAreaPerKm(t_gamma[i], diameter) +
              rail::CalcWornAreaPerKm(t_gamma[i - 1], diameter));
   }
+  AssessedWheel out{wheel};
   const double way = place.back() - place.front();
-  Json out = {{"name", wheel},
-              {"worn_area_mm2_per_km", way > 0 ? Json(area / way) : Json(nullptr)}};
+  if (way > 0) out.worn_area_mm2_per_km = area / way;
   if (steady.last <= steady.first) return out;
   double mean = 0;
   for (size_t i = steady.first; i < steady.last; ++i) mean += t_gamma[i];
-  mean /= static_cast<double>(steady.last - steady.first);
-  out["steady_T_gamma_N"] = mean;
-  out["steady_wear_regime"] = rail::NameOf(rail::WearRegimeOf(mean));
-  out["steady_rcf_damage_per_pass"] = rail::CalcRcfDamage(mean, false);
-  out["steady_rcf_net_of_wear_per_pass"] = rail::CalcRcfDamage(mean, true);
+  out.steady_T_gamma_N = mean / static_cast<double>(steady.last - steady.first);
   return out;
 }
 
@@ -219,38 +210,33 @@ double StaticWheelLoad(const vehicle::Simulation& simulation) {
 
 }  // namespace
 
-nlohmann::ordered_json AssessRun(const vehicle::Simulation& simulation,
-                                 const vehicle::RunOutcome& run) {
-  Json out;
-  out["status"] = "ok";
-  const auto refuse = [&](const std::string& reason) {
-    return Json{{"status", "not assessed"}, {"reason", reason}};
-  };
-  if (run.columns.empty() || run.columns[0].size() < 2) return refuse("the run is too short");
-  const auto& wheel_rail = simulation.binding().wheel_rail();
+Assessment AssessRun(const vehicle::Simulation& simulation, const vehicle::RunOutcome& run) {
+  Assessment out;
+  if (run.columns.empty() || run.columns[0].size() < 2) {
+    out.reason = "the run is too short";
+    return out;
+  }
+  const plugin::Binding& binding = simulation.binding();
   const Vehicle v{simulation, run, IntervalOf(run), StaticWheelLoad(simulation),
                   OffsetsOf(simulation, run)};
-  const double gauge = simulation.binding().track().gauge();
-  out["processing"] = "EN 14363, UIC 518: one run, sections as simulated";
-  out["limits_made_for"] = {{"gauge_m", 1.435}, {"axle_load_t", 22.5}};
-  out["limits_are_orientation"] = std::abs(gauge - 1.435) > 0.005 || v.wheel_load_N > 110.5e3;
-  out["gauge_m"] = gauge;
-  out["static_wheel_load_N"] = v.wheel_load_N;
-  const double friction = simulation.binding().friction();
-  const double flange = wheel_rail.flange_angle();
-  out["nadal_Y_over_Q"] = flange > 0 ? Json(rail::CalcNadalLimit(flange, friction)) : Json(nullptr);
-  out["worst"] = Json::object();
-  out["sections"] = Json::array();
-  for (const rail::TrackSection& section : simulation.binding().track().sections()) {
-    auto part = AssessSection(v, section, &out["worst"]);
-    if (!part.ok()) return refuse(part.error().Line());
-    if (!part.value().is_null()) out["sections"].push_back(std::move(part).value());
+  out.gauge_m = binding.track().gauge();
+  out.static_wheel_load_N = v.wheel_load_N;
+  out.limits_are_orientation =
+      std::abs(out.gauge_m - 1.435) > 0.005 || out.static_wheel_load_N > 110.5e3;
+  const double flange = binding.wheel_rail().flange_angle();
+  if (flange > 0) out.nadal_Y_over_Q = rail::CalcNadalLimit(flange, binding.friction());
+  for (const rail::TrackSection& section : binding.track().sections()) {
+    auto part = AssessSection(v, section, &out.worst);
+    if (!part.ok()) {
+      out.reason = part.error().Line();
+      return out;
+    }
+    if (part.value()) out.sections.push_back(*std::move(part).value());
   }
-  out["wheels"] = Json::array();
-  const Rows steady = RowsOn(Column(run, "s_m"), 0, SteadySection(simulation.binding().track()));
-  for (const auto& w : simulation.binding().wheelsets()) {
+  const Rows steady = RowsOn(Column(run, "s_m"), 0, SteadySection(binding.track()));
+  for (const auto& w : binding.wheelsets()) {
     for (const char* side : {"_left", "_right"}) {
-      out["wheels"].push_back(WheelWear(v, w.name + side, steady));
+      out.wheels.push_back(WheelWear(v, w.name + side, steady));
     }
   }
   return out;

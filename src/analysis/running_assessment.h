@@ -8,15 +8,61 @@
 // 2 Hz.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
 
+#include "analysis/en14363.h"
 #include "vehicle/simulation.h"
 
 namespace phs::analysis {
 
-/// `assessment` of summary.json (docs/results.md). `status` is "ok", or "not assessed" with a
-/// `reason`: recorded too seldom for 20 Hz, a run that went backwards.
-nlohmann::ordered_json AssessRun(const vehicle::Simulation& simulation,
-                                 const vehicle::RunOutcome& run);
+struct AssessedWheelset {
+  std::string name;
+  std::vector<AssessedQuantity> quantities;
+  double hunting_Hz = 0;  ///< 0: not assessed for instability
+};
+
+struct AssessedSection {
+  std::string kind;
+  double begin_s_m = 0;
+  double end_s_m = 0;
+  double radius_m = 0;  ///< size; of a full arc only, else 0
+  std::vector<AssessedWheelset> wheelsets = {};
+  std::optional<AccelerationStatistics> ride_lateral = {};  ///< of the car body
+  std::optional<AccelerationStatistics> ride_vertical = {};
+};
+
+/// The row of a quantity that comes nearest to its limit or farthest beyond.
+struct WorstQuantity {
+  AssessedQuantity quantity;
+  std::string wheelset;
+  double section_begin_s_m = 0;
+
+  double Share() const { return quantity.value / quantity.limit; }
+};
+
+/// Wear and fatigue of one wheel.
+struct AssessedWheel {
+  std::string name;
+  double worn_area_mm2_per_km = std::nan("");  ///< over the run
+  double steady_T_gamma_N = std::nan("");      ///< not a number where the run never got there
+};
+
+struct Assessment {
+  std::string reason;  ///< why nothing was assessed: recorded too seldom for 20 Hz, …
+  bool limits_are_orientation = false;
+  double gauge_m = 0;
+  double static_wheel_load_N = 0;
+  double nadal_Y_over_Q = std::nan("");  ///< not a number without a flange
+  std::vector<WorstQuantity> worst;
+  std::vector<AssessedSection> sections;
+  std::vector<AssessedWheel> wheels;
+
+  bool assessed() const { return reason.empty(); }
+};
+
+Assessment AssessRun(const vehicle::Simulation& simulation, const vehicle::RunOutcome& run);
 
 }  // namespace phs::analysis

@@ -7,7 +7,6 @@
 
 #include "analysis/steady_problem.h"
 #include "plugin/observer.h"
-#include "vehicle/summary.h"
 
 namespace phs::analysis {
 namespace {
@@ -41,15 +40,15 @@ std::vector<double> Places(const rail::Track& track, double start,
   return {};
 }
 
-/// The observed channels at the one place as a run of one row, for the summary of the steady curve.
-nlohmann::ordered_json Describe(const vehicle::Simulation& simulation, const mjData* d) {
+/// The observed channels at the one place as a run of one row, and its means.
+vehicle::SteadyMeans Describe(const vehicle::Simulation& simulation, const mjData* d) {
   const plugin::Observer observer(simulation.model(), simulation.binding());
   vehicle::RunOutcome run;
   run.channels = observer.channels();
   std::vector<double> row(run.channels.size());
   observer.Observe(simulation.model(), d, row.data());
   for (const double value : row) run.columns.push_back({value});
-  return vehicle::Summarise(simulation, run)["steady_curve"];
+  return vehicle::CalcSteadyMeans(simulation, run);
 }
 
 /// The free joint of a vehicle with one root that stands on the track by itself, at speed.
@@ -107,16 +106,14 @@ Result<SteadyCurve> SolveSteadyCurve(vehicle::Simulation* simulation,
   return result;
 }
 
-nlohmann::ordered_json CurveTotals(const nlohmann::ordered_json& steady) {
-  double t_gamma = 0, largest_y = 0, largest_ratio = 0;
-  for (const auto& wheel : steady["wheels"]) {
-    t_gamma += wheel["T_gamma_N"].get<double>();
-    largest_y = std::max(largest_y, std::abs(wheel["Y_N"].get<double>()));
-    if (wheel["Y_over_Q"].is_number()) {
-      largest_ratio = std::max(largest_ratio, std::abs(wheel["Y_over_Q"].get<double>()));
-    }
+CurveTotals CalcCurveTotals(const vehicle::SteadyMeans& steady) {
+  CurveTotals totals;
+  totals.T_gamma_N = steady.TGamma();
+  for (const vehicle::WheelMeans& wheel : steady.wheels) {
+    totals.largest_Y_N = std::max(totals.largest_Y_N, std::abs(wheel.Y_N));
+    totals.largest_Y_over_Q = std::max(totals.largest_Y_over_Q, std::abs(wheel.Y_over_Q));
   }
-  return {{"T_gamma_N", t_gamma}, {"largest_Y_N", largest_y}, {"largest_Y_over_Q", largest_ratio}};
+  return totals;
 }
 
 }  // namespace phs::analysis

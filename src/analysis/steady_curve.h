@@ -18,10 +18,8 @@
 // Left out: inertia of motion relative to the track frame, damper forces of the slow motion.
 #pragma once
 
-#include <nlohmann/json.hpp>
-
 #include "base/result.h"
-#include "vehicle/simulation.h"
+#include "vehicle/run_summary.h"
 
 namespace phs::analysis {
 
@@ -33,8 +31,8 @@ struct SteadyCurveOptions {
 };
 
 struct SteadyCurve {
-  nlohmann::ordered_json steady;  ///< as "steady_curve" of summary.json
-  double residual = 0;            ///< largest acceleration left [m/s^2, rad/s^2]
+  vehicle::SteadyMeans steady;
+  double residual = 0;  ///< largest acceleration left [m/s^2, rad/s^2]
   double speed_m_s = 0;
   double coasting_m_s2 = 0;  ///< of a vehicle without drives, < 0: it slows down
   int places = 0;
@@ -47,7 +45,12 @@ struct SteadyCurve {
 Result<SteadyCurve> SolveSteadyCurve(vehicle::Simulation* simulation,
                                      const SteadyCurveOptions& options = {});
 
-/// Over all wheels of a "steady_curve": sum of T_gamma_N, largest magnitudes of Y_N and Y_over_Q.
-nlohmann::ordered_json CurveTotals(const nlohmann::ordered_json& steady);
+/// Over all wheels of a steady curve: sum of T-gamma, largest magnitudes of Y and Y/Q.
+struct CurveTotals {
+  double T_gamma_N = 0;
+  double largest_Y_N = 0;
+  double largest_Y_over_Q = 0;
+};
+CurveTotals CalcCurveTotals(const vehicle::SteadyMeans& steady);
 
 }  // namespace phs::analysis

@@ -43,7 +43,8 @@ Result<Json> ConicityOf(const std::vector<std::string>& bogies, const Scenario& 
     vehicle::UseBogie(bogie, &own);
     const auto simulation = vehicle::Simulation::Create(own);
     if (!simulation.ok()) return simulation.error();
-    all[vehicle::BogieLabel(bogie)] = analysis::DescribeConicity(simulation.value());
+    all[vehicle::BogieLabel(bogie)] = 
+        analysis::ConicityJson(analysis::CalcConicity(simulation.value()));
   }
   return all;
 }
@@ -97,7 +98,7 @@ int RunOverRadii(const CurveOptions& options) {
     if (!s.ok()) return BadInput(s.error());
   }
   for (const auto& row : rows.value()) {
-    if (row.summary["status"] != "ok") return kFailed;
+    if (row.summary.status != "ok") return kFailed;
   }
   return kDone;
 }

@@ -56,7 +56,7 @@ int RunCurve(CurveOptions options, bool compare) {
   if (!all.value()) return Stopped("nothing written");
   const Json compared = curve.Compared();
   if (options.common.format == "json") {
-    fmt::print("{}\n", (compare ? compared : curve.runs[0].summary).dump(2));
+    fmt::print("{}\n", (compare ? compared : curve.runs[0].ToJson()).dump(2));
   } else {
     PrintText(options, compare, curve);
   }

@@ -3,13 +3,11 @@
 #include <algorithm>
 #include <future>
 
-#include "analysis/pair_conicity.h"
-#include "analysis/running_assessment.h"
+#include "analysis/running_assessment_json.h"
 #include "base/origin.h"
 #include "film/film.h"
 #include "report/curving_report.h"
 #include "vehicle/compose.h"
-#include "vehicle/discretisation.h"
 #include "vehicle/result_files.h"
 #include "vehicle/summary.h"
 
@@ -43,8 +41,8 @@ void TakeHalfSteps(std::vector<CurveRun>* runs) {
   const size_t count = runs->size() / 2;
   for (size_t i = 0; i < count; ++i) {
     CurveRun& run = (*runs)[i];
-    run.summary["discretisation"] =
-        vehicle::Discretisation(run.outcome, run.summary, (*runs)[count + i].summary);
+    run.discretisation =
+        vehicle::ChangesAtHalfStep(run.outcome, run.summary, (*runs)[count + i].summary);
   }
   runs->erase(runs->begin() + static_cast<std::ptrdiff_t>(count), runs->end());
 }
@@ -56,21 +54,34 @@ Result<RunOutcome> RunOne(const Curve& curve, CurveRun* run, const vehicle::Prog
 
 }  // namespace
 
+Json CurveRun::ToJson() const {
+  nlohmann::ordered_json json = vehicle::SummaryJson(summary);
+  json["assessment"] = analysis::AssessmentJson(assessment);
+  if (discretisation) json["discretisation"] = vehicle::DiscretisationJson(*discretisation);
+  json["conicity"] = analysis::ConicityJson(conicity);
+  return json;
+}
+
 NamedSummaries Curve::Summaries() const {
   NamedSummaries named;
-  for (const CurveRun& run : runs) named.emplace_back(run.bogie, run.summary);
+  for (const CurveRun& run : runs) named.emplace_back(run.bogie, run.ToJson());
   return named;
 }
 
 Json Curve::Compared() const {
   const NamedSummaries summaries = Summaries();
   Json compared = vehicle::Compare(summaries, scenario, runs[0].simulation->binding().track());
-  if (verify) compared["discretisation"] = vehicle::RatioChanges(summaries);
+  if (!verify) return compared;
+  std::vector<std::pair<std::string, vehicle::StepChanges>> changes;
+  for (const CurveRun& run : runs) {
+    if (run.discretisation) changes.emplace_back(run.bogie, *run.discretisation);
+  }
+  compared["discretisation"] = vehicle::DiscretisationJson(vehicle::RatioChanges(changes));
   return compared;
 }
 
 Json Curve::Single() const {
-  Json single = runs[0].summary;
+  Json single = runs[0].ToJson();
   single["scenario"] = vehicle::DescribeScenario(scenario);
   single["track"] = vehicle::DescribeTrack(runs[0].simulation->binding().track());
   return single;
@@ -89,7 +100,7 @@ Result<Curve> PrepareCurve(const CurveRequest& request) {
     if (k >= names.size()) own.timestep_s = curve.runs[i].simulation->scenario().timestep_s / 2;
     auto simulation = Simulation::Create(own);
     if (!simulation.ok()) return simulation.error();
-    curve.runs.push_back({names[i], std::move(simulation).value(), {}, {}});
+    curve.runs.push_back({names[i], std::move(simulation).value()});
   }
   if (!(curve.scenario.timestep_s > 0)) {
     curve.scenario.timestep_s = curve.runs[0].simulation->scenario().timestep_s;
@@ -125,10 +136,10 @@ Result<bool> RunCurve(Curve* curve, const Watch& watch) {
   }
   for (CurveRun& run : runs) {
     run.summary = vehicle::Summarise(*run.simulation, run.outcome);
-    run.summary["assessment"] = analysis::AssessRun(*run.simulation, run.outcome);
+    run.assessment = analysis::AssessRun(*run.simulation, run.outcome);
   }
   if (curve->verify) TakeHalfSteps(&runs);
-  for (CurveRun& run : runs) run.summary["conicity"] = analysis::DescribeConicity(*run.simulation);
+  for (CurveRun& run : runs) run.conicity = analysis::CalcConicity(*run.simulation);
   return true;
 }
 

@@ -10,8 +10,11 @@
 #include <utility>
 #include <vector>
 
+#include "analysis/pair_conicity.h"
+#include "analysis/running_assessment.h"
 #include "base/result_dir.h"
 #include "jobs/watch.h"
+#include "vehicle/discretisation.h"
 #include "vehicle/simulation.h"
 
 namespace phs::jobs {
@@ -27,8 +30,14 @@ struct CurveRequest {
 struct CurveRun {
   std::string bogie;
   std::optional<vehicle::Simulation> simulation;
-  vehicle::RunOutcome outcome;
-  nlohmann::ordered_json summary;
+  vehicle::RunOutcome outcome = {};
+  vehicle::RunSummary summary = {};
+  analysis::Assessment assessment = {};
+  std::optional<vehicle::StepChanges> discretisation = {};
+  analysis::PairConicity conicity = {};
+
+  /// summary.json without scenario and track.
+  nlohmann::ordered_json ToJson() const;
 };
 
 using NamedSummaries = std::vector<std::pair<std::string, nlohmann::ordered_json>>;

@@ -40,44 +40,40 @@ std::vector<double> RadiiOf(const CurvingRequest& request) {
   return {150, 200, 250, 300, 350, 400, 500, 600, 800, 1000, 1500};
 }
 
-Json WheelsetOf(const Json& steady, size_t index, const char* key) {
-  const Json sets = steady.value("wheelsets", Json::array());
-  return index < sets.size() ? sets[index][key] : Json(nullptr);
-}
-
 /// Largest difference between the steady state and the time run, each quantity against its scale:
 /// angle of attack against a/R of 1.5 m, forces against the static wheel load, shift against 10 mm.
-double LargestDifference(const Json& a, const Json& b, double radius, double load) {
+double LargestDifference(const vehicle::SteadyMeans& a, const vehicle::SteadyMeans& b,
+                         double radius, double load) {
   double largest = 0;
-  const auto compare = [&](const Json& x, const Json& y, double scale) {
-    if (!x.is_number() || !y.is_number()) return;
-    largest = std::max(largest, std::abs(x.get<double>() - y.get<double>()) / scale);
+  const auto compare = [&](double x, double y, double scale) {
+    if (std::isfinite(x) && std::isfinite(y)) largest = std::max(largest, std::abs(x - y) / scale);
   };
-  for (size_t i = 0; i < a["wheelsets"].size(); ++i) {
-    compare(a["wheelsets"][i]["angle_of_attack_rad"], b["wheelsets"][i]["angle_of_attack_rad"],
-            1.5 / radius);
-    compare(a["wheelsets"][i]["lateral_m"], b["wheelsets"][i]["lateral_m"], 0.01);
+  for (size_t i = 0; i < a.wheelsets.size(); ++i) {
+    const vehicle::WheelsetMeans &own = a.wheelsets[i], &other = b.wheelsets[i];
+    compare(own.angle_of_attack_rad, other.angle_of_attack_rad, 1.5 / radius);
+    compare(own.lateral_m, other.lateral_m, 0.01);
   }
-  for (size_t i = 0; i < a["wheels"].size(); ++i) {
-    for (const char* key : {"Y_N", "Q_N"}) compare(a["wheels"][i][key], b["wheels"][i][key], load);
+  for (size_t i = 0; i < a.wheels.size(); ++i) {
+    compare(a.wheels[i].Y_N, b.wheels[i].Y_N, load);
+    compare(a.wheels[i].Q_N, b.wheels[i].Q_N, load);
   }
   return largest;
 }
 
 /// The same curve run through in time: difference and how much longer it takes.
-Status AddTimeRun(vehicle::Simulation* simulation, double radius, double load, double spent,
-                  const Watch& watch, Json* row) {
+Status AddTimeRun(vehicle::Simulation* simulation, double radius, double load,
+                  const analysis::SteadyCurve& solved, const Watch& watch, Json* row) {
   auto run = simulation->Run([&](double) { return !watch.IsStopped(); });
   if (!run.ok()) return run.status();
-  const Json summary = vehicle::Summarise(*simulation, run.value());
+  const vehicle::RunSummary summary = vehicle::Summarise(*simulation, run.value());
   Json& check = (*row)["time_run"];
-  check["status"] = summary["status"];
+  check["status"] = summary.status;
   const double seconds = run.value().end_time_s / run.value().real_time_factor;
-  check["faster"] = seconds / spent;
-  if (summary["status"] != "ok") return {};
-  check["largest_difference"] =
-      LargestDifference((*row)["steady_curve"], summary["steady_curve"], radius, load);
-  check["steady_curve"] = summary["steady_curve"];
+  check["faster"] = seconds / solved.processor_s;
+  if (summary.status != "ok" || !summary.numbers) return {};
+  const vehicle::SteadyMeans& timed = summary.numbers->steady_curve;
+  check["largest_difference"] = LargestDifference(solved.steady, timed, radius, load);
+  check["steady_curve"] = vehicle::SteadyCurveJson(timed);
   return {};
 }
 
@@ -108,7 +104,9 @@ Result<Json> SolveOne(const CurvingRequest& request, const std::string& bogie, d
   const double radius = curve.value().radius_m;
   auto simulation = OnCurve(request, family.value(), bogie, own_arc, curve.value());
   if (!simulation.ok()) return simulation.error();
-  if (conicity->is_null()) *conicity = analysis::DescribeConicity(simulation.value());
+  if (conicity->is_null()) {
+    *conicity = analysis::ConicityJson(analysis::CalcConicity(simulation.value()));
+  }
   Json row = {{"radius_m", radius},
               {"speed_m_s", curve.value().speed_m_s},
               {"cant_m", curve.value().cant_m},
@@ -121,22 +119,23 @@ Result<Json> SolveOne(const CurvingRequest& request, const std::string& bogie, d
     row["reason"] = solved.error().Line();
     return row;
   }
-  const Json steady = solved.value().steady;
-  row["steady_curve"] = steady;
-  row["angle_of_attack_lead_rad"] = WheelsetOf(steady, 0, "angle_of_attack_rad");
-  row["sum_Y_lead_N"] = WheelsetOf(steady, 0, "sum_Y_N");
-  const Json totals = analysis::CurveTotals(steady);
-  row["largest_Y_N"] = totals["largest_Y_N"];
-  row["T_gamma_N"] = totals["T_gamma_N"];
+  const vehicle::SteadyMeans& steady = solved.value().steady;
+  row["steady_curve"] = vehicle::SteadyCurveJson(steady);
+  const vehicle::WheelsetMeans& lead = steady.wheelsets.front();
+  row["angle_of_attack_lead_rad"] = lead.angle_of_attack_rad;
+  row["sum_Y_lead_N"] = lead.sum_Y_N;
+  const analysis::CurveTotals totals = analysis::CalcCurveTotals(steady);
+  row["largest_Y_N"] = totals.largest_Y_N;
+  row["T_gamma_N"] = totals.T_gamma_N;
   row["coasting_m_s2"] = solved.value().coasting_m_s2;
   row["residual"] = solved.value().residual;
   row["evaluations"] = solved.value().evaluations;
   row["processor_s"] = solved.value().processor_s;
   const mjModel* m = simulation.value().model();
-  const double load = m->body_subtreemass[0] * 9.81 / (2.0 * steady["wheelsets"].size());
+  const double load =
+      m->body_subtreemass[0] * 9.81 / (2.0 * static_cast<double>(steady.wheelsets.size()));
   if (request.time_run) {
-    if (Status s =
-            AddTimeRun(&simulation.value(), radius, load, solved.value().processor_s, watch, &row);
+    if (Status s = AddTimeRun(&simulation.value(), radius, load, solved.value(), watch, &row);
         !s.ok()) {
       return s.error();
     }

@@ -13,6 +13,7 @@
 #include "sweep/run_in_time.h"
 #include "vehicle/scenario_file.h"
 #include "vehicle/simulation.h"
+#include "vehicle/summary.h"
 
 namespace phs::sweep {
 namespace {
@@ -24,8 +25,13 @@ Result<Analysed> SolveCurve(const vehicle::Scenario& scenario) {
   if (!simulation.ok()) return simulation.error();
   const auto solved = analysis::SolveSteadyCurve(&simulation.value());
   if (!solved.ok()) return solved.error();
-  const Json& steady = solved.value().steady;
-  return Analysed{.numbers = {{"steady_curve", steady}, {"totals", analysis::CurveTotals(steady)}}};
+  const vehicle::SteadyMeans& steady = solved.value().steady;
+  const analysis::CurveTotals totals = analysis::CalcCurveTotals(steady);
+  return Analysed{.numbers = {{"steady_curve", vehicle::SteadyCurveJson(steady)},
+                              {"totals",
+                               {{"T_gamma_N", totals.T_gamma_N},
+                                {"largest_Y_N", totals.largest_Y_N},
+                                {"largest_Y_over_Q", totals.largest_Y_over_Q}}}}};
 }
 
 Result<Analysed> FindCriticalSpeed(const vehicle::Scenario& scenario) {
@@ -101,9 +107,9 @@ Result<Analysed> LayLoads(const vehicle::Scenario& scenario) {
 Result<Analysed> HoldLoads(const vehicle::Scenario& scenario) {
   auto simulation = vehicle::Simulation::Create(scenario);
   if (!simulation.ok()) return simulation.error();
-  auto held = analysis::CalcHeldShear(simulation.value(), analysis::StandardLoadCases());
+  const auto held = analysis::CalcHeldShear(simulation.value(), analysis::StandardLoadCases());
   if (!held.ok()) return held.error();
-  return Analysed{.numbers = std::move(held).value()};
+  return Analysed{.numbers = analysis::HeldShearJson(simulation.value(), held.value())};
 }
 
 Result<Analysed> RunToItsEnd(const vehicle::Scenario& scenario, double window_s) {
@@ -113,7 +119,8 @@ Result<Analysed> RunToItsEnd(const vehicle::Scenario& scenario, double window_s)
   if (!run.ok()) return run.error();
   return Analysed{run.value().status,
                   run.value().reason,
-                  {{"last", analysis::LastSeconds(simulation.value(), run.value(), window_s)}}};
+                  {{"last", analysis::LastSecondsJson(analysis::CalcLastSeconds(
+                                simulation.value(), run.value(), window_s))}}};
 }
 
 Result<Analysed> SeeWhatIsLeft(const vehicle::Scenario& scenario) {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/running_assessment.h"
+#include "analysis/running_assessment_json.h"
 #include "vehicle/simulation.h"
 #include "vehicle/summary.h"
 
@@ -47,8 +47,10 @@ Result<Analysed> RunInTime(const vehicle::Scenario& scenario) {
   if (!simulation.ok()) return simulation.error();
   const auto outcome = simulation.value().Run();
   if (!outcome.ok()) return outcome.error();
-  Json numbers = vehicle::Summarise(simulation.value(), outcome.value());
-  numbers[kAssessment] = analysis::AssessRun(simulation.value(), outcome.value());
+  Json numbers =
+      vehicle::SummaryJson(vehicle::Summarise(simulation.value(), outcome.value()));
+  numbers[kAssessment] =
+      analysis::AssessmentJson(analysis::AssessRun(simulation.value(), outcome.value()));
   return Analysed{outcome.value().status, outcome.value().reason, std::move(numbers)};
 }
 
@@ -62,13 +64,13 @@ Result<Analysed> NamesOfRun(const vehicle::Scenario& scenario,
   auto run = simulation.value().Run();
   if (!run.ok()) return run.error();
   if (run.value().columns[0].empty()) return Error{own.bogie, "has no first step", "", ""};
-  Json numbers = vehicle::Summarise(simulation.value(), run.value());
+  Json numbers = vehicle::SummaryJson(vehicle::Summarise(simulation.value(), run.value()));
   const bool assessed = std::any_of(outputs.begin(), outputs.end(), [](const std::string& path) {
     return path.starts_with(std::string(kAssessment) + ".");
   });
   if (assessed) {
-    numbers[kAssessment] = analysis::AssessRun(
-        simulation.value(), Stretched(simulation.value(), std::move(run).value()));
+    numbers[kAssessment] = analysis::AssessmentJson(analysis::AssessRun(
+        simulation.value(), Stretched(simulation.value(), std::move(run).value())));
   }
   return Analysed{.numbers = std::move(numbers)};
 }

@@ -1,52 +1,15 @@
 #include "vehicle/discretisation.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace phs::vehicle {
 namespace {
 
 using Json = nlohmann::ordered_json;
-const double kNone = std::nan("");
-
-/// A number of every entry of a list, or of every wheelset's budget.
-struct Listed {
-  const char* list;
-  const char* key;
-  /// Ending of the recorded channel that gives the scale; "" = judged by its own size.
-  const char* channel;
-};
-
-const Listed kOfSteadyCurve[] = {{"wheelsets", "lateral_m", "_lateral_m"},
-                                 {"wheelsets", "angle_of_attack_rad", "_angle_of_attack_rad"},
-                                 {"wheelsets", "yaw_rad", "_yaw_rad"},
-                                 {"wheelsets", "sum_Y_N", ""},
-                                 {"wheels", "Y_N", ""},
-                                 {"wheels", "Q_N", ""},
-                                 {"wheels", "Y_over_Q", ""},
-                                 {"wheels", "T_gamma_N", ""},
-                                 {"wheels", "T_gamma_spin_N", ""},
-                                 {"cylinders", "force_N", "_force_N"},
-                                 {"cylinders", "friction_N", "_friction_N"},
-                                 {"cylinders", "piston_m", "_piston_m"},
-                                 {"lines", "pressure_Pa", ""}};
-
-const Listed kOfBudget[] = {{"", "creep_Nm", "_steering_moment_Nm"},
-                            {"", "phs_pressure_Nm", "_phs_pressure_moment_Nm"},
-                            {"", "phs_friction_Nm", "_phs_friction_moment_Nm"},
-                            {"", "primary_Nm", "_primary_moment_Nm"}};
-
-const char* const kOfRun[] = {
-    "T_gamma_total_J", "max_Y_over_Q", "max_sum_Y_N", "max_angle_of_attack_rad",
-    "min_Q_N",         "lost_creep_J", "lost_phs_J"};
 
 /// Numbers whose ratios between bogies are headlines.
 const char* const kOfRatios[] = {"run.T_gamma_total_J", "steady_curve.T_gamma_N",
                                  "run.lost_creep_J", "run.max_Y_over_Q"};
-
-double NumberOf(const Json& object, const std::string& key) {
-  return object.contains(key) && object[key].is_number() ? object[key].get<double>() : kNone;
-}
 
 /// Part of a name that tells the bogie: "front_" of "front_lead"; "" of "lead".
 std::string BogieOf(const std::string& name) {
@@ -72,142 +35,138 @@ double Scale(const RunOutcome& run, const std::string& bogie, const std::string&
   return largest;
 }
 
-Json Change(double value, double half, double scale) {
-  Json change = {{"value", value},
-                 {"half_step", half},
-                 {"relative", nullptr},
-                 {"of_scale", nullptr},
-                 {"scale", nullptr}};
-  if (half != 0) change["relative"] = value / half - 1;
+/// `scale` = 0: judged by its own size.
+StepChange ChangeOf(const std::string& name, double value, double half, double scale) {
+  StepChange change{name, value, half};
+  if (half != 0) change.relative = value / half - 1;
   if (scale > 0) {
-    change["of_scale"] = (value - half) / scale;
-    change["scale"] = scale;
+    change.of_scale = (value - half) / scale;
+    change.scale = scale;
   }
   return change;
 }
 
 /// Collects the changes of one run.
-class Changes {
+class Collector {
  public:
-  Changes(const RunOutcome& run, const Json& summary, const Json& half)
-      : run_(run), summary_(summary), half_(half) {}
+  Collector(const RunOutcome& run, std::vector<StepChange>* out) : run_(run), out_(out) {}
 
-  /// `scale` = 0: judged by its own size.
   void Add(const std::string& name, double value, double half, double scale) {
-    if (!std::isfinite(value) || !std::isfinite(half)) return;
-    changes_[name] = Change(value, half, scale);
-    if (std::abs(JudgedChange(changes_[name])) > kMovingShare) moving_.push_back(name);
+    if (std::isfinite(value) && std::isfinite(half)) {
+      out_->push_back(ChangeOf(name, value, half, scale));
+    }
   }
 
-  void AddLists() {
-    for (const Listed& item : kOfSteadyCurve) {
-      const Json& list = summary_["steady_curve"][item.list];
-      const Json& halves = half_["steady_curve"][item.list];
-      for (size_t i = 0; i < std::min(list.size(), halves.size()); ++i) {
-        const std::string name = list[i]["name"];
-        const std::string ending = item.channel;
-        Add(std::string("steady_curve.") + item.list + "." + name + "." + item.key,
-            NumberOf(list[i], item.key), NumberOf(halves[i], item.key),
-            ending.empty() ? 0 : Scale(run_, BogieOf(name), ending));
+  /// The numbers of a part that are judged; its names begin with `path`.
+  template <typename Part, size_t n>
+  void AddPart(const std::string& path, const std::string& bogie, const Part& part,
+               const Part& half, const SummaryNumber<Part> (&numbers)[n]) {
+    for (const auto& number : numbers) {
+      if (number.judged == Judged::kNot) continue;
+      const std::string ending = std::string("_") + number.channel;
+      Add(path + number.key, part.*number.value, half.*number.value,
+          number.judged == Judged::kByLargest ? Scale(run_, bogie, ending) : 0);
+    }
+  }
+
+  template <typename Part, size_t n>
+  void AddList(const std::string& path, const std::vector<Part>& parts,
+               const std::vector<Part>& halves, const SummaryNumber<Part> (&numbers)[n]) {
+    for (size_t i = 0; i < std::min(parts.size(), halves.size()); ++i) {
+      AddPart(path + "." + parts[i].name + ".", BogieOf(parts[i].name), parts[i], halves[i],
+              numbers);
+    }
+  }
+
+  void AddBogies(const std::vector<BogieMeans>& bogies, const std::vector<BogieMeans>& halves) {
+    for (size_t i = 0; i < std::min(bogies.size(), halves.size()); ++i) {
+      for (const auto& number : kBogieNumbers) {
+        const std::string channel = bogies[i].prefix + number.channel;
+        Add("steady_curve." + bogies[i].prefix + number.key, bogies[i].*number.value,
+            halves[i].*number.value, Scale(run_, channel, channel));
       }
     }
   }
-
-  void AddBogies() {
-    const Json& curve = summary_["steady_curve"];
-    for (const auto& [key, value] : curve.items()) {
-      if (!key.ends_with("bending_rad") && !key.ends_with("shear_rad")) continue;
-      Add("steady_curve." + key, NumberOf(curve, key), NumberOf(half_["steady_curve"], key),
-          Scale(run_, key, key));
-    }
-    Add("steady_curve.T_gamma_N", Wear(summary_), Wear(half_), 0);
-  }
-
-  void AddRun() {
-    for (const char* key : kOfRun) {
-      Add(std::string("run.") + key, NumberOf(summary_["run"], key), NumberOf(half_["run"], key),
-          0);
-    }
-  }
-
-  void AddBudget() {
-    for (const auto& [wheelset, moments] : summary_["budget"].items()) {
-      if (!half_["budget"].contains(wheelset)) continue;
-      for (const Listed& item : kOfBudget) {
-        Add("budget." + wheelset + "." + item.key, NumberOf(moments, item.key),
-            NumberOf(half_["budget"][wheelset], item.key),
-            Scale(run_, BogieOf(wheelset), item.channel));
-      }
-    }
-  }
-
-  const Json& changes() const { return changes_; }
-  const Json& moving() const { return moving_; }
 
  private:
-  /// T-gamma of all wheels.
-  static double Wear(const Json& summary) {
-    double sum = 0;
-    for (const Json& wheel : summary["steady_curve"]["wheels"]) sum += NumberOf(wheel, "T_gamma_N");
-    return sum;
-  }
-
   const RunOutcome& run_;
-  const Json& summary_;
-  const Json& half_;
-  Json changes_ = Json::object();
-  Json moving_ = Json::array();
+  std::vector<StepChange>* out_;
 };
 
-bool HasResults(const Json& summary) {
-  return summary.contains("steady_curve") && summary.contains("run") && summary.contains("budget");
+Json NumberOrNull(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
+
+const StepChange* FindChange(const StepChanges& changes, const std::string& name) {
+  const auto at = std::find_if(changes.changes.begin(), changes.changes.end(),
+                               [&](const StepChange& c) { return c.name == name; });
+  return at == changes.changes.end() ? nullptr : &*at;
 }
 
 }  // namespace
 
-double JudgedChange(const Json& change) {
-  const Json& of_scale = change["of_scale"];
-  const Json& judged = of_scale.is_number() ? of_scale : change["relative"];
-  return judged.is_number() ? judged.get<double>() : kNone;
+StepChanges ChangesAtHalfStep(const RunOutcome& run, const RunSummary& summary,
+                              const RunSummary& half) {
+  StepChanges out{summary.timestep_s, half.timestep_s, half.status, {}};
+  if (!summary.numbers || !half.numbers) return out;
+  Collector collector(run, &out.changes);
+  const SteadyMeans& curve = summary.numbers->steady_curve;
+  const SteadyMeans& of_half = half.numbers->steady_curve;
+  collector.AddList("steady_curve.wheelsets", curve.wheelsets, of_half.wheelsets,
+                    kWheelsetNumbers);
+  collector.AddList("steady_curve.wheels", curve.wheels, of_half.wheels, kWheelNumbers);
+  collector.AddList("steady_curve.cylinders", curve.cylinders, of_half.cylinders,
+                    kCylinderNumbers);
+  collector.AddList("steady_curve.lines", curve.lines, of_half.lines, kLineNumbers);
+  collector.AddBogies(curve.bogies, of_half.bogies);
+  collector.Add("steady_curve.T_gamma_N", curve.TGamma(), of_half.TGamma(), 0);
+  collector.AddPart("run.", "", summary.numbers->run, half.numbers->run, kRunNumbers);
+  collector.AddList("budget", summary.numbers->budget, half.numbers->budget, kMomentNumbers);
+  return out;
 }
 
-Json Discretisation(const RunOutcome& run, const Json& summary, const Json& half) {
-  Changes changes(run, summary, half);
-  if (HasResults(summary) && HasResults(half)) {
-    changes.AddLists();
-    changes.AddBogies();
-    changes.AddRun();
-    changes.AddBudget();
-  }
-  return {{"timestep_s", summary["timestep_s"]},
-          {"half_step_s", half["timestep_s"]},
-          {"half_step_status", half["status"]},
-          {"changes", changes.changes()},
-          {"moving", changes.moving()}};
-}
-
-Json RatioChanges(const std::vector<std::pair<std::string, Json>>& summaries) {
-  Json changes = Json::object();
-  Json moving = Json::array();
-  for (const auto& [a, of_a] : summaries) {
-    for (const auto& [b, of_b] : summaries) {
-      if (a == b || !of_a.contains("discretisation") || !of_b.contains("discretisation")) continue;
+StepChanges RatioChanges(const std::vector<std::pair<std::string, StepChanges>>& bogies) {
+  StepChanges out;
+  if (!bogies.empty()) out.timestep_s = bogies.front().second.timestep_s;
+  for (const auto& [a, of_a] : bogies) {
+    for (const auto& [b, of_b] : bogies) {
+      if (a == b) continue;
       for (const char* name : kOfRatios) {
-        const Json& own = of_a["discretisation"]["changes"];
-        const Json& other = of_b["discretisation"]["changes"];
-        if (!own.contains(name) || !other.contains(name)) continue;
-        const double value = NumberOf(own[name], "value") / NumberOf(other[name], "value");
-        const double half = NumberOf(own[name], "half_step") / NumberOf(other[name], "half_step");
+        const StepChange* own = FindChange(of_a, name);
+        const StepChange* other = FindChange(of_b, name);
+        if (own == nullptr || other == nullptr) continue;
+        const double value = own->value / other->value;
+        const double half = own->half_step / other->half_step;
         if (!std::isfinite(value) || !std::isfinite(half)) continue;
-        const std::string path = a + "_over_" + b + "." + name;
-        changes[path] = Change(value, half, 0);
-        if (std::abs(JudgedChange(changes[path])) > kMovingShare) moving.push_back(path);
+        out.changes.push_back(ChangeOf(a + "_over_" + b + "." + name, value, half, 0));
       }
     }
   }
-  return {{"timestep_s", summaries.front().second.value("timestep_s", 0.0)},
-          {"changes", changes},
-          {"moving", moving}};
+  return out;
+}
+
+Json DiscretisationJson(const StepChanges& changes) {
+  Json out = {{"timestep_s", changes.timestep_s}};
+  if (changes.half_step_s > 0) {
+    out["half_step_s"] = changes.half_step_s;
+    out["half_step_status"] = changes.half_step_status;
+  }
+  Json& all = out["changes"] = Json::object();
+  Json moving = Json::array();
+  for (const StepChange& c : changes.changes) {
+    all[c.name] = {{"value", c.value},
+                   {"half_step", c.half_step},
+                   {"relative", NumberOrNull(c.relative)},
+                   {"of_scale", NumberOrNull(c.of_scale)},
+                   {"scale", NumberOrNull(c.scale)}};
+    if (c.Moves()) moving.push_back(c.name);
+  }
+  out["moving"] = std::move(moving);
+  return out;
+}
+
+double JudgedChange(const Json& change) {
+  const Json& of_scale = change["of_scale"];
+  const Json& judged = of_scale.is_number() ? of_scale : change["relative"];
+  return judged.is_number() ? judged.get<double>() : std::nan("");
 }
 
 }  // namespace phs::vehicle

@@ -30,47 +30,38 @@ Result<RadiusRow> RunOne(const RadiusCase& asked) {
   row.yardstick = YardstickOf(scenario.bogie);
   row.speed_m_s = scenario.speed_m_s;
   row.summary = Summarise(simulation.value(), outcome.value());
-  const Json::json_pointer radius("/steady_curve/radius_m");
-  if (row.summary.contains(radius) && row.summary[radius].is_number()) {
-    row.radius_m = std::abs(row.summary[radius].get<double>());
-    row.hand = row.summary[radius].get<double>() > 0 ? 1 : -1;
+  const auto& numbers = row.summary.numbers;
+  if (numbers && numbers->steady_curve.curvature_1_m != 0) {
+    row.radius_m = std::abs(1 / numbers->steady_curve.curvature_1_m);
+    row.hand = numbers->steady_curve.curvature_1_m > 0 ? 1 : -1;
   }
   return row;
 }
 
-Json At(const Json& json, const std::string& pointer) {
-  const Json::json_pointer p(pointer);
-  return json.contains(p) ? json.at(p) : Json(nullptr);
+/// A number of the wheelset whose name ends so; null for a run that did not get there.
+Json Wheelset(const RunSummary& summary, const std::string& end, double WheelsetMeans::*number) {
+  const WheelsetMeans* wheelset =
+      summary.numbers ? summary.numbers->steady_curve.FindWheelset(end) : nullptr;
+  return wheelset == nullptr ? Json(nullptr) : Json(wheelset->*number);
 }
 
-/// Wheelset `name` of the steady curve; null for a run that did not get there.
-Json Wheelset(const Json& summary, const std::string& end, const char* key) {
-  if (!summary.contains("steady_curve")) return nullptr;
-  for (const Json& w : summary["steady_curve"]["wheelsets"]) {
-    if (w["name"].get<std::string>().ends_with(end)) return w[key];
-  }
-  return nullptr;
+Json OfRun(const RunSummary& summary, double WholeRun::*number) {
+  return summary.numbers ? Json(summary.numbers->run.*number) : Json(nullptr);
 }
 
-double SteadyTGamma(const Json& summary) {
-  if (!summary.contains("steady_curve")) return std::nan("");
-  double sum = 0;
-  for (const Json& wheel : summary["steady_curve"]["wheels"]) {
-    sum += wheel["T_gamma_N"].is_number() ? wheel["T_gamma_N"].get<double>() : std::nan("");
-  }
-  return sum;
+double SteadyTGamma(const RunSummary& summary) {
+  return summary.numbers ? summary.numbers->steady_curve.TGamma() : std::nan("");
 }
 
-double RunTGamma(const Json& summary) {
-  const Json total = At(summary, "/run/T_gamma_total_J");
-  return total.is_number() ? total.get<double>() : std::nan("");
+double RunTGamma(const RunSummary& summary) {
+  return summary.numbers ? summary.numbers->run.T_gamma_total_J : std::nan("");
 }
 
 /// The yardstick's row in the same curve, or null.
 const RadiusRow* YardstickRow(const std::vector<RadiusRow>& rows, const RadiusRow& own) {
   for (const RadiusRow& row : rows) {
     if (row.bogie == own.yardstick && row.radius_m == own.radius_m &&
-        row.speed_m_s == own.speed_m_s && row.summary["status"] == "ok") {
+        row.speed_m_s == own.speed_m_s && row.summary.status == "ok") {
       return &row;
     }
   }
@@ -85,20 +76,20 @@ Json DescribeRow(const std::vector<RadiusRow>& rows, const RadiusRow& row) {
               {"speed_m_s", row.speed_m_s},
               {"bogie", row.bogie},
               {"yardstick", row.yardstick},
-              {"status", row.summary["status"]},
-              {"reason", row.summary["reason"]},
-              {"angle_of_attack_lead_rad", Wheelset(row.summary, "lead", "angle_of_attack_rad")},
-              {"angle_of_attack_trail_rad", Wheelset(row.summary, "trail", "angle_of_attack_rad")},
+              {"status", row.summary.status},
+              {"reason", row.summary.reason},
+              {"angle_of_attack_lead_rad", Wheelset(row.summary, "lead", &WheelsetMeans::angle_of_attack_rad)},
+              {"angle_of_attack_trail_rad", Wheelset(row.summary, "trail", &WheelsetMeans::angle_of_attack_rad)},
               {"T_gamma_N", SteadyTGamma(row.summary)},
               {"T_gamma_total_J", RunTGamma(row.summary)},
-              {"sum_Y_lead_N", Wheelset(row.summary, "lead", "sum_Y_N")},
-              {"max_sum_Y_N", At(row.summary, "/run/max_sum_Y_N")},
-              {"max_Y_over_Q", At(row.summary, "/run/max_Y_over_Q")},
-              {"energy_error_relative", At(row.summary, "/run/energy_error_relative")}};
+              {"sum_Y_lead_N", Wheelset(row.summary, "lead", &WheelsetMeans::sum_Y_N)},
+              {"max_sum_Y_N", OfRun(row.summary, &WholeRun::max_sum_Y_N)},
+              {"max_Y_over_Q", OfRun(row.summary, &WholeRun::max_Y_over_Q)},
+              {"energy_error_relative", OfRun(row.summary, &WholeRun::energy_error_relative)}};
   out["wear_yardstick_over_own_steady"] = nullptr;
   out["wear_yardstick_over_own_run"] = nullptr;
   const RadiusRow* yardstick = YardstickRow(rows, row);
-  if (yardstick != nullptr && row.summary["status"] == "ok") {
+  if (yardstick != nullptr && row.summary.status == "ok") {
     out["wear_yardstick_over_own_steady"] =
         SteadyTGamma(yardstick->summary) / SteadyTGamma(row.summary);
     out["wear_yardstick_over_own_run"] = RunTGamma(yardstick->summary) / RunTGamma(row.summary);

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "vehicle/simulation.h"
+#include "vehicle/run_summary.h"
 
 namespace phs::vehicle {
 
@@ -17,7 +17,7 @@ struct RadiusRow {
   double speed_m_s = 0;
   std::string bogie;
   std::string yardstick;  ///< "" if the bogie names none
-  nlohmann::ordered_json summary;
+  RunSummary summary;
 };
 
 /// The scenario of a curve: track and speed of the product's scenario "curve_rRADIUS", everything

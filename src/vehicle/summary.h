@@ -1,4 +1,4 @@
-// The numbers that scripts read, from a run's recorded channels.
+// summary.json and compare.json: the numbers that scripts read (docs/results.md).
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -6,14 +6,14 @@
 #include <utility>
 #include <vector>
 
-#include "vehicle/simulation.h"
+#include "vehicle/run_summary.h"
 
 namespace phs::vehicle {
 
-/// summary.json of one run: status, steady curve, whole run, moment budget (docs/results.md).
-/// `steady_curve` is the mean over the last third of the first circular arc (of the whole track if
-/// it has none); "outer" is the high rail of that curve, the left one on straight track.
-nlohmann::ordered_json Summarise(const Simulation& simulation, const RunOutcome& run);
+/// summary.json of one run: status, steady curve, whole run, moment budget.
+nlohmann::ordered_json SummaryJson(const RunSummary& summary);
+/// `steady_curve` of summary.json.
+nlohmann::ordered_json SteadyCurveJson(const SteadyMeans& means);
 
 /// compare.json: every summary, ratios of the same numbers for each ordered pair, scenario, track.
 nlohmann::ordered_json Compare(

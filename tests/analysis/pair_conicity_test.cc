@@ -39,7 +39,7 @@ double ValueAt(const Json& curve, double amplitude_m) {
 TEST(PairConicity, OfAConeItIsWickens) {
   const double cone = 0.05;
   const rail::WheelRail pair = rail::Create(rail::ConeOnArc("0.05", "0.3"));
-  const Json json = DescribeConicity(pair, 0);
+  const Json json = ConicityJson(CalcConicity(pair, 0));
   ASSERT_TRUE(json.contains("curves")) << json.dump();
   ASSERT_EQ(json["curves"].size(), 1u);
   const double wickens = cone * (0.75 + 0.3 * cone) / (0.75 - 0.46 * cone);
@@ -49,7 +49,7 @@ TEST(PairConicity, OfAConeItIsWickens) {
 
 TEST(PairConicity, OfARunItIsThatOfItsBindingToTheBit) {
   const auto simulation = Simulated("phs", "");
-  const Json json = DescribeConicity(simulation);
+  const Json json = ConicityJson(CalcConicity(simulation));
   const rail::WheelRail& pair = simulation.binding().wheel_rail();
   const auto own = rail::CalcContactFunctions(pair, pair, 10e-3, 0.1e-3);
   ASSERT_TRUE(own.ok());
@@ -71,14 +71,14 @@ TEST(PairConicity, OfARunItIsThatOfItsBindingToTheBit) {
 
 TEST(PairConicity, WornTreadsAndOtherGaugesHaveTheirOwn) {
   const auto at_3_mm = [](const rail::WheelRailParams& p) {
-    return ValueAt(DescribeConicity(rail::Create(p), 0)["curves"][0], 3e-3);
+    return ValueAt(ConicityJson(CalcConicity(rail::Create(p), 0))["curves"][0], 3e-3);
   };
   rail::WheelRailParams p = rail::StandardPair();
   const double as_new = at_3_mm(p);
   EXPECT_NEAR(as_new, 0.18, 0.01);  // S1002 on UIC60, 1435 mm: the usual figure
   p.wear.depth_m = 2e-3;
   EXPECT_GT(at_3_mm(p), 1.2 * as_new);
-  EXPECT_EQ(DescribeConicity(rail::Create(p), 0)["worn_depth_m"], 2e-3);
+  EXPECT_EQ(ConicityJson(CalcConicity(rail::Create(p), 0))["worn_depth_m"], 2e-3);
   p.wear.depth_m = 0;
   p.gauge = 1.432;
   EXPECT_GT(at_3_mm(p), 1.1 * as_new);
@@ -86,7 +86,7 @@ TEST(PairConicity, WornTreadsAndOtherGaugesHaveTheirOwn) {
 
 TEST(PairConicity, WithoutProfilesItSaysSo) {
   const auto simulation = Simulated("cooperrider", "");
-  const Json json = DescribeConicity(simulation);
+  const Json json = ConicityJson(CalcConicity(simulation));
   EXPECT_FALSE(json.contains("curves"));
   EXPECT_THAT(json["missing"].get<std::string>(), HasSubstr("no wheel and rail profiles"));
   EXPECT_THAT(json["missing"].get<std::string>(), HasSubstr("a conicity of 0.05"));

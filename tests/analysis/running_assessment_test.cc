@@ -1,4 +1,4 @@
-#include "analysis/running_assessment.h"
+#include "analysis/running_assessment_json.h"
 
 #include <gtest/gtest.h>
 
@@ -29,8 +29,8 @@ Assessed Execute(const std::string& scenario, const std::string& bogie, double r
   EXPECT_TRUE(simulation.ok()) << simulation.error().Line();
   auto run = simulation.value().Run();
   EXPECT_TRUE(run.ok());
-  return {AssessRun(simulation.value(), run.value()),
-          vehicle::Summarise(simulation.value(), run.value())};
+  return {AssessmentJson(AssessRun(simulation.value(), run.value())),
+          vehicle::SummaryJson(vehicle::Summarise(simulation.value(), run.value()))};
 }
 
 const Json& Named(const Json& list, const std::string& name) {

@@ -12,12 +12,14 @@
 #include "phs_places.h"
 #include "tests/base/scratch_dir.h"
 #include "vehicle/simulation.h"
-#include "vehicle/summary.h"
+#include "vehicle/run_summary.h"
 
 namespace phs::analysis {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using vehicle::SteadyMeans;
+using vehicle::WheelMeans;
+using vehicle::WheelsetMeans;
 
 vehicle::Scenario Curve(const std::string& bogie, const std::string& track, double speed) {
   vehicle::Scenario s;
@@ -29,12 +31,12 @@ vehicle::Scenario Curve(const std::string& bogie, const std::string& track, doub
   return s;
 }
 
-void ExpectNear(const Json& steady, const Json& timed, const char* list, const char* key,
-                double tolerance) {
-  ASSERT_EQ(steady[list].size(), timed[list].size());
-  for (size_t i = 0; i < steady[list].size(); ++i) {
-    EXPECT_NEAR(steady[list][i][key].get<double>(), timed[list][i][key].get<double>(), tolerance)
-        << steady[list][i]["name"] << " " << key;
+template <typename Part>
+void ExpectNear(const std::vector<Part>& steady, const std::vector<Part>& timed,
+                double Part::*number, double tolerance) {
+  ASSERT_EQ(steady.size(), timed.size());
+  for (size_t i = 0; i < steady.size(); ++i) {
+    EXPECT_NEAR(steady[i].*number, timed[i].*number, tolerance) << steady[i].name;
   }
 }
 
@@ -48,13 +50,13 @@ TEST(SteadyCurveTest, AgreesWithTheTimeRunWithinOnePercentForATenthOfItsSteps) {
     ASSERT_TRUE(solved.ok()) << solved.error().Line();
     auto run = simulation.value().Run();
     ASSERT_TRUE(run.ok());
-    const Json timed = vehicle::Summarise(simulation.value(), run.value())["steady_curve"];
-    const Json& steady = solved.value().steady;
+    const SteadyMeans timed = vehicle::CalcSteadyMeans(simulation.value(), run.value());
+    const SteadyMeans& steady = solved.value().steady;
     // Shares of the wheel load, of half the wheelbase over the radius, of 10 mm.
-    ExpectNear(steady, timed, "wheels", "Y_N", tolerance * 127500);
-    ExpectNear(steady, timed, "wheels", "Q_N", tolerance * 127500);
-    ExpectNear(steady, timed, "wheelsets", "angle_of_attack_rad", tolerance * 1.55 / 300);
-    ExpectNear(steady, timed, "wheelsets", "lateral_m", tolerance * 0.01);
+    ExpectNear(steady.wheels, timed.wheels, &WheelMeans::Y_N, tolerance * 127500);
+    ExpectNear(steady.wheels, timed.wheels, &WheelMeans::Q_N, tolerance * 127500);
+    ExpectNear(steady.wheelsets, timed.wheelsets, &WheelsetMeans::angle_of_attack_rad, tolerance * 1.55 / 300);
+    ExpectNear(steady.wheelsets, timed.wheelsets, &WheelsetMeans::lateral_m, tolerance * 0.01);
     const double steps = run.value().end_time_s / simulation.value().scenario().timestep_s;
     EXPECT_LT(10 * static_cast<double>(solved.value().evaluations), steps) << bogie;
   }
@@ -94,13 +96,13 @@ TEST(SteadyCurveTest, AxlesWithoutDriveSettleAtTheSpinThatLeavesThemNoMoment) {
     ASSERT_TRUE(solved.ok()) << solved.error().Line();
     auto run = simulation.value().Run();
     ASSERT_TRUE(run.ok());
-    const Json timed = vehicle::Summarise(simulation.value(), run.value())["steady_curve"];
-    const Json& steady = solved.value().steady;
+    const SteadyMeans timed = vehicle::CalcSteadyMeans(simulation.value(), run.value());
+    const SteadyMeans& steady = solved.value().steady;
     // A coasting vehicle has lost half a per cent of its speed on the way.
     const double tolerance = any ? 0.006 : 0.012;
-    ExpectNear(steady, timed, "wheels", "Y_N", tolerance * 83900);
-    ExpectNear(steady, timed, "wheels", "Q_N", tolerance * 83900);
-    ExpectNear(steady, timed, "wheelsets", "angle_of_attack_rad", tolerance * 1.25 / 400);
+    ExpectNear(steady.wheels, timed.wheels, &WheelMeans::Y_N, tolerance * 83900);
+    ExpectNear(steady.wheels, timed.wheels, &WheelMeans::Q_N, tolerance * 83900);
+    ExpectNear(steady.wheelsets, timed.wheelsets, &WheelsetMeans::angle_of_attack_rad, tolerance * 1.25 / 400);
     if (any) {
       EXPECT_EQ(solved.value().coasting_m_s2, 0);
     } else {

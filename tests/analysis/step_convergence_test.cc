@@ -37,7 +37,7 @@ Numbers RunAt(Scenario scenario, double step) {
   auto run = sim.value().Run();
   EXPECT_TRUE(run.ok());
   EXPECT_EQ(run.value().status, "ok") << run.value().reason;
-  const Json summary = Summarise(sim.value(), run.value());
+  const Json summary = SummaryJson(Summarise(sim.value(), run.value()));
   Numbers numbers;
   Collect(summary["steady_curve"], "", &numbers);
   Collect(summary["run"], "/run", &numbers);

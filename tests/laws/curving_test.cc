@@ -39,7 +39,7 @@ Finished RunToEnd(const Scenario& scenario) {
   auto run = simulation.value().Run();
   EXPECT_TRUE(run.ok());
   EXPECT_EQ(run.value().status, "ok") << run.value().reason;
-  return {Summarise(simulation.value(), run.value()), run.value()};
+  return {SummaryJson(Summarise(simulation.value(), run.value())), run.value()};
 }
 
 double Wheelset(const Finished& f, int index, const char* key) {

@@ -177,7 +177,7 @@ std::map<std::string, Steered> InCurve(const Scenario& s) {
   auto run = sim.value().Run();
   EXPECT_TRUE(run.ok());
   EXPECT_EQ(run.value().status, "ok") << s.bogie << ": " << run.value().reason;
-  const Json summary = Summarise(sim.value(), run.value());
+  const Json summary = SummaryJson(Summarise(sim.value(), run.value()));
   for (const Json& w : summary["steady_curve"]["wheelsets"]) {
     steered[w["name"]] = {w["yaw_rad"], w["angle_of_attack_rad"]};
   }
@@ -239,7 +239,7 @@ TEST(LinkageTest, LinkagesKeepTheBooksOfEnergyAndMoments) {
     ASSERT_TRUE(run.ok());
     EXPECT_EQ(run.value().status, "ok") << run.value().reason;
     EXPECT_LT(std::abs(run.value().energy.RelativeError()), 1e-3) << bogie;
-    const Json summary = Summarise(sim.value(), run.value());
+    const Json summary = SummaryJson(Summarise(sim.value(), run.value()));
     for (const char* axle : {"lead", "trail"}) {
       const Json& b = summary["budget"][axle];
       const double creep = b["creep_Nm"];

@@ -11,25 +11,22 @@ using testing::Contains;
 using testing::Not;
 
 /// A locomotive with one axle per bogie, all numbers `factor` times those of the run.
-Json Summary(double timestep, double factor) {
-  const auto wheelset = [&](const char* name, double attack) {
-    return Json{{"name", name},
-                {"lateral_m", 1e-3 * factor},
-                {"angle_of_attack_rad", attack * factor},
-                {"sum_Y_N", 7000 * factor}};
-  };
-  return {{"status", "ok"},
-          {"timestep_s", timestep},
-          {"steady_curve",
-           {{"wheelsets", {wheelset("front_lead", 1e-4), wheelset("rear_lead", 1e-4)}},
-            {"wheels",
-             {{{"name", "front_lead_outer"}, {"T_gamma_N", 10 * factor}},
-              {{"name", "front_lead_inner"}, {"T_gamma_N", 20 * factor}}}},
-            {"front_bending_rad", 2e-4 * factor},
-            {"cylinders", {{{"name", "front_1"}, {"piston_m", 1e-3 * factor}}}},
-            {"lines", Json::array()}}},
-          {"run", {{"T_gamma_total_J", 5000 * factor}, {"steps", 100}}},
-          {"budget", {{"front_lead", {{"creep_Nm", 100 * factor}}}}}};
+RunSummary Summary(double timestep, double factor) {
+  RunSummary s{"ok", "", "phs", 0, timestep, 0, {}, RunNumbers{}};
+  SteadyMeans& curve = s.numbers->steady_curve;
+  for (const char* name : {"front_lead", "rear_lead"}) {
+    curve.wheelsets.push_back({name, 1e-3 * factor, 1e-4 * factor, 0, 7000 * factor});
+  }
+  curve.wheels = {{"front_lead_outer"}, {"front_lead_inner"}};
+  curve.wheels[0].T_gamma_N = 10 * factor;
+  curve.wheels[1].T_gamma_N = 20 * factor;
+  curve.bogies = {{"front_", 2e-4 * factor}};
+  curve.cylinders = {{"front_1"}};
+  curve.cylinders[0].piston_m = 1e-3 * factor;
+  s.numbers->run.T_gamma_total_J = 5000 * factor;
+  s.numbers->run.steps = 100;
+  s.numbers->budget = {{"front_lead", 100 * factor}};
+  return s;
 }
 
 RunOutcome Recorded() {
@@ -47,8 +44,13 @@ RunOutcome Recorded() {
   return run;
 }
 
+Json ChangesOf(double factor) {
+  return DiscretisationJson(
+      ChangesAtHalfStep(Recorded(), Summary(1e-3, factor), Summary(5e-4, 1)));
+}
+
 TEST(DiscretisationTest, NumbersThatChangeSignAreJudgedByTheirLargestOnThatBogie) {
-  const Json d = Discretisation(Recorded(), Summary(1e-3, 1.1), Summary(5e-4, 1));
+  const Json d = ChangesOf(1.1);
   const Json& changes = d["changes"];
   const Json& front = changes["steady_curve.wheelsets.front_lead.angle_of_attack_rad"];
   EXPECT_DOUBLE_EQ(front["value"], 1.1e-4);
@@ -65,7 +67,7 @@ TEST(DiscretisationTest, NumbersThatChangeSignAreJudgedByTheirLargestOnThatBogie
 }
 
 TEST(DiscretisationTest, ForcesAndWearAreJudgedByTheirOwnSize) {
-  const Json d = Discretisation(Recorded(), Summary(1e-3, 1.03), Summary(5e-4, 1));
+  const Json d = ChangesOf(1.03);
   const Json& changes = d["changes"];
   for (const char* name : {"steady_curve.wheelsets.front_lead.sum_Y_N", "run.T_gamma_total_J",
                            "steady_curve.wheels.front_lead_outer.T_gamma_N"}) {
@@ -81,29 +83,30 @@ TEST(DiscretisationTest, ForcesAndWearAreJudgedByTheirOwnSize) {
 }
 
 TEST(DiscretisationTest, TwoPerCentIsTheBorder) {
-  const Json below = Discretisation(Recorded(), Summary(1e-3, 1.019), Summary(5e-4, 1));
+  const Json below = ChangesOf(1.019);
   EXPECT_TRUE(below["moving"].empty()) << below["moving"];
-  const Json beyond = Discretisation(Recorded(), Summary(1e-3, 0.979), Summary(5e-4, 1));
+  const Json beyond = ChangesOf(0.979);
   EXPECT_FALSE(beyond["moving"].empty());
 }
 
 TEST(DiscretisationTest, ARunThatEndedEarlyHasNoChanges) {
-  const Json half = {{"status", "diverged"}, {"timestep_s", 5e-4}};
-  const Json d = Discretisation(Recorded(), Summary(1e-3, 1), half);
+  RunSummary half;
+  half.status = "diverged";
+  half.timestep_s = 5e-4;
+  const Json d = DiscretisationJson(ChangesAtHalfStep(Recorded(), Summary(1e-3, 1), half));
   EXPECT_EQ(d["half_step_status"], "diverged");
   EXPECT_TRUE(d["changes"].empty());
 }
 
 TEST(DiscretisationTest, RatiosMoveByBothTheirNumbers) {
-  Json a = Summary(1e-3, 1.05);
-  a["discretisation"] = Discretisation(Recorded(), a, Summary(5e-4, 1));
-  Json b = Summary(1e-3, 0.95);
-  b["discretisation"] = Discretisation(Recorded(), b, Summary(5e-4, 1));
-  const Json ratios = RatioChanges({{"phs", a}, {"rigid", b}});
+  const StepChanges a = ChangesAtHalfStep(Recorded(), Summary(1e-3, 1.05), Summary(5e-4, 1));
+  const StepChanges b = ChangesAtHalfStep(Recorded(), Summary(1e-3, 0.95), Summary(5e-4, 1));
+  const Json ratios = DiscretisationJson(RatioChanges({{"phs", a}, {"rigid", b}}));
   const Json& wear = ratios["changes"]["phs_over_rigid.run.T_gamma_total_J"];
   EXPECT_NEAR(wear["value"].get<double>(), 1.05 / 0.95, 1e-12);
   EXPECT_NEAR(wear["relative"].get<double>(), 1.05 / 0.95 - 1, 1e-12);
   EXPECT_THAT(ratios["moving"], Contains("phs_over_rigid.run.T_gamma_total_J"));
+  EXPECT_EQ(ratios["timestep_s"], 1e-3);
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ TEST(PhsWatchTest, AnUndisturbedRunPassesNoLimit) {
   ASSERT_TRUE(sim.ok()) << sim.error().Line();
   auto run = sim.value().Run();
   EXPECT_TRUE(run.value().warnings.empty());
-  EXPECT_TRUE(Summarise(sim.value(), run.value())["warnings"].empty());
+  EXPECT_TRUE(SummaryJson(Summarise(sim.value(), run.value()))["warnings"].empty());
 }
 
 /// The bogie is bent by hand, further and further: limits come in the order of the hydraulics.
@@ -117,7 +117,7 @@ TEST(PhsWatchTest, ABurstLineUnderTractionIsToldWithTimeAndPlace) {
                                                            : "cylinder_" + w.part + "_force_N";
     for (const double value : column(channel)) EXPECT_LE(w.Excess(value), w.Excess(w.worst));
   }
-  const auto told = Summarise(sim.value(), run)["warnings"];
+  const auto told = SummaryJson(Summarise(sim.value(), run))["warnings"];
   ASSERT_EQ(told.size(), run.warnings.size());
   EXPECT_THAT(told[0]["text"].get<std::string>(), HasSubstr("first at t = "));
   EXPECT_EQ(told[0]["first_s_m"], run.warnings[0].first_s_m);

@@ -69,7 +69,7 @@ TEST(RunningEffectsTest, MoreCantPressesTheInnerWheel) {
   const auto inner = [](const Scenario& of) {
     auto simulation = Simulation::Create(of);
     const RunOutcome run = simulation.value().Run().value();
-    const Json summary = Summarise(simulation.value(), run);
+    const Json summary = SummaryJson(Summarise(simulation.value(), run));
     return summary["steady_curve"]["wheels"][1]["Q_N"].get<double>();
   };
   const double declared = inner(s);
