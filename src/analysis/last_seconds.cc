@@ -62,8 +62,7 @@ nlohmann::ordered_json LastSecondsJson(const LastSeconds& last) {
   const auto number = [](double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); };
   Json wheelsets = Json::array();
   for (const LastSeconds::Wheelset& w : last.wheelsets) {
-    wheelsets.push_back(
-        {{"name", w.name}, {"rms_sum_Y_N", w.rms_sum_Y_N}, {"swing_m", w.swing_m}});
+    wheelsets.push_back({{"name", w.name}, {"rms_sum_Y_N", w.rms_sum_Y_N}, {"swing_m", w.swing_m}});
   }
   return {{"window_s", last.window_s},
           {"wheelsets", std::move(wheelsets)},

@@ -213,21 +213,20 @@ double LeastPressure(const LoadState& state) {
 }
 
 Json ResultJson(const LoadResult& result, const hydraulics::PhsSystem& system) {
-  Json json = {
-      {"name", result.load_case.name},
-      {"pattern", result.load_case.pattern},
-      {"load_per_box_N", result.load_case.load_N},
-      {"source", result.load_case.source},
-      {"lead_x_m", result.end.x_m[0]},
-      {"trail_x_m", result.end.x_m[1]},
-      {"lead_yaw_rad", result.end.yaw_rad[0]},
-      {"trail_yaw_rad", result.end.yaw_rad[1]},
-      {"largest_shift_m", LargestShift(result.end)},
-      {"largest_cylinder_N", LargestMagnitude(result.end.force_N)},
-      {"least_pressure_Pa", LeastPressure(result.end)},
-      {"cylinders", Json::array()},
-      {"lines", Json::array()},
-      {"limits", Json::array()}};
+  Json json = {{"name", result.load_case.name},
+               {"pattern", result.load_case.pattern},
+               {"load_per_box_N", result.load_case.load_N},
+               {"source", result.load_case.source},
+               {"lead_x_m", result.end.x_m[0]},
+               {"trail_x_m", result.end.x_m[1]},
+               {"lead_yaw_rad", result.end.yaw_rad[0]},
+               {"trail_yaw_rad", result.end.yaw_rad[1]},
+               {"largest_shift_m", LargestShift(result.end)},
+               {"largest_cylinder_N", LargestMagnitude(result.end.force_N)},
+               {"least_pressure_Pa", LeastPressure(result.end)},
+               {"cylinders", Json::array()},
+               {"lines", Json::array()},
+               {"limits", Json::array()}};
   for (size_t i = 0; i < result.end.force_N.size(); ++i) {
     json["cylinders"].push_back({{"name", system.cylinder_names()[i]},
                                  {"force_N", result.end.force_N[i]},
@@ -317,13 +316,12 @@ Json HeldShearJson(const vehicle::Simulation& simulation, const HeldShear& shear
     if (!load.held) {
       for (Json& line : lines) line["pressure_Pa"] = nullptr;
     }
-    json["cases"].push_back(
-        {{"name", load.name},
-         {"held", load.held ? 1 : 0},
-         {"shear_stiffness_Nm_per_rad", said(load.shear_stiffness_Nm_per_rad)},
-         {"largest_shift_m", said(LargestShift(load.state))},
-         {"least_pressure_Pa", said(LeastPressure(load.state))},
-         {"lines", std::move(lines)}});
+    json["cases"].push_back({{"name", load.name},
+                             {"held", load.held ? 1 : 0},
+                             {"shear_stiffness_Nm_per_rad", said(load.shear_stiffness_Nm_per_rad)},
+                             {"largest_shift_m", said(LargestShift(load.state))},
+                             {"least_pressure_Pa", said(LeastPressure(load.state))},
+                             {"lines", std::move(lines)}});
   }
   return json;
 }

@@ -35,8 +35,7 @@ Json CurveJson(const ConicityCurve& curve) {
     amplitude.push_back(c.amplitude);
     value.push_back(c.value);
   }
-  return {
-      {"wheel_load_N", curve.wheel_load_N}, {"amplitude_m", amplitude}, {"equivalent", value}};
+  return {{"wheel_load_N", curve.wheel_load_N}, {"amplitude_m", amplitude}, {"equivalent", value}};
 }
 
 }  // namespace
@@ -45,10 +44,9 @@ PairConicity CalcConicity(const rail::WheelRail& pair, double wheel_load_N) {
   PairConicity out{"", pair.params()};
   if (pair.wheel_profile() == nullptr || pair.rail_profile() == nullptr) {
     const auto& linear = pair.params().linear;
-    out.missing =
-        "this run has no wheel and rail profiles: numbers stand for them" +
-        (linear ? fmt::format(", a conicity of {:g} at every amplitude", linear->conicity)
-                : std::string());
+    out.missing = "this run has no wheel and rail profiles: numbers stand for them" +
+                  (linear ? fmt::format(", a conicity of {:g} at every amplitude", linear->conicity)
+                          : std::string());
     return out;
   }
   for (const auto& [load, step] :

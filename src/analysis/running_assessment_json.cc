@@ -61,12 +61,10 @@ Json AssessmentJson(const Assessment& a) {
               {"wheels", Json::array()}};
   for (const WorstQuantity& worst : a.worst) {
     const AssessedQuantity& q = worst.quantity;
-    out["worst"][q.name] = {{"value", q.value},
-                            {"limit", q.limit},
-                            {"share", worst.Share()},
-                            {"kept", q.kept()},
-                            {"wheelset", worst.wheelset},
-                            {"section_begin_s_m", worst.section_begin_s_m}};
+    out["worst"][q.name] = {
+        {"value", q.value},           {"limit", q.limit},
+        {"share", worst.Share()},     {"kept", q.kept()},
+        {"wheelset", worst.wheelset}, {"section_begin_s_m", worst.section_begin_s_m}};
   }
   for (const AssessedSection& section : a.sections) {
     out["sections"].push_back(SectionJson(section));

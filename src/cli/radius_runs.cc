@@ -43,7 +43,7 @@ Result<Json> ConicityOf(const std::vector<std::string>& bogies, const Scenario& 
     vehicle::UseBogie(bogie, &own);
     const auto simulation = vehicle::Simulation::Create(own);
     if (!simulation.ok()) return simulation.error();
-    all[vehicle::BogieLabel(bogie)] = 
+    all[vehicle::BogieLabel(bogie)] =
         analysis::ConicityJson(analysis::CalcConicity(simulation.value()));
   }
   return all;

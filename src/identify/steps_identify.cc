@@ -165,13 +165,13 @@ json Channels(const StepSearch& s) {
     cold.push_back(t.isothermal_Pa), chosen.push_back(Begin(t));
   }
   return {{"p_end_Pa",
-           {{"declared", ScoreSteps(end, Pooled(s.before.declared_Pa))},
-            {"before", ScoreSteps(end, Pooled(s.before.left_out_Pa))},
-            {"after", ScoreSteps(end, Pooled(s.after.left_out_Pa))},
-            {"after_in_sample", ScoreSteps(end, Pooled(s.after.fitted_Pa))}}},
+           {{"declared", ToJson(ScoreSteps(end, Pooled(s.before.declared_Pa)))},
+            {"before", ToJson(ScoreSteps(end, Pooled(s.before.left_out_Pa)))},
+            {"after", ToJson(ScoreSteps(end, Pooled(s.after.left_out_Pa)))},
+            {"after_in_sample", ToJson(ScoreSteps(end, Pooled(s.after.fitted_Pa)))}}},
           {"p_begin_Pa",
-           {{"before", ScoreSteps(begin, Pooled(cold))},
-            {"after", ScoreSteps(begin, Pooled(chosen))}}}};
+           {{"before", ToJson(ScoreSteps(begin, Pooled(cold)))},
+            {"after", ToJson(ScoreSteps(begin, Pooled(chosen)))}}}};
 }
 
 std::string NumbersText(const StepSearch& s) {
@@ -282,7 +282,7 @@ json ToJson(const StepSearch& s, const measurement::Manifest& manifest,
       {"localised", {{"channel", "p_end_Pa"}, {"depends_on", {"piston_step_m"}}}},
       {"unexplained",
        {{"nrmse",
-         ScoreSteps(Of(s.problem.runs, &StepRow::end_Pa), Pooled(s.after.left_out_Pa))["nrmse"]},
+         ScoreSteps(Of(s.problem.runs, &StepRow::end_Pa), Pooled(s.after.left_out_Pa)).nrmse},
         {"whiteness_p", nullptr},
         {"depends_on", json::array()},
         {"formula", nullptr}}},

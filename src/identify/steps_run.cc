@@ -67,14 +67,14 @@ Result<RigOutcome> RunSteps(const measurement::Manifest& manifest, const ResultD
         p.begin_Pa * 1e-6, row.end_Pa * 1e-6, p.end_Pa * 1e-6, row.tau_s, p.tau_s,
         measured ? "" : "  (not recorded)");
   }
-  out.result = {
-      {"rig", "steps"},
-      {"declared", manifest.model},
-      {"data", loaded.value().front().source},
-      {"setup", loaded.value().front().setup},
-      {"channels",
-       {{"p_begin_Pa", ScoreSteps(m_begin, p_begin)}, {"p_end_Pa", ScoreSteps(m_end, p_end)}}},
-      {"rows", rows}};
+  out.result = {{"rig", "steps"},
+                {"declared", manifest.model},
+                {"data", loaded.value().front().source},
+                {"setup", loaded.value().front().setup},
+                {"channels",
+                 {{"p_begin_Pa", ToJson(ScoreSteps(m_begin, p_begin))},
+                  {"p_end_Pa", ToJson(ScoreSteps(m_end, p_end))}}},
+                {"rows", rows}};
   out.summary += fmt::format(
       "mean relative error, capped at 100 %: just after {:.1f} %, settled {:.1f} %\n",
       100 * rigs::MeanRelativeError(p_begin, m_begin), 100 * rigs::MeanRelativeError(p_end, m_end));

@@ -6,7 +6,6 @@
 #include "base/data_path.h"
 #include "base/table.h"
 #include "base/words.h"
-#include "measurement/channel_scores.h"
 #include "phs_model/phs_model.h"
 
 namespace phs::measurement {
@@ -59,12 +58,10 @@ Result<std::vector<StepCase>> ReadStepCases(const Manifest& manifest) {
   return out;
 }
 
-nlohmann::ordered_json ScoreSteps(const std::vector<double>& measured,
-                                  const std::vector<double>& predicted) {
+ChannelScore ScoreSteps(const std::vector<double>& measured, const std::vector<double>& predicted) {
   std::vector<double> place;
   for (size_t i = 0; i < measured.size(); ++i) place.push_back(static_cast<double>(i));
-  return ToJson(
-      measurement::Score(place, measured, predicted, {0, static_cast<double>(measured.size())}));
+  return Score(place, measured, predicted, {0, static_cast<double>(measured.size())});
 }
 
 Status WriteStepTable(const std::string& path, const std::vector<rigs::StepRow>& rows,

@@ -1,11 +1,11 @@
 // The rows of a step table that a manifest asks for, and scores of settled pressures.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "base/result.h"
+#include "measurement/channel_scores.h"
 #include "measurement/manifest.h"
 #include "rigs/step_table.h"
 
@@ -23,9 +23,8 @@ struct StepCase {
 /// the model's name if the table has it; else all rows.
 Result<std::vector<StepCase>> ReadStepCases(const Manifest& manifest);
 
-/// RMSE, NRMSE, bias, largest error, m%RE and shares of rows.
-nlohmann::ordered_json ScoreSteps(const std::vector<double>& measured,
-                                  const std::vector<double>& predicted);
+/// Over the rows.
+ChannelScore ScoreSteps(const std::vector<double>& measured, const std::vector<double>& predicted);
 
 /// A table with the columns of Table B-1; pressures in gauge Pa by row.
 Status WriteStepTable(const std::string& path, const std::vector<rigs::StepRow>& rows,

@@ -47,8 +47,7 @@ Result<Analysed> RunInTime(const vehicle::Scenario& scenario) {
   if (!simulation.ok()) return simulation.error();
   const auto outcome = simulation.value().Run();
   if (!outcome.ok()) return outcome.error();
-  Json numbers =
-      vehicle::SummaryJson(vehicle::Summarise(simulation.value(), outcome.value()));
+  Json numbers = vehicle::SummaryJson(vehicle::Summarise(simulation.value(), outcome.value()));
   numbers[kAssessment] =
       analysis::AssessmentJson(analysis::AssessRun(simulation.value(), outcome.value()));
   return Analysed{outcome.value().status, outcome.value().reason, std::move(numbers)};

@@ -110,11 +110,9 @@ StepChanges ChangesAtHalfStep(const RunOutcome& run, const RunSummary& summary,
   Collector collector(run, &out.changes);
   const SteadyMeans& curve = summary.numbers->steady_curve;
   const SteadyMeans& of_half = half.numbers->steady_curve;
-  collector.AddList("steady_curve.wheelsets", curve.wheelsets, of_half.wheelsets,
-                    kWheelsetNumbers);
+  collector.AddList("steady_curve.wheelsets", curve.wheelsets, of_half.wheelsets, kWheelsetNumbers);
   collector.AddList("steady_curve.wheels", curve.wheels, of_half.wheels, kWheelNumbers);
-  collector.AddList("steady_curve.cylinders", curve.cylinders, of_half.cylinders,
-                    kCylinderNumbers);
+  collector.AddList("steady_curve.cylinders", curve.cylinders, of_half.cylinders, kCylinderNumbers);
   collector.AddList("steady_curve.lines", curve.lines, of_half.lines, kLineNumbers);
   collector.AddBogies(curve.bogies, of_half.bogies);
   collector.Add("steady_curve.T_gamma_N", curve.TGamma(), of_half.TGamma(), 0);

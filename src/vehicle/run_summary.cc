@@ -52,8 +52,7 @@ Part MeansOf(const RunOutcome& run, const Window& window, const std::string& pre
 
 SteadyMeans MeansOver(const Simulation& sim, const RunOutcome& run, const Window& window) {
   const bool curves_left = window.curvature > 0;
-  SteadyMeans means{window.begin_s, window.end_s, window.curvature,
-                    Mean(run, window, "speed_m_s")};
+  SteadyMeans means{window.begin_s, window.end_s, window.curvature, Mean(run, window, "speed_m_s")};
   for (const auto& w : sim.binding().wheelsets()) {
     means.wheelsets.push_back(
         MeansOf(run, window, w.name + "_", kWheelsetNumbers, WheelsetMeans{w.name}));
@@ -118,8 +117,8 @@ WholeRun OverTheRun(const Simulation& sim, const RunOutcome& run) {
       }
     }
     whole.max_sum_Y_N = std::max(whole.max_sum_Y_N, LargestMagnitude(run, w.name + "_sum_Y_N"));
-    whole.max_angle_of_attack_rad = std::max(whole.max_angle_of_attack_rad,
-                                             LargestMagnitude(run, w.name + "_angle_of_attack_rad"));
+    whole.max_angle_of_attack_rad = std::max(
+        whole.max_angle_of_attack_rad, LargestMagnitude(run, w.name + "_angle_of_attack_rad"));
   }
   whole.T_gamma_total_J = TotalTGamma(sim, run);
   const EnergyBook& e = run.energy;
@@ -173,8 +172,8 @@ RunSummary Summarise(const Simulation& sim, const RunOutcome& run) {
                      {}};
   if (run.columns.empty() || run.columns[0].empty()) return summary;
   const Window window = SteadyWindow(sim.binding().track(), run);
-  summary.numbers = RunNumbers{MeansOver(sim, run, window), OverTheRun(sim, run),
-                               MomentBudget(sim, run, window)};
+  summary.numbers =
+      RunNumbers{MeansOver(sim, run, window), OverTheRun(sim, run), MomentBudget(sim, run, window)};
   return summary;
 }
 

@@ -1,10 +1,9 @@
-#include "analysis/running_assessment_json.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <string>
 
+#include "analysis/running_assessment_json.h"
 #include "vehicle/scenario_file.h"
 #include "vehicle/simulation.h"
 #include "vehicle/summary.h"

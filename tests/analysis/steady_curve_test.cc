@@ -11,8 +11,8 @@
 #include "analysis/curve_family.h"
 #include "phs_places.h"
 #include "tests/base/scratch_dir.h"
-#include "vehicle/simulation.h"
 #include "vehicle/run_summary.h"
+#include "vehicle/simulation.h"
 
 namespace phs::analysis {
 namespace {
@@ -55,7 +55,8 @@ TEST(SteadyCurveTest, AgreesWithTheTimeRunWithinOnePercentForATenthOfItsSteps) {
     // Shares of the wheel load, of half the wheelbase over the radius, of 10 mm.
     ExpectNear(steady.wheels, timed.wheels, &WheelMeans::Y_N, tolerance * 127500);
     ExpectNear(steady.wheels, timed.wheels, &WheelMeans::Q_N, tolerance * 127500);
-    ExpectNear(steady.wheelsets, timed.wheelsets, &WheelsetMeans::angle_of_attack_rad, tolerance * 1.55 / 300);
+    ExpectNear(steady.wheelsets, timed.wheelsets, &WheelsetMeans::angle_of_attack_rad,
+               tolerance * 1.55 / 300);
     ExpectNear(steady.wheelsets, timed.wheelsets, &WheelsetMeans::lateral_m, tolerance * 0.01);
     const double steps = run.value().end_time_s / simulation.value().scenario().timestep_s;
     EXPECT_LT(10 * static_cast<double>(solved.value().evaluations), steps) << bogie;
@@ -102,7 +103,8 @@ TEST(SteadyCurveTest, AxlesWithoutDriveSettleAtTheSpinThatLeavesThemNoMoment) {
     const double tolerance = any ? 0.006 : 0.012;
     ExpectNear(steady.wheels, timed.wheels, &WheelMeans::Y_N, tolerance * 83900);
     ExpectNear(steady.wheels, timed.wheels, &WheelMeans::Q_N, tolerance * 83900);
-    ExpectNear(steady.wheelsets, timed.wheelsets, &WheelsetMeans::angle_of_attack_rad, tolerance * 1.25 / 400);
+    ExpectNear(steady.wheelsets, timed.wheelsets, &WheelsetMeans::angle_of_attack_rad,
+               tolerance * 1.25 / 400);
     if (any) {
       EXPECT_EQ(solved.value().coasting_m_s2, 0);
     } else {

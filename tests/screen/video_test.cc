@@ -73,8 +73,8 @@ class VideoTest : public ::testing::Test {
       ASSERT_TRUE(simulation.ok());
       auto run = simulation.value().Run();
       ASSERT_TRUE(run.ok());
-      summaries.emplace_back(bogie, 
-                             vehicle::SummaryJson(vehicle::Summarise(simulation.value(), run.value())));
+      summaries.emplace_back(
+          bogie, vehicle::SummaryJson(vehicle::Summarise(simulation.value(), run.value())));
       ASSERT_TRUE(
           vehicle::WriteTimeSeries(run.value(), *dir_ + "/result/" + bogie + "_timeseries", false)
               .ok());

@@ -45,8 +45,7 @@ RunOutcome Recorded() {
 }
 
 Json ChangesOf(double factor) {
-  return DiscretisationJson(
-      ChangesAtHalfStep(Recorded(), Summary(1e-3, factor), Summary(5e-4, 1)));
+  return DiscretisationJson(ChangesAtHalfStep(Recorded(), Summary(1e-3, factor), Summary(5e-4, 1)));
 }
 
 TEST(DiscretisationTest, NumbersThatChangeSignAreJudgedByTheirLargestOnThatBogie) {
