@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "base/json_path.h"
+
 namespace phs::analysis {
 namespace {
 
@@ -59,16 +61,15 @@ LastSeconds CalcLastSeconds(const vehicle::Simulation& simulation, const vehicle
 
 nlohmann::ordered_json LastSecondsJson(const LastSeconds& last) {
   using Json = nlohmann::ordered_json;
-  const auto number = [](double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); };
   Json wheelsets = Json::array();
   for (const LastSeconds::Wheelset& w : last.wheelsets) {
     wheelsets.push_back({{"name", w.name}, {"rms_sum_Y_N", w.rms_sum_Y_N}, {"swing_m", w.swing_m}});
   }
   return {{"window_s", last.window_s},
           {"wheelsets", std::move(wheelsets)},
-          {"largest_rms_sum_Y_N", number(last.largest_rms_sum_Y_N)},
-          {"largest_swing_m", number(last.largest_swing_m)},
-          {"rms_grows", number(last.rms_grows)}};
+          {"largest_rms_sum_Y_N", NumberOrNull(last.largest_rms_sum_Y_N)},
+          {"largest_swing_m", NumberOrNull(last.largest_swing_m)},
+          {"rms_grows", NumberOrNull(last.rms_grows)}};
 }
 
 }  // namespace phs::analysis

@@ -1,13 +1,12 @@
 #include "analysis/running_assessment_json.h"
 
+#include "base/json_path.h"
 #include "rail/wear.h"
 
 namespace phs::analysis {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json NumberOrNull(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
 
 Json RideJson(const AccelerationStatistics& ride) {
   return {{"low_m_s2", ride.low}, {"high_m_s2", ride.high}, {"rms_m_s2", ride.rms}};

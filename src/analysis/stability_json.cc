@@ -3,12 +3,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/json_path.h"
+
 namespace phs::analysis {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json NumberOrNull(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 Json Polar(const std::complex<double>& z, const char* unit) {
   // The phase of what hardly moves is noise.

@@ -2,6 +2,7 @@
 //   run.T_gamma_total_J, steady_curve.wheelsets.lead.angle_of_attack_rad
 #pragma once
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -9,6 +10,11 @@
 #include "base/result.h"
 
 namespace phs {
+
+/// JSON knows no infinity and nothing that is not a number: null.
+inline nlohmann::ordered_json NumberOrNull(double value) {
+  return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
+}
 
 /// What stands at `path`; nullptr if nothing does.
 const nlohmann::ordered_json* FindPath(const nlohmann::ordered_json& document,

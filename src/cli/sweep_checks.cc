@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "base/json_path.h"
 #include "base/result_dir.h"
 #include "base/table.h"
 #include "sweep/outputs.h"
@@ -21,7 +22,7 @@ using analysis::NamedSummary;
 void Put(const std::string& path, double value, Json* json) {
   std::istringstream parts(path);
   for (std::string part; std::getline(parts, part, '.');) json = &(*json)[part];
-  *json = std::isfinite(value) ? Json(value) : Json(nullptr);
+  *json = NumberOrNull(value);
 }
 
 /// Where most, least and the middle of an output lie, over the runs that have it.

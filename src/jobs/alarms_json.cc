@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/json_path.h"
 #include "jobs/alarms_found.h"
 
 namespace phs::jobs {
@@ -30,8 +31,6 @@ struct Safety {
     return {{"Y_over_Q", Y_over_Q}, {"sum_Y_N", sum_Y_N}, {"unloading", unloading}};
   }
 };
-
-Json Seconds(double s) { return std::isfinite(s) ? Json(s) : Json(nullptr); }
 
 Json Drawn(const AlarmsFound& found, const Burst& burst, size_t signal) {
   const auto x = analysis::CalcSignal(found.signals[signal], burst.run.pressure_Pa,
@@ -78,7 +77,7 @@ Json BurstsJson(const AlarmsFound& found, size_t hose, Json* hose_json) {
     list.push_back({{"service", found.ask.services[burst->task.service].name},
                     {"status", burst->run.status},
                     {"at_s", at},
-                    {"seconds_to_alarm", Seconds(seconds)},
+                    {"seconds_to_alarm", NumberOrNull(seconds)},
                     {"lowest_line", found.lines[lowest]},
                     {"until_alarm", own.ToJson()}});
   }
@@ -102,7 +101,7 @@ Json HoseJson(const AlarmsFound& found, size_t hose) {
                {"unit", signal.form->unit},
                {"alarm", signal.above ? "above" : "below"},
                {"threshold", signal.sign() * found.thresholds[s]},
-               {"largest_seconds_to_alarm", Seconds(slowest)},
+               {"largest_seconds_to_alarm", NumberOrNull(slowest)},
                {"mean_seconds_to_alarm", mean},
                {"margin", found.Margin(found.lines[hose], s)}};
   Json bursts = BurstsJson(found, hose, &json);

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/json_path.h"
 #include "base/words.h"
 
 namespace phs::jobs {
@@ -42,8 +43,6 @@ bool EndedWell(const Table& table, size_t row) {
   const int status = table.Find("status");
   return status < 0 || table.text[static_cast<size_t>(status)][row] == "ok";
 }
-
-Json Number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 /// Least and largest of the numbers of one group.
 struct Group {
@@ -120,9 +119,9 @@ Result<Json> SpreadJson(const StudySpread& spread, const Table& table) {
     json["groups"].push_back({{"name", label},
                               {"runs", group.runs},
                               {"lacking", group.lacking},
-                              {"least", Number(group.least)},
-                              {"largest", Number(group.largest)},
-                              {"factor", Number(factor)},
+                              {"least", NumberOrNull(group.least)},
+                              {"largest", NumberOrNull(group.largest)},
+                              {"factor", NumberOrNull(factor)},
                               {"kept", kept}});
   }
   return json;

@@ -8,6 +8,7 @@
 #include "analysis/load_cases.h"
 #include "analysis/stability.h"
 #include "analysis/steady_curve.h"
+#include "base/json_path.h"
 #include "base/words.h"
 #include "sweep/rig_run.h"
 #include "sweep/run_in_time.h"
@@ -50,19 +51,18 @@ Result<Analysed> FindCriticalSpeed(const vehicle::Scenario& scenario) {
                        : std::isnan(critical) ? options.max_speed_m_s
                                               : critical;
   Json numbers;
-  numbers["critical_speed_m_s"] = std::isnan(critical) ? Json(nullptr) : Json(critical);
+  numbers["critical_speed_m_s"] = NumberOrNull(critical);
   numbers["stable_up_to_m_s"] = up_to;
   return Analysed{.numbers = numbers};
 }
 
 Analysed HuntingNumbers(double linear, const analysis::HuntingPoint* least,
                         const analysis::HuntingAt& at) {
-  const auto number = [](double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); };
-  return {.numbers = {{"linear_m_s", number(linear)},
+  return {.numbers = {{"linear_m_s", NumberOrNull(linear)},
                       {"least_speed_m_s", least ? Json(least->speed) : Json(nullptr)},
                       {"least_amplitude_m", least ? Json(least->amplitude) : Json(nullptr)},
-                      {"brink_m", number(at.brink)},
-                      {"cycle_m", number(at.cycle)}}};
+                      {"brink_m", NumberOrNull(at.brink)},
+                      {"cycle_m", NumberOrNull(at.cycle)}}};
 }
 
 Result<Analysed> MapHunting(const vehicle::Scenario& scenario) {

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "base/json_path.h"
 #include "base/numbers.h"
 #include "base/result_dir.h"
 #include "sweep/case_files.h"
@@ -15,8 +16,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
-
-Json NumberOrNull(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 /// A value of a choice is a word, that of a parameter a number.
 Json ValueJson(const std::string& text) {

@@ -83,7 +83,7 @@ Status WriteRecord(const RunRecord& record, const std::string& directory) {
   Json json = {{"run", record.run}, {"status", record.status}, {"reason", record.reason}};
   Json& outputs = json["outputs"] = Json::array();
   for (double value : record.outputs) {
-    outputs.push_back(std::isfinite(value) ? Json(value) : Json(nullptr));
+    outputs.push_back(NumberOrNull(value));
   }
   return WriteFileAtomically(RecordPath(directory, record.run), json.dump() + "\n");
 }

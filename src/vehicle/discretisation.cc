@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/json_path.h"
+
 namespace phs::vehicle {
 namespace {
 
@@ -92,8 +94,6 @@ class Collector {
   const RunOutcome& run_;
   std::vector<StepChange>* out_;
 };
-
-Json NumberOrNull(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
 
 const StepChange* FindChange(const StepChanges& changes, const std::string& name) {
   const auto at = std::find_if(changes.changes.begin(), changes.changes.end(),
