@@ -140,7 +140,7 @@ WheelsetState Binding::CalcWheelset(const mjModel* m, const mjData* d, int index
   const PressedWheelset* found = kept != nullptr ? kept->Find(d, index) : nullptr;
   PressedWheelset at;
   if (found != nullptr) {
-    at = *found;
+    at.TakePlace(*found);
   } else {
     PressWheelset(d, index, &at);
   }

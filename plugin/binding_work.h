@@ -2,6 +2,8 @@
 // evaluation, small vectors. Internal to plugin.
 #pragma once
 
+#include <algorithm>
+
 #include "plugin/binding.h"
 #include "plugin/half_step.h"
 
@@ -40,6 +42,13 @@ struct Binding::PressedWheelset {
   rail::WheelsetMotion motion[2];
   rail::PressedWheel wheel[2];
   rail::WheelMemo memo[2];
+
+  /// What stands at `other`, but for the memories of its creep laws.
+  void TakePlace(const PressedWheelset& other) {
+    state = other.state;
+    std::copy(other.motion, other.motion + 2, motion);
+    std::copy(other.wheel, other.wheel + 2, wheel);
+  }
 };
 
 /// Numbers of one evaluation, on MuJoCo's stack.
