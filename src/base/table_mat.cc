@@ -1,8 +1,10 @@
 #include <fmt/format.h>
 #include <matio.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <limits>
@@ -124,6 +126,44 @@ bool HasHeader(const std::string& path) {
   return (little || big) && (version == 1 || version == 2);
 }
 
+/// Whether every element of a version 5 file, and every part of a matrix that is not compressed,
+/// ends within what it is in: matio allocates by their lengths before it reads.
+bool ElementsFit(const std::string& path, std::uintmax_t file_size) {
+  constexpr std::uint32_t kMatrix = 14;
+  constexpr std::uintmax_t kTag = 8;
+  std::ifstream file(path, std::ios::binary);
+  std::array<char, 128> header{};
+  file.read(header.data(), header.size());
+  const bool little = header[126] == 'I';
+  if ((little ? header[125] : header[124]) != 1) return true;  // 7.3 is HDF5, which checks itself
+  const auto word = [&]() {
+    std::array<unsigned char, 4> b{};
+    file.read(reinterpret_cast<char*>(b.data()), b.size());
+    if (!little) std::reverse(b.begin(), b.end());
+    return static_cast<std::uint32_t>(b[0] | b[1] << 8 | b[2] << 16) |
+           static_cast<std::uint32_t>(b[3]) << 24;
+  };
+  const auto parts_fit = [&](std::uintmax_t at, std::uintmax_t end) {
+    for (int part = 0; part < 3 && at + kTag <= end; ++part) {  // flags, dimensions, name
+      file.seekg(static_cast<std::streamoff>(at));
+      const std::uint32_t type = word();
+      const bool in_tag = type >> 16 != 0;
+      const std::uintmax_t bytes = in_tag ? 0 : (std::uintmax_t{word()} + 7) / 8 * 8;
+      if (at + kTag + bytes > end) return false;
+      at += kTag + bytes;
+    }
+    return true;
+  };
+  for (std::uintmax_t at = header.size(); at + kTag <= file_size;) {
+    file.seekg(static_cast<std::streamoff>(at));
+    const std::uint32_t type = word();
+    const std::uintmax_t end = at + kTag + word();
+    if (end > file_size || (type == kMatrix && !parts_fit(at + kTag, end))) return false;
+    at = end;
+  }
+  return true;
+}
+
 /// Whether a file of that many bytes can hold the variable: deflate shrinks at most 1032 times.
 bool CanHold(const matvar_t& variable, std::uintmax_t file_size) {
   const double most = 1032.0 * static_cast<double>(file_size);
@@ -135,11 +175,15 @@ bool CanHold(const matvar_t& variable, std::uintmax_t file_size) {
 Result<std::vector<Found>> ReadVectors(const std::string& path) {
   const Error unreadable{path, "cannot be read", "a MATLAB file (v5 or v7.3)", ""};
   if (!HasHeader(path)) return unreadable;
+  std::error_code ignored;
+  const std::uintmax_t size = std::filesystem::file_size(path, ignored);
+  if (!ElementsFit(path, size)) {
+    return Error{path, "holds a variable that is longer than the file",
+                 "a MATLAB file (v5 or v7.3)", "the file is damaged: save it again"};
+  }
   Mat_LogInitFunc("phs", [](int, char*) {});  // we report in our own words
   const MatPtr file(Mat_Open(path.c_str(), MAT_ACC_RDONLY), &Mat_Close);
   if (file == nullptr) return unreadable;
-  std::error_code ignored;
-  const std::uintmax_t size = std::filesystem::file_size(path, ignored);
   std::vector<Found> found;
   while (true) {
     const VarPtr variable(Mat_VarReadNextInfo(file.get()), &Mat_VarFree);

@@ -133,36 +133,60 @@ double FinestWavelength(double speed_m_s) {
   return std::clamp((speed_m_s > 0 ? speed_m_s : kUsual_m_s) / kBand_Hz, 0.5, 3.0);
 }
 
-IrregularitySamples GenerateIrregularity(const IrregularityPsdParams& params) {
+namespace {
+
+/// Samples and waves of one channel.
+struct Grid {
+  double intervals, step;  ///< of the way [1, m]
+  double low, dw;          ///< least angular wave number, their distance [rad/m]
+  double waves;
+};
+
+Grid GridOf(const IrregularityPsdParams& params) {
   const double range = params.end_s - params.begin_s;
-  PHS_CHECK(range > 0 && params.shortest_wavelength > 0);
-  PHS_CHECK(params.longest_wavelength > params.shortest_wavelength);
   const bool goes_on =
       params.finest_wavelength > 0 && params.finest_wavelength < params.shortest_wavelength;
   const double finest_wave = goes_on ? params.finest_wavelength : params.shortest_wavelength;
   const double step_wanted = finest_wave / 12;
-  const size_t intervals = static_cast<size_t>(std::max(4.0, std::ceil(range / step_wanted)));
-  const double step = range / static_cast<double>(intervals);
-  IrregularitySamples samples;
-  for (size_t i = 0; i <= intervals; ++i) {
-    samples.s.push_back(params.begin_s + step * static_cast<double>(i));
-  }
-  const double low = 2 * std::numbers::pi / params.longest_wavelength;
+  Grid g{};
+  g.intervals = std::max(4.0, std::ceil(range / step_wanted));
+  g.step = range / g.intervals;
+  g.low = 2 * std::numbers::pi / params.longest_wavelength;
   const double high = 2 * std::numbers::pi / params.shortest_wavelength;
   const double finest = std::numbers::pi / range;
-  const size_t harmonics = static_cast<size_t>(std::max(64.0, std::ceil((high - low) / finest)));
-  const double dw = (high - low) / static_cast<double>(harmonics);
-  const double further = (2 * std::numbers::pi / finest_wave - high) / dw;
-  const size_t waves = harmonics + static_cast<size_t>(std::max(0.0, std::floor(further + 1e-9)));
+  const double harmonics = std::max(64.0, std::ceil((high - g.low) / finest));
+  g.dw = (high - g.low) / harmonics;
+  const double further = (2 * std::numbers::pi / finest_wave - high) / g.dw;
+  g.waves = harmonics + std::max(0.0, std::floor(further + 1e-9));
+  return g;
+}
+
+}  // namespace
+
+double IrregularityWork(const IrregularityPsdParams& params) {
+  const Grid g = GridOf(params);
+  return g.intervals * g.waves;
+}
+
+IrregularitySamples GenerateIrregularity(const IrregularityPsdParams& params) {
+  PHS_CHECK(params.end_s > params.begin_s && params.shortest_wavelength > 0);
+  PHS_CHECK(params.longest_wavelength > params.shortest_wavelength);
+  const Grid g = GridOf(params);
+  const auto intervals = static_cast<size_t>(g.intervals);
+  const auto waves = static_cast<size_t>(g.waves);
+  IrregularitySamples samples;
+  for (size_t i = 0; i <= intervals; ++i) {
+    samples.s.push_back(params.begin_s + g.step * static_cast<double>(i));
+  }
   for (int c = 0; c < kNumIrregularityChannels; ++c) {
     std::vector<double>& x = samples.channel[c];
     x.assign(samples.s.size(), 0.0);
     for (size_t k = 0; k < waves; ++k) {
-      const double w = low + (static_cast<double>(k) + 0.5) * dw;
+      const double w = g.low + (static_cast<double>(k) + 0.5) * g.dw;
       const double density = CalcPsd(params.psd, static_cast<IrregularityChannel>(c), w);
       const double phase =
           2 * std::numbers::pi * UniformAt(params.seed, static_cast<std::uint64_t>(c), k);
-      AddCosine(params.scale * std::sqrt(2 * density * dw), w, phase, step, &x);
+      AddCosine(params.scale * std::sqrt(2 * density * g.dw), w, phase, g.step, &x);
     }
   }
   return samples;

@@ -124,6 +124,9 @@ RailSupport ReadSupport(YamlMap& map) {
   return support;
 }
 
+/// Samples times waves: two minutes on one core, 30 km at 80 km/h.
+constexpr double kMostWork = 2.5e10;
+
 void ReadPsd(YamlMap& map, double length, double speed_m_s, IrregularityPsdParams* psd) {
   psd->psd = map.Word("psd", PsdNames());
   psd->seed = static_cast<std::uint64_t>(map.Integer("seed", 0, 2147483647, 1));
@@ -143,6 +146,11 @@ void ReadPsd(YamlMap& map, double length, double speed_m_s, IrregularityPsdParam
              "at least 1.5 times shortest_wavelength_m", "raise it");
   }
   psd->scale = map.Number("scale", {.min = 0, .max = 100}, 1.0);
+  if (IrregularityWork(*psd) > kMostWork) {
+    map.Fail("psd", "so long an irregularity of so short waves would take minutes to generate",
+             "about 30 km with waves down to 1.1 m; the time grows with the square of the length",
+             "a shorter range (begin_s_m, end_s_m), longer waves, or a record (file)");
+  }
 }
 
 Result<IrregularityLayout> ReadIrregularityLayout(YamlMap& map, double length, double speed_m_s) {

@@ -16,6 +16,10 @@ using tinyxml2::XMLNode;
 
 constexpr int kMaxIncludeDepth = 20;
 
+Error NoElement(const std::string& path) {
+  return {path, "has no element", "a readable MJCF file", ""};
+}
+
 Status ExpandIncludes(const std::filesystem::path& folder, int depth, XMLElement* element) {
   for (XMLElement* child = element->FirstChildElement(); child != nullptr;) {
     XMLElement* next = child->NextSiblingElement();
@@ -33,6 +37,7 @@ Status ExpandIncludes(const std::filesystem::path& folder, int depth, XMLElement
     if (included.LoadFile(path.c_str()) != tinyxml2::XML_SUCCESS) {
       return Error{path, included.ErrorStr(), "a readable MJCF file", ""};
     }
+    if (included.RootElement() == nullptr) return NoElement(path);
     NoteInput(path);
     if (Status s = ExpandIncludes(folder, depth + 1, included.RootElement()); !s.ok()) return s;
     XMLNode* after = child;
@@ -82,6 +87,7 @@ Result<XmlPtr> ReadMjcf(const std::string& path) {
   }
   NoteInput(path);
   XMLElement* root = document->RootElement();
+  if (root == nullptr) return NoElement(path);
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();
   if (Status s = ExpandIncludes(folder, 0, root); !s.ok()) {
     Error error = s.error();

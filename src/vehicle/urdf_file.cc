@@ -138,7 +138,8 @@ Result<UrdfModel> ReadUrdf(const std::string& path) {
   urdf::ModelInterfaceSharedPtr parsed;
   std::string fault;
   try {
-    parsed = urdf::parseURDF(text.value());
+    // Its parser steps over as many bytes as the first of a letter announces, also past the end.
+    parsed = urdf::parseURDF(text.value() + "\n\n\n\n");
   } catch (const std::exception& e) {
     fault = e.what();
   }

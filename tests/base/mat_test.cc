@@ -108,6 +108,30 @@ TEST(MatFileSize, ADamagedSizeEndsBeforeMemoryIsAskedFor) {
                 "again");
 }
 
+// Every length in the file, one after the other: of the variable, its flags, dimensions, name, values.
+TEST(MatFileSize, ADamagedLengthEndsBeforeMemoryIsAskedFor) {
+  const ScratchDir scratch;
+  for (const int at : {132, 140, 156, 172}) {
+    const std::string path = scratch.File("rig.mat");
+    {
+      const std::unique_ptr<mat_t, int (*)(mat_t*)> file(
+          Mat_CreateVer(path.c_str(), nullptr, MAT_FT_MAT5), &Mat_Close);
+      Mat_VarWrite(file.get(), Vector("x_of_the_piston_m", {1, 2, 3}).get(), MAT_COMPRESSION_NONE);
+    }
+    ASSERT_TRUE(ReadMat(path).ok());
+    std::fstream bytes(path, std::ios::in | std::ios::out | std::ios::binary);
+    bytes.seekp(at);
+    const int32_t length = 2000000000;
+    bytes.write(reinterpret_cast<const char*>(&length), sizeof length);
+    bytes.close();
+    EXPECT_EQ(ReadMat(path).error().Line(),
+              path +
+                  ": holds a variable that is longer than the file; allowed: a MATLAB file (v5 or "
+                  "v7.3); the file is damaged: save it again")
+        << at;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Versions, MatFile, ::testing::Values(MAT_FT_MAT5, MAT_FT_MAT73));
 
 }  // namespace

@@ -212,6 +212,9 @@ INSTANTIATE_TEST_SUITE_P(
                 "segments: [{kind: tangent, length_m: 50}]\nirregularity: {psd: fra_4, "
                 "begin_s_m: 40, end_s_m: 20}\n",
                 {"bad.yaml:2", "shorter than 1 m"}},
+        BadFile{"psd too long",
+                "segments: [{kind: tangent, length_m: 60000}]\nirregularity: {psd: fra_4}\n",
+                {"bad.yaml:2", "would take minutes", "about 30 km"}},
         BadFile{"record",
                 "segments: [{kind: tangent, length_m: 50}]\nirregularity: {file: none.csv}\n",
                 {"none.csv"}},

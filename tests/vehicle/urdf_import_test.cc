@@ -104,6 +104,17 @@ TEST_F(UrdfImportTest, NestedOrChainedWithoutLimitIsRefused) {
   EXPECT_TRUE(ReadUrdf(Write("r.urdf", remarks)).ok());
 }
 
+// Read under the address sanitizer: the parser used to step past the end.
+TEST_F(UrdfImportTest, AFileThatEndsWithinALetterIsRefused) {
+  const size_t at = urdf_.find("lead_boxes");
+  ASSERT_NE(at, std::string::npos);
+  for (const char* letter : {"\xe5", "\xf0", "\xc3"}) {
+    const auto cut = ReadUrdf(Write("bogie.urdf", urdf_.substr(0, at + 1) + letter));
+    ASSERT_FALSE(cut.ok());
+    EXPECT_THAT(cut.error().Line(), HasSubstr("bogie.urdf"));
+  }
+}
+
 TEST_F(UrdfImportTest, ANameCannotLeadOutOfTheResult) {
   for (const char* name : {"../evil", "a/b", ".hidden", "-o", "\"a b\""}) {
     const std::string error = ErrorOf("name: bogie_19e_phs", std::string("name: ") + name);
