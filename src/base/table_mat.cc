@@ -144,6 +144,7 @@ bool ElementsFit(const std::string& path, std::uintmax_t file_size) {
            static_cast<std::uint32_t>(b[3]) << 24;
   };
   const auto parts_fit = [&](std::uintmax_t at, std::uintmax_t end) {
+    constexpr int kDimensions = 1;
     for (int part = 0; part < 3 && at + kTag <= end; ++part) {  // flags, dimensions, name
       file.seekg(static_cast<std::streamoff>(at));
       const std::uint32_t type = word();
@@ -151,6 +152,10 @@ bool ElementsFit(const std::string& path, std::uintmax_t file_size) {
       const std::uintmax_t bytes = in_tag ? 0 : (std::uintmax_t{word()} + 7) / 8 * 8;
       if (at + kTag + bytes > end) return false;
       at += kTag + bytes;
+      if (part != kDimensions) continue;
+      double values = 1;  // none takes less than a byte
+      for (std::uintmax_t i = 0; i < bytes / 4; ++i) values *= std::max(word(), 1U);
+      if (values > static_cast<double>(end - at)) return false;
     }
     return true;
   };

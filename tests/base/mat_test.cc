@@ -102,10 +102,7 @@ TEST(MatFileSize, ADamagedSizeEndsBeforeMemoryIsAskedFor) {
   const int32_t rows = 2000000000;
   bytes.write(reinterpret_cast<const char*>(&rows), sizeof rows);
   bytes.close();
-  EXPECT_EQ(ReadMat(path).error().Line(),
-            path +
-                ": 'x_m' declares more values than the file can hold; the file is damaged: save it "
-                "again");
+  EXPECT_THAT(ReadMat(path).error().Line(), HasSubstr("holds a variable that is longer than"));
 }
 
 // Every length in the file, one after the other: of the variable, its flags, dimensions, name, values.
