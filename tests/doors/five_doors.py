@@ -48,7 +48,7 @@ class Doors:
         self.scenario = scratch / "scenario.yaml"
         self.scenario.write_text(json.dumps(scenario))
         self.steps = 0
-        self.library = build / "plugin/libphs_mujoco.so"
+        self.plugin = build / "plugin/libphs_mujoco.so"
         self.model = build.parent.parent / "bogie_xml/phs.xml"
 
     def program(self, zero):
@@ -64,7 +64,7 @@ class Doors:
     def preload(self, zero):
         out = self.scratch / "preload"
         call([self.build / "tests/doors/host_preload", self.model, out, self.steps, EVERY]
-             + ["zero"] * zero, LD_PRELOAD=str(self.library), PHS_OPTIONS=OPTIONS)
+             + ["zero"] * zero, LD_PRELOAD=str(self.plugin), PHS_OPTIONS=OPTIONS)
         return of_host(out)
 
     def c_api(self, zero):
