@@ -2,13 +2,14 @@
 import csv
 import io
 
-from docfigures.cases import SPEED_km_h
+from docfigures.cases import RAMPS, compare, curve, ramp_length, with_ramps
 from docfigures.form import kmh, number, table, wheelset
 
 DOCUMENT = "docs/dampers.md"
 UNDAMPED_km_h = (80, 120)
 ALL_SPEEDS = "from: 40, to: 120, count: 17"
 RADII = (300, 550, 800)
+WHEELSETS = ("front_lead", "front_trail", "rear_lead", "rear_trail")
 LIMIT_N = 2000
 
 
@@ -69,41 +70,72 @@ def undamped(phs):
     return " and ".join(said)
 
 
-def curve(phs, radius, step):
-    scenario = {"track": f"curve_r{radius}", "vehicle": "locomotive", "bogie": "phs",
-                "speed_km_h": SPEED_km_h[radius], "wheel": "S1002", "rail": "UIC60",
-                "friction": 0.35, "creep": "kalker_table", "timestep_s": step}
-    return phs(f"compare {phs.file(scenario)} --bogies phs,phs_damped")["bogies"]
+def entered(phs, radius, scale, step):
+    """Both locomotives in curve_rRADIUS behind transitions `scale` times as long."""
+    track = with_ramps(phs, f"curve_r{radius}", scale)
+    scenario = curve(radius, track=track, vehicle="locomotive", bogie="phs", timestep_s=step)
+    return compare(phs, scenario, "phs,phs_damped")["bogies"]
 
 
 def of_wheelset(run, name):
+    """Angle of attack [mrad], sum of Y [kN], T-gamma [N]."""
     w = wheelset(run, name)
     wear = sum(x["T_gamma_N"] for x in run["steady_curve"]["wheels"]
                if x["name"].startswith(name + "_"))
     return 1e3 * w["angle_of_attack_rad"], w["sum_Y_N"] / 1e3, wear
 
 
+def apart(a, b):
+    """Largest differences over the wheelsets: angle [mrad], sum of Y and T-gamma [share of b]."""
+    pairs = [(of_wheelset(a, name), of_wheelset(b, name)) for name in WHEELSETS]
+    return [max(abs(x[0] - y[0]) for x, y in pairs)] + \
+           [max(abs(x[i] / y[i] - 1) for x, y in pairs) for i in (1, 2)]
+
+
+def in_words(differences):
+    angle, force, wear = differences
+    return [number(angle, 2) + " mrad", number(100 * force) + " %", number(100 * wear) + " %"]
+
+
 def curving(phs):
-    lines, angle, force, wear, step_change = [], 0, 0, 0, 0
+    """Every wheelset behind the shipped ramps, and what half the step changes."""
+    lines, worst, step_change = [], [0, 0, 0], 0
     for radius in RADII:
-        whole, half = curve(phs, radius, 0.001), curve(phs, radius, 0.0005)
-        for name in ("front_lead", "front_trail", "rear_lead", "rear_trail"):
+        whole, half = entered(phs, radius, 1, 0.001), entered(phs, radius, 1, 0.0005)
+        for bogie in ("phs", "phs_damped"):
+            step_change = max([step_change] + apart(whole[bogie], half[bogie])[1:])
+        worst = [max(pair) for pair in zip(worst, apart(whole["phs_damped"], whole["phs"]))]
+        for name in WHEELSETS:
             a, b = of_wheelset(whole["phs"], name), of_wheelset(whole["phs_damped"], name)
-            for bogie in ("phs", "phs_damped"):
-                x, y = of_wheelset(whole[bogie], name), of_wheelset(half[bogie], name)
-                step_change = max(step_change, abs(x[2] / y[2] - 1), abs(x[1] / y[1] - 1))
-            angle = max(angle, abs(b[0] - a[0]))
-            force, wear = max(force, abs(b[1] / a[1] - 1)), max(wear, abs(b[2] / a[2] - 1))
             lines.append([f"{radius} m", name.replace("_", " ")] +
                          [f"{number(a[i], d)} / {number(b[i], d)}" for i, d in
                           ((0, 2), (1, 1), (2, 1))])
     head = ["R", "wheelset", "angle of attack [mrad]", "sum of Y [kN]", "T-gamma [N]"]
-    return {"curving": table(head, lines), "angle": number(angle, 2) + " mrad",
-            "force": number(100 * force) + " %", "wear": number(100 * wear) + " %",
-            "step": number(100 * step_change, 1) + " %"}
+    angle, force, wear = in_words(worst)
+    return {"curving": table(head, lines), "angle": angle, "force": force, "wear": wear,
+            "step": number(100 * step_change, 2) + " %"}
+
+
+def over_ramps(phs):
+    """What the dampers change beside what the ramp changes on the undamped one."""
+    lines, slow, own = [], [], 0
+    for radius in RADII:
+        runs = {scale: entered(phs, radius, scale, 0.001) for scale in RAMPS}
+        for scale, of in runs.items():
+            dampers, ramp = apart(of["phs_damped"], of["phs"]), apart(of["phs"], runs[1]["phs"])
+            own = max(own, ramp[2])
+            if scale >= 2:
+                slow.append(dampers)
+            lines.append([f"{radius} m", f"{scale * ramp_length(phs, f'curve_r{radius}'):g} m"] +
+                         in_words(dampers) + in_words(ramp))
+    head = ["R", "ramp", "by the dampers: angle", "sum of Y", "T-gamma",
+            "by the ramp, undamped: angle", "sum of Y", "T-gamma"]
+    worst = in_words([max(x) for x in zip(*slow)])
+    return {"ramps": table(head, lines), "slow_angle": worst[0], "slow_force": worst[1],
+            "slow_wear": worst[2], "own_wear": number(100 * own) + " %"}
 
 
 def figures(phs):
-    made = {"undamped": undamped(phs), "linear": linear(phs)} | curving(phs)
+    made = {"undamped": undamped(phs), "linear": linear(phs)} | curving(phs) | over_ramps(phs)
     made["bump"], made["verdict"] = bump(phs)
     return made

@@ -1,4 +1,5 @@
 """README.md: the main comparison, what it is made of, what phs validate says."""
+from docfigures.cases import factor, over_ramps
 from docfigures.form import attack, attack_words, hand, number, percent, short, t_gamma, wheel, wheelset
 
 DOCUMENT = "README.md"
@@ -34,6 +35,8 @@ def figures(phs):
         ratio = phs(f"compare {scenario} --bogies phs,rigid_link")["ratios"]["rigid_link_over_phs"]
         out["T_" + name] = short(ratio["run"]["T_gamma_total_J"])
         out["W_" + name] = short(ratio["run"]["lost_creep_J"])
+    by_ramp = [factor(r, "phs") for r in over_ramps(phs, 550, "phs,rigid_link", timestep_s=0.00125).values()]
+    out["ramps"] = f"{short(min(by_ramp))} to {short(max(by_ramp))}"
     energy = [abs(c["bogies"][b]["run"]["energy_error_relative"]) for b in BOGIES]
     out["energy"] = percent(max(energy), 3)
     v = phs("validate")
