@@ -9,7 +9,7 @@
 //                     -(sum of the moments above)/r, corrected by the speed error with a time
 //                     constant of 0.5 s
 //
-// Moments rise linearly from `begin_s` over `ramp_s`. The coupler is the site "coupler" of the
+// Moments rise linearly from `begin_s` over `ramp_s`, and from `end_s` on fall likewise. The coupler is the site "coupler" of the
 // model: at the height of the traction rods on a single bogie, at the drawgear of a whole
 // locomotive.
 #pragma once
@@ -23,10 +23,12 @@ struct RunningForces {
   double block_friction = 0.25;  ///< mu of blocks on wheel treads, 0 < mu <= 1
   double begin_s = 0;
   double ramp_s = 1;  ///< > 0
+  double end_s = 0;   ///< 0: they stay; else >= begin_s + ramp_s
 
   /// Share of the moments at a time, 0 … 1.
   double Share(double time) const {
-    const double x = (time - begin_s) / ramp_s;
+    const bool falls = end_s > 0 && time > end_s;
+    const double x = falls ? 1 - (time - end_s) / ramp_s : (time - begin_s) / ramp_s;
     return x < 0 ? 0 : x > 1 ? 1 : x;
   }
 };

@@ -6,12 +6,16 @@ from docfigures.form import number, short, table
 DOCUMENT = "docs/failures.md"
 PART = "alarms."
 SERVICES = {"line_coasting": "coasting, 20 °C", "line_traction": "traction, 20 °C",
-            "line_coasting_cold": "coasting, −20 °C"}
+            "line_coasting_cold": "coasting, −20 °C",
+            "line_coasting_damped": "coasting, 20 °C", "line_traction_damped": "traction that goes, 20 °C",
+            "line_coasting_cold_damped": "coasting, −20 °C"}
 
 
 def signal(hose):
     a, b = hose["first"], hose["second"]
-    return {"sum": f"{a} + {b}", "difference": f"{a} − {b}", "ratio": f"ln({a}/{b})"}[hose["form"]]
+    text = {"sum": f"{a} + {b}", "difference": f"{a} − {b}", "ratio": f"ln({a}/{b})",
+            "product": f"ln({a} {b}/MPa²)"}[hose["form"]]
+    return text + (" less its mean" if hose["against_mean"] else "")
 
 
 def threshold(hose):
@@ -42,11 +46,17 @@ def false_alarms(found):
     return table(["service", "distance [km]", "false alarms", "at most in 1000 km (95 %)"], rows)
 
 
-def figures(phs):
-    made = phs.result("study alarms", "alarms/alarms.json", codes=(0, 1))
+def told(phs, study):
+    made = phs.result(f"study {study}", "alarms/alarms.json", codes=(0, 1))
     found = made["false_alarms"]
     needed = -math.log(0.05) / made["wanted_per_1000_km"] * 1e3
+    alarmed, runs = (sum(h[key] for h in made["hoses"]) for key in ("alarmed", "runs"))
     return {"hoses": hoses(made), "false": false_alarms(found),
+            "told": f"{alarmed} of {runs}",
             "wanted": short(made["wanted_per_1000_km"]), "needed": number(needed) + " km",
             "slowest": short(max(h["largest_seconds_to_alarm"] or math.inf
                                  for h in made["hoses"])) + " s"}
+
+
+def figures(phs):
+    return told(phs, "alarms")

@@ -9,13 +9,18 @@ namespace phs::analysis {
 namespace {
 
 constexpr double kEuler = 0.57721566490153286;
-constexpr double kVacuum = 1e3;  ///< a ratio does not go on to a perfect vacuum [Pa]
+constexpr double kVacuum = 1e3;   ///< a logarithm does not go on to a perfect vacuum [Pa]
+constexpr double kProduct = 1e6;  ///< p_1 of the product [Pa]
 
 constexpr PairForm kForms[] = {
     {"difference", "Pa", [](double a, double b) { return a - b; }},
     {"sum", "Pa", [](double a, double b) { return a + b; }},
     {"ratio", "-",
      [](double a, double b) { return std::log(std::max(a, kVacuum) / std::max(b, kVacuum)); }},
+    {"product", "-",
+     [](double a, double b) {
+       return std::log(std::max(a, kVacuum) / kProduct * (std::max(b, kVacuum) / kProduct));
+     }},
 };
 
 constexpr int kRedrawn = 400;
@@ -33,7 +38,9 @@ std::vector<PairSignal> PairSignals(int lines) {
   for (int i = 0; i < lines; ++i) {
     for (int j = i + 1; j < lines; ++j) {
       for (const PairForm& form : kForms) {
-        for (const bool above : {true, false}) all.push_back({i, j, &form, above});
+        for (const bool against_mean : {false, true}) {
+          for (const bool above : {true, false}) all.push_back({i, j, &form, against_mean, above});
+        }
       }
     }
   }
@@ -42,16 +49,18 @@ std::vector<PairSignal> PairSignals(int lines) {
 
 std::vector<double> CalcSignal(const PairSignal& signal,
                                const std::vector<std::vector<double>>& pressures, double interval_s,
-                               double lag_s) {
+                               const SignalTimes& times) {
   const std::vector<double>& a = pressures[static_cast<size_t>(signal.first)];
   const std::vector<double>& b = pressures[static_cast<size_t>(signal.second)];
-  const double share = lag_s > 0 ? -std::expm1(-interval_s / lag_s) : 1;
+  const double share = times.lag_s > 0 ? -std::expm1(-interval_s / times.lag_s) : 1;
+  const double mean_share = -std::expm1(-interval_s / times.mean_s);
   std::vector<double> out(a.size());
-  double y = 0;
+  double y = 0, mean = 0;
   for (size_t i = 0; i < a.size(); ++i) {
     const double x = signal.sign() * signal.form->value(a[i], b[i]);
     y = i == 0 ? x : y + share * (x - y);
-    out[i] = y;
+    mean += std::max(mean_share, 1 / static_cast<double>(i + 1)) * (y - mean);
+    out[i] = signal.against_mean ? y - mean : y;
   }
   return out;
 }

@@ -1,12 +1,20 @@
 // The alarm for a lost hose: two line pressures made one signal, a threshold that follows from a
 // wanted rate of false alarms, and what a count of false alarms over a distance proves.
 //
-// Signal of lines a, b (absolute pressures): p_a - p_b, p_a + p_b or ln(p_a/p_b), behind a lag of
-// first order dy/dt = (x - y)/tau. The alarm is given above or below a threshold; signals are turned
-// so that it is always above:
+// Signal of lines a, b (absolute pressures): p_a - p_b, p_a + p_b, ln(p_a/p_b) or ln(p_a p_b/p_1^2),
+// p_1 = 1 MPa, behind a lag of first order dy/dt = (x - y)/tau. The alarm is given above or below a
+// threshold; signals are turned so that it is always above:
 //
 //   signal ----.   .--.          lag      ____ u threshold
 //               `-'    `--.  ------->  __/
+//
+// What shears the bogie or pulls at it moves oil u from one line to the other. Over gas of volume V at one
+// temperature p_a = p_0/(1 - u/V), p_b = p_0/(1 + u/V): sum and product change with u^2 only. A torn
+// hose takes its line to the atmosphere, which is ln(p_0/p_atm) of the product and half of the sum.
+//
+// Each signal also comes against its own mean: y less the mean z of what came before, of all rows up to
+// a time T, then dz/dt = (y - z)/T. Oil that warms or leaks moves the level over minutes, a torn hose
+// in a second. Traction that comes or goes within T moves it too and has to be among the services.
 //
 // Threshold: the largest values M of the signal in blocks of track of one length, without failure,
 // follow the generalised extreme value law P(M <= x) = exp(-(1 - k (x - m)/s)^(1/k)), for k = 0
@@ -30,23 +38,31 @@ struct PairForm {
 };
 std::span<const PairForm> PairForms();
 
-/// A pair of lines, a form of it, and on which side of its threshold it alarms.
+/// A pair of lines, a form of it, whether against its own mean, and on which side of its threshold
+/// it alarms.
 struct PairSignal {
   int first = 0;
   int second = 0;
   const PairForm* form = nullptr;
+  bool against_mean = false;
   bool above = true;
   double sign() const { return above ? 1 : -1; }
 };
-/// Every pair of `lines` lines in every form, both sides. Differences and ratios turn over with the
+/// Every pair of `lines` lines in every form, plain and against its mean, both sides. Differences and ratios turn over with the
 /// pair, so each pair comes once.
 std::vector<PairSignal> PairSignals(int lines);
 
+/// tau and T of the signals [s].
+struct SignalTimes {
+  double lag_s = 0.3;  ///< >= 0
+  double mean_s = 60;  ///< > 0
+};
+
 /// The signal behind its lag, turned so that it alarms above. `pressures`: [line][row], absolute
-/// [Pa], rows every `interval_s`; the lag begins settled at the first row. tau = `lag_s` >= 0.
+/// [Pa], rows every `interval_s`; the lag begins settled at the first row.
 std::vector<double> CalcSignal(const PairSignal& signal,
                                const std::vector<std::vector<double>>& pressures, double interval_s,
-                               double lag_s);
+                               const SignalTimes& times);
 
 /// Largest value of each whole block of `block_m`; `place` [m] never falls. What is left at the end
 /// is no block.

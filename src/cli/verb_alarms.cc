@@ -31,9 +31,9 @@ void Print(const Json& all) {
   fmt::print("{:<6}{:<24}{:>18}{:>12}{:>12}{:>9}{:>8}{:>10}{:>8}\n", "hose", "signal", "alarm",
              "mean s", "slowest s", "alarms", "Y/Q", "sum Y kN", "false");
   for (const Json& hose : all.at("hoses")) {
-    const std::string signal =
-        fmt::format("{} {}, {}", hose.at("form").get<std::string>(),
-                    hose.at("first").get<std::string>(), hose.at("second").get<std::string>());
+    const std::string signal = fmt::format(
+        "{} {}, {}{}", hose.at("form").get<std::string>(), hose.at("first").get<std::string>(),
+        hose.at("second").get<std::string>(), hose.at("against_mean") ? " - mean" : "");
     const bool pressure = hose.at("unit") == "Pa";
     const std::string alarm =
         fmt::format("{} {:.3g}{}", hose.at("alarm").get<std::string>(),
@@ -95,6 +95,7 @@ void AddAlarms(CLI::App* verb, Action* action) {
   verb->add_option("scenario", o->scenarios, "Services: scenarios on tracks with a spectrum")
       ->required();
   jobs::AlarmsRequest& ask = o->request;
+  ask.workers = 0;
   verb->add_option("--wanted", ask.wanted_per_1000_km,
                    "False alarms in 1000 km that are wanted at most, all hoses together")
       ->check(CLI::Range(1e-6, 1e3))
@@ -108,8 +109,12 @@ void AddAlarms(CLI::App* verb, Action* action) {
   verb->add_option("--bursts", ask.bursts, "Bursts of each hose in each service")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
-  verb->add_option("--lag", ask.lag_s, "Lag behind every signal, s")
+  verb->add_option("--lag", ask.times.lag_s, "Lag behind every signal, s")
       ->check(CLI::Range(0.0, 60.0))
+      ->capture_default_str();
+  verb->add_option("--mean", ask.times.mean_s,
+                   "Time over which the mean is taken that signals are also told against, s")
+      ->check(CLI::Range(1.0, 1e5))
       ->capture_default_str();
   verb->add_option("--block", ask.block_m, "Block of track whose extremes are learned from, m")
       ->check(CLI::Range(10.0, 1e5))

@@ -127,7 +127,7 @@ Result<bool> Search::Learn() {
         for (const PairSignal& s : analysis::PairSignals(static_cast<int>(run.lines.size()))) {
           of_task[static_cast<size_t>(i)].push_back(analysis::BlockMaxima(
               run.place_m,
-              analysis::CalcSignal(s, run.pressure_Pa, run.interval_s, found_.ask.lag_s),
+              analysis::CalcSignal(s, run.pressure_Pa, run.interval_s, found_.ask.times),
               found_.ask.block_m));
         }
         return Status();
@@ -212,7 +212,7 @@ Result<bool> Search::Tear() {
             static_cast<size_t>(std::lower_bound(t.begin(), t.end(), burst.task.at_s) - t.begin());
         for (size_t s = 0; s < found_.signals.size(); ++s) {
           const auto x = analysis::CalcSignal(found_.signals[s], burst.run.pressure_Pa,
-                                              burst.run.interval_s, found_.ask.lag_s);
+                                              burst.run.interval_s, found_.ask.times);
           size_t row = from;
           while (row < x.size() && !(x[row] > found_.thresholds[s])) ++row;
           burst.seconds.push_back(row < x.size() ? t[row] - burst.task.at_s : kNever);
@@ -259,7 +259,7 @@ Result<bool> Search::Test() {
               for (const size_t s : found_.chosen) {
                 counts[static_cast<size_t>(i)].push_back(
                     analysis::CountAlarms(analysis::CalcSignal(found_.signals[s], run.pressure_Pa,
-                                                               run.interval_s, found_.ask.lag_s),
+                                                               run.interval_s, found_.ask.times),
                                           found_.thresholds[s], run.interval_s, found_.ask.hold_s));
               }
               return Status();

@@ -34,7 +34,7 @@ struct Safety {
 
 Json Drawn(const AlarmsFound& found, const Burst& burst, size_t signal) {
   const auto x = analysis::CalcSignal(found.signals[signal], burst.run.pressure_Pa,
-                                      burst.run.interval_s, found.ask.lag_s);
+                                      burst.run.interval_s, found.ask.times);
   Json json = {{"service", found.ask.services[burst.task.service].name},
                {"t_s", Json::array()},
                {"signal", Json::array()},
@@ -98,6 +98,7 @@ Json HoseJson(const AlarmsFound& found, size_t hose) {
                {"first", found.lines[static_cast<size_t>(signal.first)]},
                {"second", found.lines[static_cast<size_t>(signal.second)]},
                {"form", signal.form->name},
+               {"against_mean", signal.against_mean},
                {"unit", signal.form->unit},
                {"alarm", signal.above ? "above" : "below"},
                {"threshold", signal.sign() * found.thresholds[s]},
@@ -179,7 +180,8 @@ double AlarmsFound::Margin(const std::string& line, size_t signal) const {
 Json AlarmsJson(const AlarmsFound& found) {
   Json json = {{"status", "ok"},
                {"wanted_per_1000_km", found.ask.wanted_per_1000_km},
-               {"lag_s", found.ask.lag_s},
+               {"lag_s", found.ask.times.lag_s},
+               {"mean_s", found.ask.times.mean_s},
                {"block_m", found.ask.block_m},
                {"learn_km_per_service", found.ask.learn_km},
                {"lines", found.lines},
@@ -195,17 +197,18 @@ Json AlarmsJson(const AlarmsFound& found) {
 
 std::string SignalsCsv(const AlarmsFound& found) {
   std::string text =
-      "hose,first,second,form,alarm,threshold,unit,largest_seconds,mean_seconds,margin\n";
+      "hose,first,second,form,against_mean,alarm,threshold,unit,largest_seconds,mean_seconds,"
+      "margin\n";
   for (const std::string& line : found.lines) {
     for (size_t s = 0; s < found.signals.size(); ++s) {
       const PairSignal& signal = found.signals[s];
       double mean = 0;
       const double slowest = found.Slowest(line, s, &mean);
-      text += fmt::format("{},{},{},{},{},{:.6g},{},{},{:.3f},{:.4g}\n", line,
+      text += fmt::format("{},{},{},{},{},{},{:.6g},{},{},{:.3f},{:.4g}\n", line,
                           found.lines[static_cast<size_t>(signal.first)],
                           found.lines[static_cast<size_t>(signal.second)], signal.form->name,
-                          signal.above ? "above" : "below", signal.sign() * found.thresholds[s],
-                          signal.form->unit,
+                          signal.against_mean ? "yes" : "no", signal.above ? "above" : "below",
+                          signal.sign() * found.thresholds[s], signal.form->unit,
                           std::isfinite(slowest) ? fmt::format("{:.3f}", slowest) : "", mean,
                           found.Margin(line, s));
     }

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "analysis/line_alarm.h"
 #include "vehicle/scenario.h"
 
 namespace phs::jobs {
@@ -14,11 +15,11 @@ struct AlarmsRequest {
   double test_km = 200;             ///< in all services together
   int bursts = 5;                   ///< of each hose in each service
   double wanted_per_1000_km = 0.1;  ///< false alarms, all hoses together
-  double lag_s = 0.3;               ///< behind every signal
-  double block_m = 500;             ///< a block of track
-  double run_in_s = 10;             ///< at the start of a run nothing is looked at
-  double after_s = 8;               ///< so long after a burst an alarm is waited for
-  double hold_s = 5;                ///< an alarm that comes again within is the same
+  analysis::SignalTimes times;
+  double block_m = 500;  ///< a block of track
+  double run_in_s = 10;  ///< at the start of a run nothing is looked at
+  double after_s = 8;    ///< so long after a burst an alarm is waited for
+  double hold_s = 5;     ///< an alarm that comes again within is the same
   std::uint64_t seed = 1;
   int workers = 1;  ///< threads
 };

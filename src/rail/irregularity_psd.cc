@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/wide.h"
+
 namespace phs::rail {
 namespace {
 
@@ -77,29 +79,41 @@ double UniformAt(std::uint64_t seed, std::uint64_t channel, std::uint64_t harmon
   return static_cast<double>(z >> 11) * 0x1p-53;
 }
 
-// Adds amplitude cos(w s_i + phase) at s_i = i step, by rotation, started anew every 64 samples so
-// that rounding does not build up. Eight such blocks go side by side: each waits for its own last
-// sample only.
-void AddCosine(double amplitude, double w, double phase, double step, std::vector<double>* x) {
-  constexpr size_t kBlock = 64;
-  constexpr size_t kSideBySide = 8;
+// Samples are summed in an order of their own: eight blocks of 64 side by side, so that eight samples of one
+// row fill vectors of the processor.
+constexpr size_t kBlock = 64;
+constexpr size_t kSideBySide = 8;
+constexpr size_t kTogether = kBlock * kSideBySide;
+using Row = double[kSideBySide];
+
+/// Where sample i stands.
+size_t Woven(size_t i) {
+  const size_t inside = i % kTogether;
+  return i - inside + inside % kBlock * kSideBySide + inside / kBlock;
+}
+
+// Adds amplitude cos(w s_i + phase) at s_i = i step to woven samples, by rotation, started anew every 64
+// samples so that rounding does not build up.
+PHS_WIDE void AddCosine(double amplitude, double w, double phase, double step,
+                        std::vector<double>* woven) {
   const double c = std::cos(w * step);
   const double s = std::sin(w * step);
-  for (size_t begin = 0; begin < x->size(); begin += kBlock * kSideBySide) {
-    double re[kSideBySide], im[kSideBySide];
+  for (size_t begin = 0; begin < woven->size(); begin += kTogether) {
+    Row re, im;
     for (size_t b = 0; b < kSideBySide; ++b) {
       const double angle = w * step * static_cast<double>(begin + b * kBlock) + phase;
       re[b] = amplitude * std::cos(angle);
       im[b] = amplitude * std::sin(angle);
     }
-    for (size_t i = 0; i < kBlock; ++i) {
+    double* x = woven->data() + begin;
+    for (size_t i = 0; i < kBlock; ++i, x += kSideBySide) {
+      Row next;
       for (size_t b = 0; b < kSideBySide; ++b) {
-        const size_t at = begin + b * kBlock + i;
-        if (at < x->size()) (*x)[at] += re[b];
-        const double next = re[b] * c - im[b] * s;
+        x[b] += re[b];
+        next[b] = re[b] * c - im[b] * s;
         im[b] = re[b] * s + im[b] * c;
-        re[b] = next;
       }
+      for (size_t b = 0; b < kSideBySide; ++b) re[b] = next[b];
     }
   }
 }
@@ -179,15 +193,16 @@ IrregularitySamples GenerateIrregularity(const IrregularityPsdParams& params) {
     samples.s.push_back(params.begin_s + g.step * static_cast<double>(i));
   }
   for (int c = 0; c < kNumIrregularityChannels; ++c) {
-    std::vector<double>& x = samples.channel[c];
-    x.assign(samples.s.size(), 0.0);
+    std::vector<double> woven((intervals / kTogether + 1) * kTogether, 0.0);
     for (size_t k = 0; k < waves; ++k) {
       const double w = g.low + (static_cast<double>(k) + 0.5) * g.dw;
       const double density = CalcPsd(params.psd, static_cast<IrregularityChannel>(c), w);
       const double phase =
           2 * std::numbers::pi * UniformAt(params.seed, static_cast<std::uint64_t>(c), k);
-      AddCosine(params.scale * std::sqrt(2 * density * g.dw), w, phase, g.step, &x);
+      AddCosine(params.scale * std::sqrt(2 * density * g.dw), w, phase, g.step, &woven);
     }
+    std::vector<double>& x = samples.channel[c];
+    for (size_t i = 0; i <= intervals; ++i) x.push_back(woven[Woven(i)]);
   }
   return samples;
 }

@@ -51,7 +51,7 @@ struct IrregularityPsdParams {
   double scale = 1;                 ///< factor on all channels
 };
 
-/// Samples times waves of one channel: what generating it costs, about 1.2 ns each.
+/// Samples times waves of one channel: what generating it costs, about 0.8 ns each.
 double IrregularityWork(const IrregularityPsdParams& params);
 
 /// errib176_low, errib176_high, fra_1 … fra_6.

@@ -23,8 +23,11 @@ std::pair<double, std::string> Shown(const Json& hose) {
 
 std::string PairText(const Json& hose) {
   const std::string a = hose.at("first"), b = hose.at("second"), form = hose.at("form");
-  if (form == "sum") return a + " + " + b;
-  return form == "ratio" ? "ln(" + a + "/" + b + ")" : a + " - " + b;
+  const std::string text = form == "sum"       ? a + " + " + b
+                           : form == "ratio"   ? "ln(" + a + "/" + b + ")"
+                           : form == "product" ? "ln(" + a + " " + b + "/MPa²)"
+                                               : a + " - " + b;
+  return hose.at("against_mean") ? text + " less its mean" : text;
 }
 
 std::string ThresholdText(const Json& hose) {

@@ -1,6 +1,7 @@
 #include "vehicle/engine.h"
 
 #include <algorithm>
+#include <mutex>
 
 namespace phs::vehicle {
 namespace {
@@ -11,8 +12,11 @@ void OnWarning(const char*) {}
 }  // namespace
 
 void InstallEngineHandlers() {
-  mju_user_error = &OnError;
-  mju_user_warning = &OnWarning;
+  // The engine's handlers are global, and every thread that makes a vehicle comes here.
+  static std::mutex mutex;
+  const std::lock_guard lock(mutex);
+  if (mju_user_error != &OnError) mju_user_error = &OnError;
+  if (mju_user_warning != &OnWarning) mju_user_warning = &OnWarning;
 }
 
 Result<ModelPtr> LoadMjcf(const std::string& path) {

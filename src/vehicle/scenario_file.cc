@@ -25,6 +25,11 @@ void ReadRunning(YamlMap map, Scenario* s) {
       map.Number("block_friction", {.min = 0, .max = 1, .open_min = true}, r.block_friction);
   r.begin_s = map.Number("begin_s", {.min = 0, .max = 1e6}, r.begin_s);
   r.ramp_s = map.Number("ramp_s", {.min = 0, .max = 1e6, .open_min = true}, r.ramp_s);
+  r.end_s = map.Number("end_s", {.min = 0, .max = 1e6}, r.end_s);
+  if (r.end_s > 0 && r.end_s < r.begin_s + r.ramp_s) {
+    map.Fail("end_s", "lies before the moments are there",
+             "0 (to the end of the run), or begin_s + ramp_s and later");
+  }
 }
 
 /// `friction:` a coefficient, or a block with a condition by name and single values of its own.

@@ -95,7 +95,8 @@ std::string ToYaml(const Scenario& s) {
               {"block_force_N", s.running.block_force_N},
               {"block_friction", s.running.block_friction},
               {"begin_s", s.running.begin_s},
-              {"ramp_s", s.running.ramp_s}},
+              {"ramp_s", s.running.ramp_s},
+              {"end_s", s.running.end_s}},
              "", &out);
   }
   WriteFailures(s.phs_changes.failures, &out);

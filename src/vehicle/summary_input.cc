@@ -47,6 +47,7 @@ Json DescribeScenario(const Scenario& s) {
                             {"block_friction", s.running.block_friction},
                             {"begin_s", s.running.begin_s},
                             {"ramp_s", s.running.ramp_s}};
+    if (s.running.end_s > 0) described["running"]["end_s"] = s.running.end_s;
   }
   if (!s.phs_changes.failures.empty()) {
     described["failures"] = DescribeFailures(s.phs_changes.failures);

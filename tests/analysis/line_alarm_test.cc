@@ -11,16 +11,17 @@ namespace phs::analysis {
 namespace {
 
 const PairSignal& Named(const std::vector<PairSignal>& all, int first, int second,
-                        const std::string& form, bool above) {
+                        const std::string& form, bool above, bool against_mean = false) {
   for (const PairSignal& s : all) {
-    if (s.first == first && s.second == second && s.form->name == form && s.above == above)
+    if (s.first == first && s.second == second && s.form->name == form && s.above == above &&
+        s.against_mean == against_mean)
       return s;
   }
   throw std::runtime_error("no such signal");
 }
 
-TEST(LineAlarmTest, FourLinesHaveSixPairsInThreeFormsAndTwoSides) {
-  EXPECT_EQ(PairSignals(4).size(), 6u * 3 * 2);
+TEST(LineAlarmTest, FourLinesHaveSixPairsInEveryFormWithAndWithoutMeanAndTwoSides) {
+  EXPECT_EQ(PairSignals(4).size(), 6u * PairForms().size() * 2 * 2);
 }
 
 TEST(LineAlarmTest, ASignalIsItsPairBehindALagOfFirstOrder) {
@@ -28,9 +29,9 @@ TEST(LineAlarmTest, ASignalIsItsPairBehindALagOfFirstOrder) {
   std::vector<std::vector<double>> p(2, std::vector<double>(200, 2e6));
   for (size_t i = 100; i < 200; ++i) p[1][i] = 0.1e6;
   const auto all = PairSignals(2);
-  const auto difference = CalcSignal(Named(all, 0, 1, "difference", true), p, h, tau);
-  const auto sum = CalcSignal(Named(all, 0, 1, "sum", false), p, h, tau);
-  const auto ratio = CalcSignal(Named(all, 0, 1, "ratio", true), p, h, 0);
+  const auto difference = CalcSignal(Named(all, 0, 1, "difference", true), p, h, {.lag_s = tau});
+  const auto sum = CalcSignal(Named(all, 0, 1, "sum", false), p, h, {.lag_s = tau});
+  const auto ratio = CalcSignal(Named(all, 0, 1, "ratio", true), p, h, {.lag_s = 0});
   EXPECT_DOUBLE_EQ(difference[99], 0);
   EXPECT_DOUBLE_EQ(sum[99], -4e6) << "turned: it alarms above";
   for (const size_t i : {100u, 120u, 199u}) {
@@ -39,6 +40,36 @@ TEST(LineAlarmTest, ASignalIsItsPairBehindALagOfFirstOrder) {
     EXPECT_NEAR(sum[i], -4e6 + 1.9e6 * share, 1e-3) << i;
     EXPECT_NEAR(ratio[i], std::log(20.0), 1e-12) << i;
   }
+}
+
+// Oil moved over gas of one temperature: p0/(1 - u/V) and p0/(1 + u/V).
+TEST(LineAlarmTest, SumAndProductFeelMovedOilBySquareAndATornHoseAtOnce) {
+  const double p0 = 2e6, share = 0.2;
+  const std::vector<std::vector<double>> moved = {{p0 / (1 - share)}, {p0 / (1 + share)}};
+  const auto all = PairSignals(2);
+  const auto at = [&](const char* form, const std::vector<std::vector<double>>& p) {
+    return CalcSignal(Named(all, 0, 1, form, true), p, 0.01, {.lag_s = 0})[0];
+  };
+  EXPECT_NEAR(at("product", moved), std::log(4.0) - std::log(1 - share * share), 1e-12);
+  EXPECT_NEAR(at("sum", moved), 2 * p0 / (1 - share * share), 1e-3);
+  EXPECT_NEAR(at("product", {{p0}, {101325}}), std::log(2 * 0.101325), 1e-12);
+}
+
+TEST(LineAlarmTest, AgainstItsMeanASlowLevelIsForgottenAndAStepIsNot) {
+  const double h = 0.1, T = 20;
+  std::vector<std::vector<double>> p(2, std::vector<double>(4000, 1e6));
+  for (size_t i = 3000; i < 4000; ++i) p[0][i] = 3e6;
+  const auto x =
+      CalcSignal(Named(PairSignals(2), 0, 1, "sum", true, true), p, h, {.lag_s = 0, .mean_s = T});
+  EXPECT_NEAR(x[2999], 0, 1e-3);
+  // After the step of 2 MPa: what a mean over T has not yet taken up.
+  for (const size_t n : {1u, 100u, 200u}) {
+    EXPECT_NEAR(x[2999 + n], 2e6 * std::exp(-static_cast<double>(n) * h / T), 10) << n;
+  }
+  EXPECT_NEAR(CalcSignal(Named(PairSignals(2), 0, 1, "sum", true, true), p, h,
+                         {.lag_s = 0, .mean_s = 1e9})[3999],
+              4e6 - (3000 * 2e6 + 1000 * 4e6) / 4000, 10)
+      << "in the beginning the mean is that of all rows";
 }
 
 TEST(LineAlarmTest, BlocksAreWholeAndKnowTheirLargest) {

@@ -268,6 +268,7 @@ TEST_F(ProgramTest, TractionAndJointsAreCheckedLikeEverythingElse) {
   refused("running: {block_friction: 0}\n", "block_friction");
   refused("running: {ramp_s: 0}\n", "ramp_s");
   refused("running: {begin_s: soon}\n", "begin_s");
+  refused("running: {begin_s: 1, ramp_s: 2, end_s: 2.5}\n", "end_s");
   refused("running: 5\n", "running");
   refused("joints: {lead_yow: {stiffness: 1e6}}\n", "lead_yaw");
   refused("joints: {lead_yaw: {stiffness: -1}}\n", "lead_yaw.stiffness");

@@ -55,6 +55,17 @@ TEST(RunningForcesTest, TheRailsGiveTheTorqueOfTheDrivesOverTheRadius) {
   }
 }
 
+TEST(RunningForcesTest, TractionGoesAsItCame) {
+  const plugin::RunningForces r{.active = true, .begin_s = 1, .ramp_s = 2, .end_s = 4};
+  const double share[] = {0, 0, 0.5, 1, 1, 0.5, 0, 0};
+  for (int i = 0; i < 8; ++i) EXPECT_DOUBLE_EQ(r.Share(i), share[i]) << i << " s";
+  Scenario s = Running("phs", 20e3, 0);
+  s.running.end_s = 2;
+  const Finished f = RunToEnd(s);
+  EXPECT_NEAR(f.Last("lead_X_N") / (20e3 / 0.625), 0, 5e-3);
+  EXPECT_NEAR(f.Last("speed_m_s"), 15, 0.02);
+}
+
 TEST(RunningForcesTest, BrakeBlocksTakeTheirFrictionFromTheRails) {
   const Finished f = RunToEnd(Running("rigid_link", 0, 30e3));
   const double per_axle = 2 * 0.25 * 30e3;
