@@ -9,9 +9,9 @@
 //                     -(sum of the moments above)/r, corrected by the speed error with a time
 //                     constant of 0.5 s
 //
-// Moments rise linearly from `begin_s` over `ramp_s`, and from `end_s` on fall likewise. The coupler is the site "coupler" of the
-// model: at the height of the traction rods on a single bogie, at the drawgear of a whole
-// locomotive.
+// Moments rise linearly from `begin_s` over `ramp_s`, and from `end_s` on fall likewise. The coupler
+// is the site "coupler" of the model: at the height of the traction rods on a single bogie, at the
+// drawgear of a whole locomotive.
 #pragma once
 
 namespace phs::plugin {

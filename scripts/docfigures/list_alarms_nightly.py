@@ -24,7 +24,9 @@ def threshold(hose):
 
 
 def safety(of):
-    return (f"{number(of['Y_over_Q'], 2)}, {number(of['sum_Y_N'] / 1e3)} kN, "
+    # A wheel that lifts has no Y/Q.
+    ratio = number(of["Y_over_Q"], 2) if of["unloading"] < 1 else "–"
+    return (f"{ratio}, {number(of['sum_Y_N'] / 1e3)} kN, "
             f"{number(100 * of['unloading'])} %")
 
 

@@ -8,13 +8,15 @@
 //   signal ----.   .--.          lag      ____ u threshold
 //               `-'    `--.  ------->  __/
 //
-// What shears the bogie or pulls at it moves oil u from one line to the other. Over gas of volume V at one
-// temperature p_a = p_0/(1 - u/V), p_b = p_0/(1 + u/V): sum and product change with u^2 only. A torn
-// hose takes its line to the atmosphere, which is ln(p_0/p_atm) of the product and half of the sum.
+// What shears the bogie or pulls at it moves oil u from one line to the other. Over gas of volume V
+// at one temperature p_a = p_0/(1 - u/V), p_b = p_0/(1 + u/V): sum and product change with u^2 only.
+// A torn hose takes its line to the atmosphere, which is ln(p_0/p_atm) of the product and half of
+// the sum.
 //
-// Each signal also comes against its own mean: y less the mean z of what came before, of all rows up to
-// a time T, then dz/dt = (y - z)/T. Oil that warms or leaks moves the level over minutes, a torn hose
-// in a second. Traction that comes or goes within T moves it too and has to be among the services.
+// Each signal also comes against its own mean: y less the mean z of what came before, of all rows up
+// to a time T, then dz/dt = (y - z)/T. Oil that warms or leaks moves the level over minutes, a torn
+// hose in a second. Traction that comes or goes within T moves it too and has to be among the
+// services.
 //
 // Threshold: the largest values M of the signal in blocks of track of one length, without failure,
 // follow the generalised extreme value law P(M <= x) = exp(-(1 - k (x - m)/s)^(1/k)), for k = 0
@@ -48,8 +50,8 @@ struct PairSignal {
   bool above = true;
   double sign() const { return above ? 1 : -1; }
 };
-/// Every pair of `lines` lines in every form, plain and against its mean, both sides. Differences and ratios turn over with the
-/// pair, so each pair comes once.
+/// Every pair of `lines` lines in every form, plain and against its mean, both sides. Differences
+/// and ratios turn over with the pair, so each pair comes once.
 std::vector<PairSignal> PairSignals(int lines);
 
 /// tau and T of the signals [s].

@@ -197,20 +197,20 @@ Json AlarmsJson(const AlarmsFound& found) {
 
 std::string SignalsCsv(const AlarmsFound& found) {
   std::string text =
-      "hose,first,second,form,against_mean,alarm,threshold,unit,largest_seconds,mean_seconds,"
-      "margin\n";
+      "hose,first,second,form,alarm,threshold,unit,largest_seconds,mean_seconds,margin,"
+      "against_mean\n";
   for (const std::string& line : found.lines) {
     for (size_t s = 0; s < found.signals.size(); ++s) {
       const PairSignal& signal = found.signals[s];
       double mean = 0;
       const double slowest = found.Slowest(line, s, &mean);
-      text += fmt::format("{},{},{},{},{},{},{:.6g},{},{},{:.3f},{:.4g}\n", line,
+      text += fmt::format("{},{},{},{},{},{:.6g},{},{},{:.3f},{:.4g},{}\n", line,
                           found.lines[static_cast<size_t>(signal.first)],
                           found.lines[static_cast<size_t>(signal.second)], signal.form->name,
-                          signal.against_mean ? "yes" : "no", signal.above ? "above" : "below",
-                          signal.sign() * found.thresholds[s], signal.form->unit,
+                          signal.above ? "above" : "below", signal.sign() * found.thresholds[s],
+                          signal.form->unit,
                           std::isfinite(slowest) ? fmt::format("{:.3f}", slowest) : "", mean,
-                          found.Margin(line, s));
+                          found.Margin(line, s), signal.against_mean ? "yes" : "no");
     }
   }
   return text;

@@ -79,8 +79,8 @@ double UniformAt(std::uint64_t seed, std::uint64_t channel, std::uint64_t harmon
   return static_cast<double>(z >> 11) * 0x1p-53;
 }
 
-// Samples are summed in an order of their own: eight blocks of 64 side by side, so that eight samples of one
-// row fill vectors of the processor.
+// Samples are summed in an order of their own: eight blocks of 64 side by side, so that eight samples
+// of one row fill vectors of the processor.
 constexpr size_t kBlock = 64;
 constexpr size_t kSideBySide = 8;
 constexpr size_t kTogether = kBlock * kSideBySide;
@@ -92,8 +92,8 @@ size_t Woven(size_t i) {
   return i - inside + inside % kBlock * kSideBySide + inside / kBlock;
 }
 
-// Adds amplitude cos(w s_i + phase) at s_i = i step to woven samples, by rotation, started anew every 64
-// samples so that rounding does not build up.
+// Adds amplitude cos(w s_i + phase) at s_i = i step to woven samples, by rotation, started anew every
+// 64 samples so that rounding does not build up.
 PHS_WIDE void AddCosine(double amplitude, double w, double phase, double step,
                         std::vector<double>* woven) {
   const double c = std::cos(w * step);

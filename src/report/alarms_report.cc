@@ -27,7 +27,7 @@ std::string PairText(const Json& hose) {
                            : form == "ratio"   ? "ln(" + a + "/" + b + ")"
                            : form == "product" ? "ln(" + a + " " + b + "/MPa²)"
                                                : a + " - " + b;
-  return hose.at("against_mean") ? text + " less its mean" : text;
+  return hose.value("against_mean", false) ? text + " less its mean" : text;
 }
 
 std::string ThresholdText(const Json& hose) {
@@ -37,7 +37,9 @@ std::string ThresholdText(const Json& hose) {
 }
 
 std::string SafetyText(const Json& safety) {
-  return fmt::format("{}, {} kN, {} %", FormatNumber(NumberOf(safety, "Y_over_Q"), 2),
+  // A wheel that lifts has no Y/Q.
+  const bool lifts = NumberOf(safety, "unloading") >= 1;
+  return fmt::format("{}, {} kN, {} %", lifts ? "–" : FormatNumber(NumberOf(safety, "Y_over_Q"), 2),
                      FormatNumber(1e-3 * NumberOf(safety, "sum_Y_N")),
                      FormatNumber(100 * NumberOf(safety, "unloading"), 2));
 }
