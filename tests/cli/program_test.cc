@@ -187,61 +187,6 @@ TEST_F(ProgramTest, TheHalfStepStandsBesideWhenAsked) {
       both["discretisation"]["changes"].contains("phs_over_rigid_link.run.T_gamma_total_J"));
 }
 
-TEST_F(ProgramTest, ContactPlacesAWheelsetOnTrack) {
-  const std::string cases = Write("cases.csv",
-                                  "note,y_mm,Fz_N,roll_rad,yaw_rad,vs_mm_s,vpitch_rad_s\n"
-                                  "a,5,10000,-0.00035540,0.012,2000,-4.33536370\n");
-  const std::string out = Path("out.csv");
-  const std::string call =
-      "contact --wheelset " + cases + " --wheel S1002 --rail UIC60 --out " + out;
-  const Output done = ExecutePhs(call);
-  EXPECT_EQ(done.code, 0) << done.text;
-  std::ifstream file(out);
-  std::string names;
-  std::getline(file, names);
-  EXPECT_THAT(names, HasSubstr("contact_angle_rad"));
-  EXPECT_EQ(ExecutePhs(call).code, 3);  // the file is there already
-  EXPECT_EQ(ExecutePhs(call + " --force").code, 0);
-}
-
-TEST_F(ProgramTest, ContactRefusesBadInputInOneLine) {
-  const std::string good = Write("c.csv", "y_mm,Fz_N,vs_mm_s,vpitch_rad_s\n0,10000,2000,-4.3\n");
-  const std::string bad = Write("b.csv", "y_mm,Fz_N,vs_mm_s,vpitch_rad_s\n0,1e9,2000,-4.3\n");
-  const auto refused = [&](const std::string& arguments, int code, const std::string& words) {
-    const Output out = ExecutePhs("contact " + arguments + " --out " + Path("o.csv"));
-    EXPECT_EQ(out.code, code) << out.text;
-    EXPECT_THAT(out.text, HasSubstr(words));
-    EXPECT_EQ(std::count(out.text.begin(), out.text.end(), '\n'), 1) << out.text;
-    EXPECT_FALSE(fs::exists(Path("o.csv")));
-  };
-  const std::string pair = " --wheel S1002 --rail UIC60";
-  refused("", 2, "--wheelset");
-  refused("--wheelset " + good + " --cases " + good, 2, "--wheelset");
-  refused("--wheelset " + good + " --wheel S1002", 3, "--rail");
-  refused("--wheelset " + good + " --wheel S1003 --rail UIC60", 3, "S1002");
-  refused("--wheelset " + bad + pair, 3, "b.csv:2");
-  refused("--wheelset " + good + pair + " --gauge_m 9", 3, "gauge");
-  refused("--wheelset " + Path("none.csv") + pair, 3, "none.csv");
-  refused("--wheelset " + Write("e.inp", "% nothing\n") + pair, 3, "e.inp");
-}
-
-TEST_F(ProgramTest, ContactFunctionsOfAPair) {
-  const std::string call = "contact --functions --wheel S1002 --rail UIC60 --out " + Path("f.csv") +
-                           " --report " + Path("f.html");
-  const Output done = ExecutePhs(call);
-  EXPECT_EQ(done.code, 0) << done.text;
-  EXPECT_THAT(done.text, HasSubstr("equivalent conicity"));
-  EXPECT_TRUE(fs::exists(Path("f.csv")));
-  EXPECT_TRUE(fs::exists(Path("f.html")));
-  EXPECT_EQ(ExecutePhs("contact --functions --wheel S1002 --out " + Path("g.csv")).code, 3);
-  const Output loaded =
-      ExecutePhs("contact --functions --wheel S1002 --rail UIC60 --load_N 100e3 --step_m " +
-                 std::string("0.001 --out ") + Path("h.csv"));
-  EXPECT_EQ(loaded.code, 0) << loaded.text;
-  EXPECT_EQ(ExecutePhs("contact --functions --wheel S1002 --rail UIC60 --load_N -1 --out x").code,
-            2);
-}
-
 TEST_F(ProgramTest, FrictionIsANumberOrABlock) {
   const std::string head = "track: straight\nbogie: rigid_link\ncreep: polach\n";
   for (const char* good : {"friction: 0.3\n", "friction: {condition: wet}\n",
