@@ -204,11 +204,8 @@ void Binding::CalcRest(const mjModel* m, mjData* d, Work* work) const noexcept {
 
 void Binding::BookPowers(const mjModel* m, mjData* d, Work* work) const noexcept {
   const double* speed = Speed(d);
-  std::fill(work->row, work->row + m->nv, 0.0);
-  AddEngineDampers(m, d, speed, work->row);
-  d->userdata[UserData::kDamperPower] = -mju_dot(work->row, speed, m->nv);
+  d->userdata[UserData::kDamperPower] = 0;
   for (const auto& elements : elements_) {
-    if (elements->InEngine()) continue;
     d->userdata[UserData::kDamperPower] += elements->LostPower(m, d, speed);
   }
   d->userdata[UserData::kDrivePower] = mju_dot(work->drive, speed, m->nv);

@@ -168,7 +168,8 @@ int phs_num_outputs(const mjModel* m) {
 
 const char* phs_output_name(const mjModel* m, int index) {
   thread_local std::string name;
-  const int found = Guard([&] {
+  const char* text = nullptr;
+  Guard([&] {
     const phs::plugin::Binding* binding = phs::plugin::Find(m);
     if (binding == nullptr) return NotAttached("phs_output_name", m);
     const phs::plugin::Observer observer(m, *binding);
@@ -176,9 +177,10 @@ const char* phs_output_name(const mjModel* m, int index) {
       return Fail("phs_output_name: index out of range");
     }
     name = observer.channels()[index].name;
+    text = name.c_str();
     return 0;
   });
-  return found == 0 ? name.c_str() : nullptr;
+  return text;
 }
 
 int phs_outputs(const mjModel* m, const mjData* d, double* values) {

@@ -63,12 +63,12 @@ Status CheckField(const std::string& element, const std::string& name, const Nam
 
 Status CheckFields(const mjModel* m) {
   for (int i = 0; i < m->ntext; ++i) {
-    const Status s =
+    Status s =
         CheckField("text", ObjectName(m, mjOBJ_TEXT, i), TextNames(), NumberNames(), "numeric");
     if (!s.ok()) return s;
   }
   for (int i = 0; i < m->nnumeric; ++i) {
-    const Status s =
+    Status s =
         CheckField("numeric", ObjectName(m, mjOBJ_NUMERIC, i), NumberNames(), TextNames(), "text");
     if (!s.ok()) return s;
   }
@@ -122,13 +122,13 @@ Status CheckTwice(const mjModel* m) {
   std::map<int, std::string> bodies, actuators;
   for (const NamedTuple& tuple : TuplesWithPrefix(m, "wheelset:")) {
     for (const int body : tuple.Ids(mjOBJ_BODY)) {
-      const Status s = Take(m, mjOBJ_BODY, body, "wheelset:" + tuple.name, "wheelset", &bodies);
+      Status s = Take(m, mjOBJ_BODY, body, "wheelset:" + tuple.name, "wheelset", &bodies);
       if (!s.ok()) return s;
     }
   }
   for (const NamedTuple& tuple : TuplesWithPrefix(m, "phs:")) {
     for (const int actuator : tuple.Ids(mjOBJ_ACTUATOR)) {
-      const Status s =
+      Status s =
           Take(m, mjOBJ_ACTUATOR, actuator, "phs:" + tuple.name, "cylinder or state", &actuators);
       if (!s.ok()) return s;
     }

@@ -1,5 +1,7 @@
 #include "plugin/observer.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace phs::plugin {
@@ -46,11 +48,11 @@ Observer::Observer(const mjModel* m, const Binding& binding)
     const std::string prefix = binding.phs().size() > 1 ? phs.name + "_" : "";
     int part = 0;
     for (const std::string& name : phs.system->cylinder_names()) {
-      Add(CylinderChannels(), prefix + "cylinder_" + name + "_", {i, part++});
+      Add(CylinderChannels(), fmt::format("{}cylinder_{}_", prefix, name), {i, part++});
     }
     part = 0;
     for (const std::string& name : phs.system->line_names()) {
-      Add(LineChannels(), prefix + "line_" + name + "_", {i, part++});
+      Add(LineChannels(), fmt::format("{}line_{}_", prefix, name), {i, part++});
     }
   }
   AddElements(m);

@@ -1,8 +1,6 @@
 """README.md: wear on rough track and of the locomotive; running straight."""
-import csv
-import io
-
 from docfigures.cases import compare, curve, factor, track_text
+from docfigures.draws import band, draws
 from docfigures.form import kmh, number, short
 
 DOCUMENT = "README.md"
@@ -23,21 +21,12 @@ def lives_from(speeds):
     return speeds["hunting"]
 
 
-def band(phs):
+def factor_band(phs):
     """Steering factor by T-gamma with the measured hydraulics: 2.5 to 97.5 % of the draws."""
-    text = phs.result_text("sweep hydraulics_measured", "sweep.csv")
-    own = sorted(float(row["T_gamma_total_J"]) for row in
-                 csv.DictReader(line for line in io.StringIO(text) if not line.startswith("#")))
     rigid = phs("compare curve_r550 --bogies phs,rigid_link")["bogies"]["rigid_link"]
-    factors = [rigid["run"]["T_gamma_total_J"] / x for x in reversed(own)]
-    cut = 0.025 * (len(factors) - 1)
-
-    def at(place):
-        low = int(place)
-        high = min(low + 1, len(factors) - 1)
-        return factors[low] + (place - low) * (factors[high] - factors[low])
-
-    return f"{number(at(cut), 1)} to {number(at(len(factors) - 1 - cut), 1)}"
+    key = "run.T_gamma_total_J"
+    return band([rigid["run"]["T_gamma_total_J"] / drawn[key]
+                 for drawn in draws(phs, "curve_r550", [key])], joint=" to ")
 
 
 def over_seeds(phs, **changes):
@@ -50,7 +39,7 @@ def over_seeds(phs, **changes):
 
 
 def figures(phs):
-    out = {"band": band(phs), "seeds": over_seeds(phs), "loco_seeds": over_seeds(phs, vehicle="locomotive")}
+    out = {"band": factor_band(phs), "seeds": over_seeds(phs), "loco_seeds": over_seeds(phs, vehicle="locomotive")}
     for name, scenario in SCENARIOS.items():
         ratio = phs(f"compare {scenario} --bogies phs,rigid_link")["ratios"]["rigid_link_over_phs"]
         out["T_" + name] = short(ratio["run"]["T_gamma_total_J"])

@@ -1,5 +1,6 @@
 """docs/steering_claims.md: what the PHS gives over radius, and what it depends on."""
 from docfigures.cases import compare, curve, factor, hunts
+from docfigures.draws import band, draws, limits, once
 from docfigures.form import attack, number, short, t_gamma, table, wheelset
 
 DOCUMENT = "docs/steering_claims.md"
@@ -29,17 +30,72 @@ HYDRAULICS = {"smooth, single bogie": "curve_r550", "smooth, locomotive": "locom
               "traction 0.25, locomotive": "locomotive_traction_r550"}
 
 
+WEAR = ("T_gamma_total_J", "lost_creep_J")
+
+
 def hydraulics(phs):
     """Wear of the rigid bogie over that of the PHS, hydraulics as measured and as declared."""
     rows = []
     for words, scenario in HYDRAULICS.items():
         runs = dict(phs(f"compare {scenario} --bogies phs,rigid_link")["bogies"])
         runs.update(phs(f"compare {scenario} --bogies phs_declared")["bogies"])
-        rows.append([words] + [short(runs["rigid_link"]["run"][what] / runs[own]["run"][what])
-                               for what in ("T_gamma_total_J", "lost_creep_J")
-                               for own in ("phs", "phs_declared")])
+        drawn = draws(phs, scenario, ["run." + what for what in WEAR])
+        row = [words]
+        for what in WEAR:
+            rigid = runs["rigid_link"]["run"][what]
+            low, high = limits([rigid / d["run." + what] for d in drawn])
+            row += [short(rigid / runs["phs"]["run"][what]) + f" ({short(low)} … {short(high)})",
+                    short(rigid / runs["phs_declared"]["run"][what])]
+        rows.append(row)
     return table(["R = 550 m, rigid / PHS", "T-gamma, as measured", "as declared",
                   "creep work with spin, as measured", "as declared"], rows)
+
+
+def steady(phs, radius, changes):
+    return compare(phs, curve(radius, **changes), "phs,phs_declared")["bogies"]
+
+
+LEAD = "steady_curve.wheelsets.lead."
+WHEELS = [f"steady_curve.wheels.{axle}_{side}.T_gamma_N"
+          for axle in ("lead", "trail") for side in ("outer", "inner")]
+
+
+STRAIGHT = (("shear stiffness at rest, seals free [MN m/rad]", "held",
+             "rest.shear_stiffness_Nm_per_rad", 1e-6, 0),
+            ("linear critical speed, single bogie [km/h]", "stability", "critical_speed_m_s", 3.6, 0))
+
+
+def headlines(phs):
+    """Further numbers with their bands, and what half the step changes of the measured ones."""
+    rows = []
+    for radius in (300, 550, 800):
+        runs = steady(phs, radius, {})
+        half = steady(phs, radius, {"timestep_s": runs["phs"]["timestep_s"] / 2})["phs"]
+        drawn = draws(phs, phs.file(dict(curve(radius), bogie="phs")),
+                      [LEAD + "angle_of_attack_rad", LEAD + "sum_Y_N"] + WHEELS)
+
+        def row(words, scale, decimals, of_run, of_draw):
+            own, declared = of_run(runs["phs"]), of_run(runs["phs_declared"])
+            rows.append([f"R {radius} m: {words}", number(scale * own, decimals),
+                         band([scale * of_draw(d) for d in drawn], decimals),
+                         number(scale * declared, decimals),
+                         number(scale * (of_run(half) - own), decimals + 2)])
+
+        row("Tγ, steady [N]", 1, 1, t_gamma,
+            lambda d: sum(d[wheel] for wheel in WHEELS))
+        row("angle of attack, leading axle, > 0 to the inner rail [mrad]", 1e3, 3,
+            lambda run: wheelset(run)["angle_of_attack_rad"],
+            lambda d: d[LEAD + "angle_of_attack_rad"])
+        row("ΣY, leading axle [kN]", 1e-3, 2, lambda run: wheelset(run)["sum_Y_N"],
+            lambda d: d[LEAD + "sum_Y_N"])
+    for words, analysis, key, scale, decimals in STRAIGHT:
+        own, declared = (once(phs, phs.file({"track": "straight", "speed_km_h": 60, "bogie": bogie}),
+                              [key], analysis)[key] for bogie in ("phs", "phs_declared"))
+        drawn = draws(phs, phs.file({"track": "straight", "speed_km_h": 60, "bogie": "phs"}), [key], analysis)
+        rows.append([words, number(scale * own, decimals),
+                     band([scale * d[key] for d in drawn], decimals),
+                     number(scale * declared, decimals), "without steps"])
+    return table(["", "as measured", "95 % of draws", "as declared", "changed by half the step"], rows)
 
 
 def seal_friction(phs):
@@ -101,5 +157,5 @@ def cones(phs):
 
 
 def figures(phs):
-    return {"over_radius": over_radius(phs), "hydraulics": hydraulics(phs),
+    return {"over_radius": over_radius(phs), "hydraulics": hydraulics(phs), "headlines": headlines(phs),
             "seal_friction": seal_friction(phs), "varied": varied(phs), "deficiency": deficiency(phs), "cones": cones(phs)}

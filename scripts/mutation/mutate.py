@@ -1,15 +1,16 @@
 #!/usr/bin/env python3
 """Mutation test: breaks single statements of a folder and looks whether a test fails.
 
-scripts/mutation/mutate.py [--folders hydraulics,rail] [--count 30] [--seed 1] [--jobs 1] [--out FILE]
+scripts/mutation/mutate.py [--folders hydraulics,rail] [--count 30] [--seed 1] [--jobs 2] [--out FILE]
 
 For each folder COUNT statements are drawn by the seed among those that compute with numbers (sums, products,
 quotients, comparisons, functions); each is changed in one way. A copy of the tree in build/mutation is built
-once per folder with all its mutants in it: `PHS_MUTANT=7` picks one. Only the folder's own tests and
+once for each folder with all its mutants in it: `PHS_MUTANT=7` picks one. Only the folder's own tests and
 tests/laws run. A mutant is killed by the first test that fails, crashes or takes five times as long as
 without it. Survivors are printed with place and change; docs/testing.md says of each why it is harmless.
 """
 import argparse
+import concurrent.futures
 import json
 import os
 import pathlib
@@ -23,8 +24,6 @@ import time
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PLACES = {"hydraulics": "src/hydraulics", "effects": "src/effects", "rail": "src/rail",
           "plugin": "plugin", "vehicle": "src/vehicle"}
-COPIED = ["CMakeLists.txt", "CMakePresets.json", "src", "plugin", "tests", "models", "bogie_xml",
-          "scripts", "docs", "README.md", "CHANGELOG.md", "LICENSE", "NOTICE", "benchmarks"]
 PRELUDE = """#pragma once
 #include <cstdlib>
 /// The mutant that runs; none without PHS_MUTANT.
@@ -83,11 +82,23 @@ def statements(text):
         i += 1
 
 
+def has_own_comma(expression):
+    """True for `a, b = c`: more than one expression outside brackets."""
+    depth = 0
+    for letter in expression:
+        depth += (letter in "([{") - (letter in ")]}")
+        if letter == "," and depth == 0:
+            return True
+    return False
+
+
 def mutable_places(text):
     """(begin, end, function number -> new statement, words, line) for everything that can be changed."""
     places = []
     for begin, end in statements(text):
         statement = text[begin:end]
+        if has_own_comma(statement):
+            continue
         m = ASSIGNED.match(statement)
         r = RETURNED.match(statement)
         if m and re.match(r'^\s*(else|if|case|default|break)', statement) is None:
@@ -132,7 +143,7 @@ def draw(folder, count, seed):
 
 def write_tree(tree, mutants):
     """A copy of the sources with all mutants in it; unchanged files keep their times."""
-    listed = subprocess.run(["git", "ls-files", "-z", *COPIED], cwd=ROOT, check=True,
+    listed = subprocess.run(["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"], cwd=ROOT, check=True,
                             capture_output=True, text=True).stdout
     names = [name for name in listed.split("\0") if name]
     for name in [n for n in names if (ROOT / n).is_symlink() and not (tree / n).is_symlink()]:
@@ -206,7 +217,7 @@ def run_tests(tree, folder, number, limit):
 
 def test_folder(folder, arguments):
     mutants = draw(folder, arguments.count, arguments.seed)
-    tree = ROOT / "build/mutation" / folder
+    tree = ROOT / "build/mutation"
     while True:
         write_tree(tree, mutants)
         broken = build(tree, folder)
@@ -217,12 +228,13 @@ def test_folder(folder, arguments):
     if noticed:
         sys.exit(f"{folder}: its tests fail without a mutant")
     survivors = []
-    for mutant in mutants:
-        killed, _ = run_tests(tree, folder, mutant["number"], limit)
-        place = f'{mutant["file"]}:{mutant["line"]}: {mutant["words"]}: {mutant["before"]}'
-        print(("killed   " if killed else "SURVIVED ") + place, flush=True)
-        if not killed:
-            survivors.append(place)
+    with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:
+        results = pool.map(lambda m: run_tests(tree, folder, m["number"], limit)[0], mutants)
+        for mutant, killed in zip(mutants, results):
+            place = f'{mutant["file"]}:{mutant["line"]}: {mutant["words"]}: {mutant["before"]}'
+            print(("killed   " if killed else "SURVIVED ") + place, flush=True)
+            if not killed:
+                survivors.append(place)
     return {"mutants": len(mutants), "killed": len(mutants) - len(survivors), "survivors": survivors}
 
 
@@ -231,6 +243,7 @@ def main():
     parser.add_argument("--folders", default=",".join(PLACES))
     parser.add_argument("--count", type=int, default=30)
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="mutants at a time")
     parser.add_argument("--list", action="store_true", help="print the mutants, build nothing")
     parser.add_argument("--out", help="JSON with score and survivors of each folder")
     arguments = parser.parse_args()

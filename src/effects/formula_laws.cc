@@ -77,18 +77,6 @@ class FurtherFlow final : public hydraulics::FlowLaw {
     *slope = (At(at.time, dp + kNudge) - At(at.time, dp - kNudge)) / (2 * kNudge);
     return At(at.time, dp);
   }
-  // The flow rises with dp: bisection. Asked for only behind a resistance in series.
-  double Drop(const hydraulics::FlowPlace& at, double flow, double* slope) const noexcept override {
-    double low = -1e9, high = 1e9;
-    for (int i = 0; i < 100; ++i) {
-      const double middle = 0.5 * (low + high);
-      (At(at.time, middle) < flow ? low : high) = middle;
-    }
-    double rise;
-    Flow(at, 0.5 * (low + high), &rise);
-    *slope = 1 / std::max(rise, 1e-30);
-    return 0.5 * (low + high);
-  }
 
  private:
   double At(double time, double dp) const {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "rail/height_under_load.h"
 #include "view/shapes.h"
 
 namespace phs::film {
@@ -13,7 +14,9 @@ using rail::Side;
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr size_t kShown = 3;  ///< patches of a wheel that are shown
 constexpr size_t kLead = 0;
-constexpr int kRolls = 6;
+constexpr int kMostRolls = 6;
+constexpr double kRollTolerance = 1e-11;  ///< [rad]
+constexpr double kReach = 0.03;           ///< of a height under load from the rigid one [m]
 
 /// Motion of a wheelset as recorded, for one wheel, in C; height as if it hung.
 struct Recorded {
@@ -48,15 +51,9 @@ Recorded RecordedAt(const view::Picture& picture, size_t index, Side side, doubl
   return out;
 }
 
-double LoadAt(const rail::WheelRail& wheel_rail, const rail::Track& track, Side side, Recorded* at,
-              double height, rail::WheelRailForces* forces) {
-  at->motion.vertical = height;
-  wheel_rail.Calc(at->motion, side, at->rail, track.support(), forces);
-  return -forces->force[2];
-}
-
 std::vector<std::array<double, 2>> PointsOf(const std::vector<Eigen::Vector2d>& outline) {
   std::vector<std::array<double, 2>> points;
+  points.reserve(outline.size());
   for (const Eigen::Vector2d& p : outline) points.push_back({p.x(), p.y()});
   return points;
 }
@@ -106,28 +103,32 @@ Result<rail::WheelRail> LawOfRun(const view::ViewModel& model, const vehicle::Sc
 
 namespace {
 
-/// The height at which one wheel carries its load at this roll; false if none does.
+/// The height at which one wheel carries its load at this roll; false if none does. From the height
+/// that the last roll gave, if it gave one.
 bool FindHeight(const view::Picture& picture, const rail::WheelRail& wheel_rail, size_t wheelset,
                 Side side, double roll, WheelOnRail* wheel) {
   const rail::Track& track = picture.model->binding().track();
   Recorded at = RecordedAt(picture, wheelset, side, roll);
+  double near = wheel->height;
+  if (!wheel->found) {
+    const auto touch = wheel_rail.Touch(at.motion.lateral, at.motion.roll, at.motion.yaw);
+    if (!touch.found) return false;
+    near = touch.height;
+  }
   wheel->found = false;
   wheel->roll = at.motion.roll;
-  const rail::TouchPoint touch = wheel_rail.Touch(at.motion.lateral, at.motion.roll, at.motion.yaw);
-  if (!(at.load > 0) || !touch.found) return false;
-  // From where it cannot touch to where it would carry far more than any wheel.
-  double low = touch.height - 0.03;
-  double high = touch.height + 0.03;
-  if (LoadAt(wheel_rail, track, side, &at, high, &wheel->forces) < at.load) return false;
-  for (int i = 0; i < 44; ++i) {
-    const double middle = 0.5 * (low + high);
-    const double load = LoadAt(wheel_rail, track, side, &at, middle, &wheel->forces);
-    (load < at.load ? low : high) = middle;
-  }
-  LoadAt(wheel_rail, track, side, &at, high, &wheel->forces);
-  wheel->height = high;
-  wheel->found = wheel->forces.count > 0;
-  return wheel->found;
+  if (!(at.load > 0)) return false;
+  const rail::WheelUnderLoad sought{.side = side,
+                                    .rail = at.rail,
+                                    .support = track.support(),
+                                    .load = at.load,
+                                    .carried = rail::VerticalForce,
+                                    .near = near,
+                                    .reach = kReach};
+  if (!rail::FindHeightUnderLoad(wheel_rail, sought, &at.motion, &wheel->forces)) return false;
+  wheel->height = at.motion.vertical;
+  wheel->found = true;
+  return true;
 }
 
 }  // namespace
@@ -141,7 +142,7 @@ std::array<WheelOnRail, 2> FindWheelsOnRails(const view::Picture& picture,
       binding.track().FrameAt(binding.track().Project({world.x(), world.y(), world.z()}));
   double roll = picture.BodyAxes(w.body).col(1).dot(view::ToEigen(frame.up));
   std::array<WheelOnRail, 2> wheels;
-  for (int i = 0; i < kRolls; ++i) {
+  for (int i = 0; i < kMostRolls; ++i) {
     bool both = true;
     for (const Side side : {Side::kLeft, Side::kRight}) {
       both = FindHeight(picture, law, wheelset, side, roll, &wheels[static_cast<size_t>(side)]) &&
@@ -149,7 +150,9 @@ std::array<WheelOnRail, 2> FindWheelsOnRails(const view::Picture& picture,
     }
     if (!both) break;
     // With its left wheel raised by the roll the wheelset must lie lower for the left one.
-    roll -= (wheels[0].height - wheels[1].height) / (2 * view::WheelPosition(law));
+    const double turn = (wheels[0].height - wheels[1].height) / (2 * view::WheelPosition(law));
+    if (std::abs(turn) < kRollTolerance) break;
+    roll -= turn;
   }
   return wheels;
 }

@@ -4,7 +4,7 @@
 // Q. Sought are height z (downwards) and roll of the wheelset at which rail::WheelRail, with the
 // creep law of the run, gives both wheels the recorded load:
 //     Q_left(z, roll) = Q_left recorded,  Q_right(z, roll) = Q_right recorded
-// by bisection in z for each wheel (Q grows with z) and by equal heights of both in roll. The patches
+// by a root in z for each wheel (rail/height_under_load.h) and by equal heights of both in roll. The patches
 // are those found there. Left away: rates of roll and height (they change creepage on a flange), so
 // what is found is the contact of a quiet run.
 #pragma once

@@ -86,7 +86,6 @@ bool ShotOf(const mjvGeom& geom, const view::Picture& picture, const ToL& to_l, 
   if (geom.type == mjGEOM_SPHERE) shot->size = Vector3d::Constant(shot->size.x());
   if (geom.type == mjGEOM_MESH) {
     shot->mesh = geom.dataid / 2;
-    if (shot->mesh == picture.model->MeshId(view::MeshSlot::kCoils)) return false;
     shot->mirrored = shot->mesh == picture.model->MeshId(view::MeshSlot::kWheelRight);
     if (shot->mirrored) shot->mesh = picture.model->MeshId(view::MeshSlot::kWheelLeft);
   }

@@ -46,8 +46,9 @@ class FlowLaw {
   /// Volume flow [m3/s] from the high to the low side at p_from - p_to = `dp` [Pa]; `slope` =
   /// d/d(dp).
   virtual double Flow(const FlowPlace& at, double dp, double* slope) const noexcept = 0;
-  /// Inverse: pressure drop [Pa] at `flow`, and its slope. Needed only with an inertance.
-  virtual double Drop(const FlowPlace& at, double flow, double* slope) const noexcept = 0;
+  /// Inverse: pressure drop [Pa] at `flow`, and its slope. Asked for with an inertance and in series;
+  /// found by the root of Flow, within 1 GPa, where a law has no form of its own.
+  virtual double Drop(const FlowPlace& at, double flow, double* slope) const noexcept;
   /// rho l / A [kg/m4]; 0 = the flow follows the pressure at once.
   virtual double Inertance() const noexcept { return 0; }
   /// True where the drop is the smoother of the two sides (turbulent flow: q ~ sqrt(dp), steep at

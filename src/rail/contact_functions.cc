@@ -5,16 +5,18 @@
 #include <numbers>
 #include <optional>
 
+#include "base/rising_root.h"
+#include "rail/height_under_load.h"
+
 namespace phs::rail {
 namespace {
 
-constexpr double kMostRoll = 0.06;  ///< [rad]
+constexpr double kMostRoll = 0.06;    ///< [rad]
+constexpr double kRollStep = 0.1e-3;  ///< the first step from the roll beside [rad]
 constexpr double kAmplitudeStep = 0.5e-3;
 constexpr double kLeastAmplitude = 1e-3;
 constexpr int kPhases = 2000;
 constexpr double kDeepest = 4e-3;  ///< of an elastic contact [m]
-constexpr int kHeightSteps = 36;   ///< to 1e-13 m
-constexpr int kRollSteps = 36;     ///< to 1e-12 rad
 
 /// A wheel sunk into its rail until it carries `load`; means over the patches.
 TouchPoint Pressed(const WheelRail& pair, double lateral, double roll, double load) {
@@ -25,15 +27,11 @@ TouchPoint Pressed(const WheelRail& pair, double lateral, double roll, double lo
   motion.roll = roll;
   motion.speed = 1;
   motion.velocity = {1, 0, 0};
-  double low = point.height;
-  double high = low + kDeepest;
   WheelRailForces f;
-  for (int i = 0; i < kHeightSteps; ++i) {
-    motion.vertical = 0.5 * (low + high);
-    pair.Calc(motion, Side::kRight, {}, {}, &f);
-    (-f.elastic_force[2] < load ? low : high) = motion.vertical;
-  }
-  point = {f.count > 0, motion.vertical, 0, 0, 0, 0};
+  const WheelUnderLoad under{
+      .load = load, .carried = ElasticVerticalForce, .near = point.height, .reach = kDeepest};
+  if (!FindHeightUnderLoad(pair, under, &motion, &f)) return {};
+  point = {true, motion.vertical, 0, 0, 0, 0};
   double sum = 0;
   for (int k = 0; k < f.count; ++k) sum += f.patch[static_cast<size_t>(k)].normal;
   for (int k = 0; k < f.count; ++k) {
@@ -51,21 +49,24 @@ TouchPoint Placed(const WheelRail& pair, double lateral, double roll, double loa
   return load > 0 ? Pressed(pair, lateral, roll, load) : pair.Touch(lateral, roll, 0);
 }
 
-/// C of a right wheel has the axes used here; a left wheel's is its mirror image.
+/// C of a right wheel has the axes used here; a left wheel's is its mirror image. Near a flange up to
+/// three rolls let both wheels touch; wanted is the one nearest to `near`.
 std::optional<ContactFunctionRow> RowAt(const WheelRail& left, const WheelRail& right, double y,
-                                        double load) {
+                                        double load, double near) {
   ContactFunctionRow row;
   row.y = y;
-  // The right wheel sinks with the roll: it touches at a greater height.
-  double low = -kMostRoll;
-  double high = kMostRoll;
-  for (int i = 0; i < (load > 0 ? kRollSteps : 60); ++i) {
-    row.roll = 0.5 * (low + high);
-    row.right = Placed(right, y, row.roll, load);
-    row.left = Placed(left, -y, -row.roll, load);
-    if (!row.right.found || !row.left.found) return std::nullopt;
-    (row.right.height > row.left.height ? low : high) = row.roll;
-  }
+  const auto place = [&](double roll) {
+    row.roll = roll;
+    row.right = Placed(right, y, roll, load);
+    row.left = Placed(left, -y, -roll, load);
+    return row.right.found && row.left.found;
+  };
+  // The right wheel sinks with the roll, so it touches at a lesser height.
+  const auto difference = [&](double roll) {
+    return place(roll) ? row.left.height - row.right.height : std::nan("");
+  };
+  const auto roll = RisingRoot(difference, {near, kRollStep, kMostRoll, 1e-12});
+  if (!roll || !place(*roll)) return std::nullopt;
   row.height = 0.5 * (row.right.height + row.left.height);
   return row;
 }
@@ -148,10 +149,16 @@ Result<ContactFunctions> CalcContactFunctions(const WheelRail& left, const Wheel
                                               double reach, double step, double load) {
   ContactFunctions out;
   const int count = static_cast<int>(std::floor(reach / step + 1e-9));
-  for (int i = -count; i <= count; ++i) {
-    if (auto row = RowAt(left, right, i * step, load)) out.rows.push_back(*row);
+  const auto middle = RowAt(left, right, 0, load, 0);
+  if (middle) out.rows.push_back(*middle);
+  // Outwards on either hand, each roll from the one beside.
+  for (const int hand : {-1, 1}) {
+    for (int i = 1; middle && i <= count; ++i) {
+      const ContactFunctionRow& beside = hand < 0 ? out.rows.front() : out.rows.back();
+      const auto row = RowAt(left, right, hand * i * step, load, beside.roll);
+      if (row) out.rows.insert(hand < 0 ? out.rows.begin() : out.rows.end(), *row);
+    }
   }
-  const auto middle = RowAt(left, right, 0, load);
   const std::string pair = right.params().wheel_profile + " on " + right.params().rail_profile;
   if (!middle || out.rows.size() < 3) {
     return Error{pair, "do not touch near the centre of the track",

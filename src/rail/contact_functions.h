@@ -5,7 +5,8 @@
 // over all patches, weighted with their normal forces (quasi-elastic contact).
 // Where a rigid wheel jumps from tread to flange root, an elastic one bears on both.
 //
-// At a lateral position y (to the right) the wheelset has the roll at which both wheels touch. With
+// At a lateral position y (to the right) the wheelset has the roll at which both wheels touch; where
+// there are several (a flange may also climb), the one that goes on from the middle. With
 // the rolling-radius difference Dr(y) = r_right - r_left, the distance e of the contact points at
 // rest and the radius r0 there, the free wheelset runs (EN 15302:2008, annex B)
 //   y'' = -(Dr(y) - Dr(y0))/(e r0) about the place y0 where it rolls straight, Dr(y0) = 0,

@@ -10,6 +10,7 @@
 
 #include "base/numbers.h"
 #include "rail/frames.h"
+#include "rail/height_under_load.h"
 
 namespace phs::rail {
 namespace {
@@ -156,28 +157,6 @@ Status CheckColumns(const Table& table, const Cells& cells) {
                "give the load or the height"};
 }
 
-/// Lowers the wheelset until the rail carries the load. Bisection: the load grows with depth.
-bool SolveHeight(const WheelRail& pair, Position* position, WheelRailForces* forces) {
-  const auto load_at = [&](double z) {
-    position->motion.vertical = z;
-    pair.Calc(position->motion, position->side, {}, {}, forces);
-    return -forces->force[2];
-  };
-  double high = -pair.params().wheel_radius - 0.05;
-  double low = high;
-  while (load_at(low) <= position->load) {
-    high = low;
-    low += 0.5e-3;
-    if (low > -pair.params().wheel_radius + 0.05) return false;
-  }
-  for (int i = 0; i < 60 && low - high > 1e-14; ++i) {
-    const double middle = 0.5 * (low + high);
-    (load_at(middle) > position->load ? low : high) = middle;
-  }
-  load_at(low);
-  return true;
-}
-
 /// The columns of the result: name and value of one patch (track axes of the table).
 struct Shown {
   const char* name;
@@ -288,7 +267,12 @@ Result<Table> CalcWheelsetCases(const Table& table, const WheelRail& pair, Side 
     WheelRailForces forces;
     if (Status s = ReadPosition(&cells, row, side, radius, &position); !s.ok()) return s.error();
     if (std::isfinite(position.load)) {
-      if (!SolveHeight(pair, &position, &forces)) {
+      const WheelUnderLoad wheel{.side = position.side,
+                                 .load = position.load,
+                                 .carried = VerticalForce,
+                                 .near = -radius,
+                                 .reach = 0.05};
+      if (!FindHeightUnderLoad(pair, wheel, &position.motion, &forces)) {
         cells.Fail(kLoad, row, "a load that the rail can carry at this lateral position");
         return cells.error().error();
       }

@@ -82,14 +82,6 @@ void DrawTendons(const Picture& picture, Pen* pen) {
       if (kind == known.name) known.draw(span, pen);
     }
   }
-  phs::view::Mesh coils;
-  for (const CoilSpan& coil : CoilsOf(picture)) {
-    coils.Append(Coil(coil.a, coil.b, coil.radius, coil.wire, kCoilTurns));
-  }
-  if (coils.vertex.empty()) return;
-  picture.model->SetMesh(MeshSlot::kCoils, coils);
-  pen->Mesh(picture.model->MeshId(MeshSlot::kCoils), Vector3d::Zero(), Matrix3d::Identity(),
-            kCoilColour);
 }
 
 /// Pressure of a chamber's line as a colour; grey where it is open to the air.
@@ -154,6 +146,17 @@ std::vector<CoilSpan> CoilsOf(const Picture& picture) {
     coils.push_back({span.a, span.b, span.width - wire, wire});
   }
   return coils;
+}
+
+void DrawCoils(const Picture& picture, Pen* pen) {
+  phs::view::Mesh coils;
+  for (const CoilSpan& coil : CoilsOf(picture)) {
+    coils.Append(Coil(coil.a, coil.b, coil.radius, coil.wire, kCoilTurns));
+  }
+  if (coils.vertex.empty()) return;
+  picture.model->SetMesh(MeshSlot::kCoils, coils);
+  pen->Mesh(picture.model->MeshId(MeshSlot::kCoils), Vector3d::Zero(), Matrix3d::Identity(),
+            kCoilColour);
 }
 
 void DrawRunningGear(const Picture& picture, bool clear, Pen* pen) {

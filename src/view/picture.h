@@ -44,9 +44,10 @@ struct Picture {
 
 /// Rails, sleepers, bed and ground along the true alignment; fills the meshes of the model.
 void DrawTrack(const Picture& picture, Pen* pen);
-/// Wheels, springs, dampers, rods and cylinders; fills the mesh of the coils. `clear`: wheels to be
-/// looked through.
+/// Wheels, dampers, rods and cylinders. `clear`: wheels to be looked through.
 void DrawRunningGear(const Picture& picture, bool clear, Pen* pen);
+/// Springs; fills the mesh of the coils.
+void DrawCoils(const Picture& picture, Pen* pen);
 /// A coil spring as it stands: between two points, radius of the coil and of its wire [m].
 struct CoilSpan {
   Eigen::Vector3d a, b;

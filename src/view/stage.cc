@@ -102,18 +102,23 @@ void Stage::SetMoment(double time, const Look& look) {
   mjModel* m = view_.model();
   mjData* d = data_.get();
   picture_.at = recording_.At(time);
-  poser_.Pose(picture_.at, d);
+  // A film looks at each moment twice: as it was, and magnified.
+  if (posed_.empty() || time != posed_time_) {
+    poser_.Pose(picture_.at, d);
+    posed_.assign(d->qpos, d->qpos + m->nq);
+    posed_time_ = time;
+  }
+  mju_copy(d->qpos, posed_.data(), m->nq);
   picture_.s = poser_.MiddleOfVehicle(picture_.at);
   const rail::Track& track = view_.binding().track();
-  picture_.origin = ToEigen(track.FrameAt(picture_.s).origin);
+  picture_.origin = Vector3d::Zero();
   // The place under the vehicle becomes zero: the renderer's numbers are short ones.
   if (m->njnt > 0 && m->jnt_type[0] == mjJNT_FREE) {
+    picture_.origin = ToEigen(track.FrameAt(picture_.s).origin);
     for (int i = 0; i < 3; ++i) d->qpos[i] -= picture_.origin[i];
-    mj_kinematics(m, d);
-    mj_camlight(m, d);
-  } else {
-    picture_.origin = Vector3d::Zero();
   }
+  mj_kinematics(m, d);
+  mj_camlight(m, d);
   if (look.parts_only) poser_.StopWheels(d);
   Magnify(m, track, picture_.origin, look.magnify, d);
   option_.geomgroup[kPhysicsGroup] = 1;
@@ -134,6 +139,7 @@ void Stage::SetMoment(double time, const Look& look) {
 
 void Stage::DrawAll(const Look& look, Pen* pen) {
   DrawRunningGear(picture_, look.contacts, pen);
+  if (!look.parts_only) DrawCoils(picture_, pen);
   DrawLines(picture_, pen);
   if (look.forces && !look.contacts) DrawForces(picture_, pen);
   if (look.contacts) DrawContacts(picture_, pen);

@@ -4,6 +4,7 @@
 #include <mujoco/mujoco.h>
 
 #include <memory>
+#include <vector>
 
 #include "view/camera.h"
 #include "view/magnify.h"
@@ -63,6 +64,8 @@ class Stage {
   ViewModel view_;
   vehicle::DataPtr data_;
   Poser poser_;
+  double posed_time_ = 0;
+  std::vector<double> posed_;  ///< qpos as posed for that time, not moved
   Picture picture_;
   rail::Side outer_ = rail::Side::kLeft;
   bool has_pressures_ = false;

@@ -88,7 +88,9 @@ PhsParams Beneath(const std::string& effect, bool whole, const Surroundings& war
 bool Balances(const std::string& effect, bool whole, const Surroundings& warm) {
   const PhsParams beneath = Beneath(effect, whole, warm);
   PhsParams params = beneath;
-  if (effect != "none") EXPECT_TRUE(AddEffect(&params, effect).ok());
+  if (effect != "none") {
+    EXPECT_TRUE(AddEffect(&params, effect).ok());
+  }
   const PhsSystem s = Compile(params);
   // Chamber pressures settle in 0.2 ms (resistance) or ring at 90 Hz (inertance): resolve that.
   const bool fast =

@@ -108,6 +108,23 @@ TEST(Unlisted, VolumeOfALineAddsToItsCompliance) {
   const double expected = Hold(CreatePhsSystem(twice).value(), -2e-3, 0).p_bore;
   EXPECT_NEAR(HeldBorePressure("c1*(p/1e6[Pa])", "c1_m3", more, "L2", 0), expected,
               1e-5 * expected);
+  // And stores as much.
+  hydraulics::PhsParams formula = FindPhsParams("quarter_setup2").value();
+  hydraulics::EffectParams effect{"unlisted", {"L2"}, {{"c1_m3", more}}};
+  effect.formula = "c1*(p/1e6[Pa])";
+  formula.effects.push_back(effect);
+  const double x = -2e-3, v = 0;
+  double stored[2];
+  int k = 0;
+  for (const auto* params : {&twice, &formula}) {
+    const auto system = CreatePhsSystem(*params);
+    ASSERT_TRUE(system.ok());
+    const std::vector<double> rest(static_cast<size_t>(system.value().num_states()), 0.0);
+    Evaluation e(system.value());
+    system.value().Calc(0, &x, &v, rest.data(), &e.out);
+    stored[k++] = e.out.stored_energy;
+  }
+  EXPECT_NEAR(stored[1] / stored[0], 1, 1e-4);
 }
 
 TEST(Unlisted, ReliefValveHoldsALineNearItsOpening) {

@@ -86,6 +86,20 @@ TEST(PositionFriction, ScalesTheLevel) {
   EXPECT_NEAR(Sliding(with, 1e-3, 5e-3) / Sliding(p, 1e-3, 5e-3), 1 + 30 * y + 1e3 * y * y, 1e-3);
 }
 
+TEST(PositionFriction, AWaveAndASpotHaveTheirPlaces) {
+  const PhsParams p = Quarter();
+  const double v = 1e-3, way = 5e-3, y = way + v;
+  const auto ratio = [&](std::map<std::string, double> values) {
+    values["slope_1_per_m"] = values["curvature_1_per_m2"] = 0;
+    return Sliding(With(p, "position_friction", std::move(values)), v, way) / Sliding(p, v, way);
+  };
+  const double phase = 2 * M_PI * y / 0.02;
+  EXPECT_NEAR(ratio({{"wave_sine", 0.3}, {"wave_cosine", 0.2}, {"wave_length_m", 0.02}}),
+              1 + 0.3 * std::sin(phase) + 0.2 * (std::cos(phase) - 1), 2e-3);
+  EXPECT_NEAR(ratio({{"spot_share", 0.4}, {"spot_centre_m", 4e-3}, {"spot_width_m", 5e-3}}),
+              1 + 0.4 * std::exp(-std::pow((y - 4e-3) / 5e-3, 2)), 2e-3);
+}
+
 TEST(DwellFriction, BreakawayGrowsWithRest) {
   const PhsParams p =
       With(Quarter(), "dwell_friction", {{"extra_N", 600}, {"time_s", 2}, {"length_m", 1e-3}});

@@ -194,6 +194,49 @@ TEST(HoseExpansion, AddsItsCompliance) {
   EXPECT_NEAR(rise / expected, 1, 2e-3);
 }
 
+/// Energy stored after `x` was held so long that creep has come to its end; pressures of both chambers.
+struct Rest {
+  double stored, p_rod, p_bore;
+};
+Rest StoredAt(const PhsSystem& s, double x) {
+  const Held held = Hold(s, x, 20, 0.01);
+  Evaluation e(s);
+  const double v = 0;
+  s.Calc(20, &x, &v, held.state.data(), &e.out);
+  return {e.out.stored_energy, held.p_rod, held.p_bore};
+}
+
+// Without gas a line stores int p dV = (V/K + C) (p^2 - p0^2)/2, C of its hose, at once or by creep; a hose
+// whose compliance falls as C/(1 + p/p_k) stores C p_k (dp - p_k ln((p_k + p)/(p_k + p0))).
+TEST(HoseExpansion, StoresWhatItsComplianceTook) {
+  PhsParams params = Frictionless();
+  for (auto& l : params.lines) l.gas_volume_m3 = 0;
+  const double C = 8e-13, stiffening = 4e6;
+  const auto oil = [&](int line, double p) {
+    const auto& l = params.lines[static_cast<size_t>(line)];
+    return l.oil_volume_m3 / l.bulk_modulus_Pa * (p * p - std::pow(l.static_pressure_Pa, 2)) / 2;
+  };
+  const double p0 = params.lines[0].static_pressure_Pa;
+  ASSERT_EQ(params.lines[0].name, "L1");
+  const Rest creeping = StoredAt(
+      Compile(With(params, "hose_expansion",
+                   {{"compliance_m3_per_Pa", 0}, {"creep_m3_per_Pa", C}, {"creep_time_s", 0.3}},
+                   {"L1"})),
+      5e-4);
+  EXPECT_GT(creeping.p_rod, 2 * p0);
+  EXPECT_NEAR((creeping.stored - oil(0, creeping.p_rod) - oil(1, creeping.p_bore)) /
+                  (C * (std::pow(creeping.p_rod, 2) - p0 * p0) / 2),
+              1, 0.02);
+  const Rest stiff =
+      StoredAt(Compile(With(params, "hose_expansion",
+                            {{"compliance_m3_per_Pa", C}, {"stiffening_Pa", stiffening}}, {"L1"})),
+               5e-4);
+  const double taken =
+      C * stiffening *
+      (stiff.p_rod - p0 - stiffening * std::log((stiffening + stiff.p_rod) / (stiffening + p0)));
+  EXPECT_NEAR((stiff.stored - oil(0, stiff.p_rod) - oil(1, stiff.p_bore)) / taken, 1, 0.02);
+}
+
 TEST(GasThermal, FastIsAdiabaticSlowIsIsothermal) {
   PhsParams params = Frictionless();
   for (auto& l : params.lines) l.oil_volume_m3 = 1e-6;  // gas alone

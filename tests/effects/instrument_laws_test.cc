@@ -45,6 +45,20 @@ TEST(Instruments, GainOffsetDriftDelayOnPredictedChannels) {
   EXPECT_NEAR(delay[1][200], 0.5 * (plain[1][197] + plain[1][198]), 1e-6);
 }
 
+TEST(Instruments, ADriftMayComeAndGoWithAPeriod) {
+  const PhsParams p = Quarter();
+  const auto plain = Shown(p);
+  const auto wave = Shown(With(p, "sensor_drift",
+                               {{"p_bore_Pa_per_s", 0},
+                                {"p_bore_sine_Pa", 300},
+                                {"p_bore_cosine_Pa", 80},
+                                {"period_s", 3}}));
+  for (const size_t i : {0u, 70u, 200u}) {
+    const double phase = 2 * M_PI * 0.01 * static_cast<double>(i) / 3;
+    EXPECT_NEAR(wave[2][i] - plain[2][i], 300 * std::sin(phase) + 80 * (std::cos(phase) - 1), 1e-6);
+  }
+}
+
 TEST(Instruments, LagsAndGainsComeBeforeErrorsWhateverTheirOrder) {
   const auto plain = Shown(Quarter());
   PhsParams p = With(Quarter(), "sensor_offset", {{"load_N", 120}});

@@ -51,6 +51,25 @@ int StateNamed(const PhsSystem& s, const std::string& end) {
   return 0;
 }
 
+/// q = c (dp + dp^3/p^2): rises, without an inverse of its own.
+struct CubicFlow final : FlowLaw {
+  double Flow(const FlowPlace&, double dp, double* slope) const noexcept override {
+    const double part = dp / 1e6;
+    *slope = 1e-12 * (1 + 3 * part * part);
+    return 1e-12 * dp * (1 + part * part);
+  }
+};
+
+TEST(FlowLaw, ItsInverseIsFoundWhereItGivesNone) {
+  const CubicFlow law;
+  for (const double dp : {-3e6, -40.0, 0.0, 5e5, 2e7}) {
+    double slope, rise;
+    const double flow = law.Flow({}, dp, &slope);
+    EXPECT_NEAR(law.Drop({}, flow, &rise), dp, 1e-5);
+    EXPECT_NEAR(rise * slope, 1, 1e-9);
+  }
+}
+
 struct TestSpring final : MountLaw {
   Play FreePlay() const override { return {3e-4, 1e-4}; }
   double Stiffness() const override { return 2e7; }

@@ -152,6 +152,32 @@ TEST_F(ElementsTest, WithoutReliefItIsMuJoCosOwnTendonDamper) {
   EXPECT_GT(apart, 0.05);  // the damper does something
 }
 
+TEST_F(ElementsTest, StiffnessOfATendonIsItsOwnAlongTheChangeOfLength) {
+  const ModelPtr m = AttachedText(TwoArms(
+      Custom("damping_Ns_per_m=0", "still") +
+      "<tendon><spatial stiffness='700'><site site='a'/><site site='b'/></spatial></tendon>"));
+  const DataPtr d(mj_makeData(m.get()));
+  mj_forward(m.get(), d.get());
+  std::vector<double> along(static_cast<size_t>(m->nv));
+  for (int i = 0; i < m->nv; ++i) along[static_cast<size_t>(i)] = 0.3 - 0.2 * i;
+  double stiffness = 0;
+  for (const auto& elements : Find(m.get())->elements()) {
+    elements->AddStiffness(m.get(), d.get(), along.data(), &stiffness);
+  }
+  constexpr double kShift = 1e-6;
+  double length[2];
+  for (const int side : {0, 1}) {
+    for (int i = 0; i < m->nq; ++i)
+      d->qpos[i] = (2 * side - 1) * kShift * along[static_cast<size_t>(i)];
+    mj_kinematics(m.get(), d.get());
+    mj_comPos(m.get(), d.get());
+    mj_tendon(m.get(), d.get());
+    length[side] = d->ten_length[0];
+  }
+  const double rate = (length[1] - length[0]) / (2 * kShift);
+  EXPECT_NEAR(stiffness / (700 * rate * rate), 1, 1e-6);
+}
+
 /// What is left over in the books after half a second [J], over the energy lost.
 double EnergyLeftOver(double step) {
   const ModelPtr m = AttachedText(

@@ -118,6 +118,21 @@ TEST(IrregularityPsd, VarianceOfTheGermanSpectrumEqualsClosedForm) {
   }
 }
 
+// ERRI B176: gauge A_g Wc^2 w^2/((w^2 + Wr^2)(w^2 + Wc^2)(w^2 + Ws^2)), cross level likewise.
+TEST(IrregularityPsd, GermanGaugeAndCrossLevelFallOffTowardsLongWaves) {
+  const double wc = 0.8246, wr = 0.0206, ws = 0.4380;
+  for (const double w : {0.03, 0.4, 3.0}) {
+    const double shape =
+        wc * wc * w * w / ((w * w + wr * wr) * (w * w + wc * wc) * (w * w + ws * ws));
+    EXPECT_NEAR(
+        CalcPsd("errib176_low", kGauge, w) / shape,
+        CalcPsd("errib176_low", kGauge, 1) / CalcPsd("errib176_low", kCrossLevel, 1) * 4 * 4.032e-7,
+        1e-12)
+        << w;
+    EXPECT_NEAR(CalcPsd("errib176_low", kCrossLevel, w) / shape, 4 * 4.032e-7, 1e-12) << w;
+  }
+}
+
 TEST(IrregularityPsd, AmericanSpectraAtTheCornerAndInTheirOrder) {
   // S(Wc) = k A/(2 Wc^2) [m^2/(rad/m)], k = 0.25; class 6: Av = Aa = 0.0339 cm^2 rad/m.
   const double wc = 0.8245;
@@ -199,6 +214,15 @@ TEST(IrregularityPsd, VarianceEqualsTheIntegralOverTheBand) {
     EXPECT_GT(std::sqrt(got), 0.2e-3);  // millimetres, as on real track
     EXPECT_LT(std::sqrt(got), 5e-3);
   }
+}
+
+TEST(IrregularityPsd, StandsWhereItIsWanted) {
+  IrregularityPsdParams params;
+  params.begin_s = 300;
+  params.end_s = 700;
+  const IrregularitySamples samples = GenerateIrregularity(params);
+  EXPECT_NEAR(samples.s.front(), 300, 1e-9);
+  EXPECT_NEAR(samples.s.back(), 700, 1e-9);
 }
 
 TEST(IrregularityPsd, SeedsAreReproducibleAndDifferentAndScaleIsLinear) {

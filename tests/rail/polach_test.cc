@@ -39,6 +39,29 @@ TEST(Polach, LinearLimitIsKalkersTimesTheFactors) {
   EXPECT_NEAR(CalcPolach(in, c, 82e9, 0.3, 0.1).x, 0.2 * linear, 1e-6 * std::abs(linear));
 }
 
+// The sum of both terms passes mu N where kS is much larger than kA (here 5 and 1): it is cut there.
+TEST(Polach, NeverMoreThanFrictionAllows) {
+  const KalkerCoefficients c = CalcKalkerCoefficients(1.2, 0.28);
+  CreepInput in;
+  in.a = 6e-3;
+  in.b = 5e-3;
+  in.normal = 1e5;
+  in.friction = 0.3;
+  double largest = 0;
+  for (const double xi : {-0.02, -5e-3, -1e-3, -2e-4, 0.0, 5e-3}) {
+    for (const double eta : {-0.03, -4e-3, -1e-3, 0.0, 2e-4, 1e-3, 4e-3, 0.02}) {
+      for (const double phi : {-9.0, -2.0, -0.5, -0.1, 0.3, 1.0, 4.0}) {
+        in.xi = xi;
+        in.eta = eta;
+        in.phi = phi;
+        const CreepForce f = CalcPolach(in, c, 82e9, 1, 5);
+        largest = std::max(largest, std::hypot(f.x, f.y) / 3e4);
+      }
+    }
+  }
+  EXPECT_NEAR(largest, 1, 1e-12);
+}
+
 // Polach 2005: falling friction gives a maximum, and less force beyond it.
 TEST(Polach, FallingFrictionGivesAnOptimalCreepage) {
   const auto wet = FindFrictionCondition("wet_traction");

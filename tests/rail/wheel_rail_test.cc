@@ -219,6 +219,11 @@ TEST(WheelRail, ClimbingFlangeIsBeyondTheProfile) {
   EXPECT_FALSE(Load(pair, 6e4, &m).beyond_profile);
   m = Rolling(pair, 20, 20e-3, 0, 0);
   EXPECT_TRUE(Load(pair, 6e4, &m).beyond_profile);
+  // Nor does a wheel carry at the outer end of its tread.
+  m = Rolling(pair, 20, -40e-3, 0, 0);
+  EXPECT_FALSE(Load(pair, 6e4, &m).beyond_profile);
+  m = Rolling(pair, 20, -80e-3, 0, 0);
+  EXPECT_TRUE(Load(pair, 6e4, &m).beyond_profile);
   // A wheel without a flange only falls off at its end.
   const WheelRail cone = Create(ConeOnArc("0.05", "0.3"));
   m = Rolling(cone, 20, 6e-3, 0, 0);

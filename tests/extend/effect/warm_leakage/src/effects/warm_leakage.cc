@@ -24,12 +24,6 @@ class WarmGap final : public hydraulics::FlowLaw {
     *slope = conductance_ * std::clamp((at.warmer - opens_K_) / range_K_, 0.0, 1.0);
     return *slope * dp;
   }
-  // Asked for only of flows with inertance, which this has not.
-  double Drop(const FlowPlace& at, double flow, double* slope) const noexcept override {
-    Flow(at, 0, slope);
-    *slope = 1 / std::max(*slope, 1e-30);
-    return *slope * flow;
-  }
 
  private:
   double conductance_, opens_K_, range_K_;
