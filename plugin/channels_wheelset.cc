@@ -25,6 +25,21 @@ double Slip(const Instant& at, ChannelPlace place) {
   return state.spin * at.binding->wheel_rail().params().wheel_radius / state.speed - 1;
 }
 
+/// Moment of the wheel-rail forces about the axis of the yaw joint, as the other moments are, so that their
+/// sum is what turns the axle; without such a joint about the track's normal.
+double WheelRailMoment(const Instant& at, ChannelPlace place) {
+  const WheelsetState& state = State(at, place);
+  const int joint = YawJoint(at, place);
+  if (joint < 0) return state.moment_T[2];
+  const mjtNum* axis = at.d->xaxis + 3 * joint;
+  const mjtNum* anchor = at.d->xanchor + 3 * joint;
+  mjtNum arm[3], moment[3];
+  mju_sub3(arm, state.centre.data(), anchor);
+  mju_cross(moment, arm, state.force.data());
+  mju_addTo3(moment, state.moment.data());
+  return mju_dot3(moment, axis);
+}
+
 /// Moment of springs, dampers, linkages and servos on the yaw joint.
 double PrimaryMoment(const Instant& at, ChannelPlace place) {
   const int joint = YawJoint(at, place);
@@ -87,8 +102,8 @@ constexpr ChannelRow kRows[] = {
        return State(at, of).wheel[0].force[0] + State(at, of).wheel[1].force[0];
      }},
     {"slip", "1", "spin times tape circle radius over speed, less 1; > 0 driving", &Slip},
-    {"steering_moment_Nm", "N m", "yaw moment of the wheel-rail forces",
-     [](const Instant& at, ChannelPlace of) { return State(at, of).moment_T[2]; }},
+    {"steering_moment_Nm", "N m", "moment of the wheel-rail forces about the axis of the yaw joint",
+     &WheelRailMoment},
     {"primary_moment_Nm", "N m", "yaw moment of the primary suspension, links and servos",
      &PrimaryMoment},
     {"phs_pressure_moment_Nm", "N m", "yaw moment of the cylinder pressures", &PressureMoment},

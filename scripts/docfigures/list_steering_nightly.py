@@ -44,7 +44,7 @@ def hydraulics(phs):
         for what in WEAR:
             rigid = runs["rigid_link"]["run"][what]
             low, high = limits([rigid / d["run." + what] for d in drawn])
-            row += [short(rigid / runs["phs"]["run"][what]) + f" ({short(low)} … {short(high)})",
+            row += [short(rigid / runs["phs"]["run"][what]) + f" ({short(low, 3)} … {short(high, 3)})",
                     short(rigid / runs["phs_declared"]["run"][what])]
         rows.append(row)
     return table(["R = 550 m, rigid / PHS", "T-gamma, as measured", "as declared",

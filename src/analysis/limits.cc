@@ -18,7 +18,7 @@ constexpr char kRatios[] = "ratios.";
 
 Error UnknownQuantity(const Limit& limit, const Json& document, const std::string& prefix) {
   std::vector<std::string> known = NumberPaths(document);
-  for (std::string& path : known) path = prefix + path;
+  for (std::string& path : known) path.insert(0, prefix);
   return {limit.where, Quoted(limit.quantity) + " is no number of the result",
           "paths of numbers in summary.json, or ratios.A_over_B. and such a path",
           DidYouMean(limit.quantity, known, "check the path")};
@@ -142,7 +142,7 @@ std::string LimitCheck::Text() const {
     return fmt::format("{}{} has no value, {} asked: the run did not get there", whose, quantity,
                        claim);
   }
-  const std::string is = fmt::format("{}{} is {:.6g}, {} allowed", whose, quantity, value, claim);
+  std::string is = fmt::format("{}{} is {:.6g}, {} allowed", whose, quantity, value, claim);
   if (Passed()) return is;
   return fmt::format("{}: {:.4g} {}", is, excess,
                      claim.find("at most") != std::string::npos ? "too much" : "too little");

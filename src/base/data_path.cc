@@ -66,9 +66,10 @@ void AddNames(const fs::path& folder, const std::string& family,
 /// "did you mean …?": by the whole name or, for one given without its folder, by its last part.
 std::string Nearest(const std::string& name, const std::vector<std::string>& known) {
   const std::string stem = fs::path(name).stem().string();
-  const std::string whole = DidYouMean((fs::path(name).parent_path() / stem).string(), known);
+  std::string whole = DidYouMean((fs::path(name).parent_path() / stem).string(), known);
   if (!whole.empty()) return whole;
   std::vector<std::string> stems;
+  stems.reserve(known.size());
   for (const std::string& one : known) stems.push_back(fs::path(one).stem().string());
   const std::string nearest = NearestWord(stem, stems);
   const auto at = std::find(stems.begin(), stems.end(), nearest);

@@ -118,7 +118,8 @@ SeriesWriter::SeriesWriter(SeriesWriter&&) noexcept = default;
 SeriesWriter& SeriesWriter::operator=(SeriesWriter&&) noexcept = default;
 SeriesWriter::~SeriesWriter() = default;
 
-Result<SeriesWriter> SeriesWriter::Create(const std::string& path, std::vector<Channel> channels) {
+Result<SeriesWriter> SeriesWriter::Create(const std::string& path,
+                                          const std::vector<Channel>& channels) {
   SilenceHdf5();
   auto impl = std::make_unique<Impl>();
   impl->path = path;

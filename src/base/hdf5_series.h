@@ -22,7 +22,7 @@ struct Channel {
 /// writes. After the first failure every further call fails.
 class SeriesWriter {
  public:
-  static Result<SeriesWriter> Create(const std::string& path, std::vector<Channel> channels);
+  static Result<SeriesWriter> Create(const std::string& path, const std::vector<Channel>& channels);
   SeriesWriter(SeriesWriter&&) noexcept;
   SeriesWriter& operator=(SeriesWriter&&) noexcept;
   ~SeriesWriter();

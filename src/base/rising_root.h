@@ -26,6 +26,7 @@ std::optional<double> RisingRoot(const F& f, const RootSearch& search) {
   double value[2];
   value[0] = value[1] = f(search.near);
   if (value[0] != value[0]) return std::nullopt;
+  if (value[0] == 0) return search.near;
   const int sought = value[0] < 0 ? 1 : 0;
   const auto found = [&] { return value[0] < 0 && value[1] >= 0; };
   for (double far = search.step; !found(); far *= 2) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <utility>
 
 namespace phs {
 namespace {
@@ -54,7 +55,7 @@ std::string NearestWord(std::string_view word, const std::vector<std::string>& w
 std::string DidYouMean(std::string_view word, const std::vector<std::string>& words,
                        std::string otherwise) {
   const std::string nearest = NearestWord(word, words);
-  return nearest.empty() ? otherwise : "did you mean '" + nearest + "'?";
+  return nearest.empty() ? std::move(otherwise) : "did you mean '" + nearest + "'?";
 }
 
 std::string JoinWords(const std::vector<std::string>& words) {

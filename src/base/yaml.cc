@@ -250,7 +250,7 @@ std::string YamlMap::Word(std::string_view key, const std::vector<std::string>& 
   if (impl_->probe != nullptr) {
     return impl_->probe->Word(impl_->shape, key, words, std::string(otherwise));
   }
-  const std::string word = Text(key, otherwise);
+  std::string word = Text(key, otherwise);
   if (word == otherwise || std::find(words.begin(), words.end(), word) != words.end()) return word;
   Fail(key, Quoted(word) + " is unknown", JoinWords(words), DidYouMean(word, words));
   return std::string(otherwise);

@@ -26,8 +26,8 @@ Status ResultChecks::Read() {
 
 int ResultChecks::Conclude(const std::string& suite, std::vector<analysis::NamedSummary> results,
                            int code, const nlohmann::ordered_json& ratios) const {
-  for (auto& [name, result] : results) {
-    if (!result.contains("status")) result["status"] = "ok";
+  for (analysis::NamedSummary& named : results) {
+    if (!named.second.contains("status")) named.second["status"] = "ok";
   }
   const auto checks = analysis::CheckLimits(limits_, results, ratios);
   if (!checks.ok()) return BadInput(checks.error());

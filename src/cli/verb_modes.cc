@@ -38,6 +38,7 @@ void PrintModes(const jobs::MeasuredModes& measured, const analysis::AxleModeOpt
 
 int Conclude(const ModesOptions& options, const std::vector<jobs::MeasuredModes>& all) {
   std::vector<analysis::NamedSummary> results;
+  results.reserve(all.size());
   for (const jobs::MeasuredModes& measured : all) {
     results.emplace_back(measured.bogie, jobs::ModesJson(measured, options.request));
   }

@@ -99,6 +99,7 @@ Result<int> RunSelf(const std::vector<std::string>& words, const std::string& pr
   all.insert(all.end(), words.begin(), words.end());
   if (quiet) all.emplace_back("--quiet");
   std::vector<char*> arguments;
+  arguments.reserve(all.size() + 1);
   for (std::string& word : all) arguments.push_back(word.data());
   arguments.push_back(nullptr);
   posix_spawn_file_actions_t files;

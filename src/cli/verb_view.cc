@@ -52,6 +52,7 @@ int Start(const CLI::App& verb) {
   }
   const std::vector<std::string> arguments = ArgumentsOf(program, verb);
   std::vector<char*> argv;
+  argv.reserve(arguments.size() + 1);
   for (const std::string& a : arguments) argv.push_back(const_cast<char*>(a.c_str()));
   argv.push_back(nullptr);
   execv(program.c_str(), argv.data());

@@ -1,5 +1,7 @@
 #include "effects/own_law.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
 #include <memory>
@@ -292,7 +294,7 @@ const std::vector<std::string>& OwnPlaces() {
 
 std::string ToText(const OwnLaw& law) {
   std::string text = law.where + " = " + law.expression;
-  for (const auto& [name, rate] : law.states) text += "; d" + name + "/dt = " + rate;
+  for (const auto& [name, rate] : law.states) text += fmt::format("; d{}/dt = {}", name, rate);
   for (size_t i = 0; i < law.channels.size(); ++i) {
     text += (i == 0 ? "; given " : ", ") + law.channels[i];
   }

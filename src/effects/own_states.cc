@@ -45,7 +45,7 @@ void OwnStates::Advance(double h, hydraulics::ForcePlace place, double* state) c
   const int n = size();
   if (n == 0 || !(h > 0)) return;
   const double gamma = 1 - std::sqrt(0.5);
-  double z[kMost], rate[kMost], slope[kMost][kMost];
+  double z[kMost], rate[kMost] = {}, slope[kMost][kMost];
   std::copy(state, state + n, z);
   place.state = z;
   const auto linearise = [&](double step) {

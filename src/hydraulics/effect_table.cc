@@ -63,9 +63,7 @@ Result<EffectParams> CompleteEffect(const PhsParams& params, const EffectParams&
       std::vector<std::string> names;
       for (const EffectParameter& p : info->parameters) names.push_back(p.name);
       const std::string nearest = NearestWord(key, names);
-      std::string all;
-      for (const std::string& n : names) all += (all.empty() ? "" : ", ") + n;
-      return Error{where + "." + key, "unknown key", all,
+      return Error{where + "." + key, "unknown key", JoinWords(names),
                    nearest.empty() ? "" : "did you mean " + nearest + "?"};
     }
     found->second = value;

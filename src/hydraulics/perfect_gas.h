@@ -9,7 +9,6 @@
 
 namespace phs::hydraulics {
 
-extern const GasLaw kIsothermalGas;
 extern const GasLaw kPolytropicGas;
 extern const GasLaw kIdealGas;
 

@@ -9,7 +9,6 @@
 namespace phs::identify::element {
 
 using hydraulics::PhsParams;
-using rigs::RigKind;
 using rigs::RigModel;
 using rigs::RigPrediction;
 using search::Candidate;

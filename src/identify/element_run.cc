@@ -79,11 +79,13 @@ json AskValidation(const ElementData& data, const FreeModel& corrected, const Fi
   const auto more = bench.value()->Predict(problem.value().Params(f.corrected, f.after.values));
   json out = {
       {"refitted", refitted}, {"effects", search::EffectList(f)}, {"formula", FormulaJson(f)}};
-  if (rows.ok())
+  if (rows.ok()) {
     out["relative_percent_refitted"] = ScoreRows(turned, rows.value(), true)["relative_percent"];
-  if (more.ok())
+  }
+  if (more.ok()) {
     out["relative_percent_with_effects"] =
         ScoreRows(turned, more.value(), true)["relative_percent"];
+  }
   return out;
 }
 
@@ -168,7 +170,7 @@ Status WriteFiles(const ElementData& data, const Rows* before, const Rows& after
     if (Status s = WriteRows(dir.File("baseline.csv"), data, before); !s.ok()) return s;
   }
   if (model != nullptr) {
-    const Status s = WriteFileAtomically(dir.File("model.yaml"), phs_model::ToYaml(*model));
+    Status s = WriteFileAtomically(dir.File("model.yaml"), phs_model::ToYaml(*model));
     if (!s.ok()) return s;
   }
   return WriteFileAtomically(dir.File("result.json"), result.dump(1) + "\n");

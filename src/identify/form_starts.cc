@@ -58,6 +58,7 @@ std::vector<std::vector<double>> GridOf(const std::vector<FormNumber>& numbers,
     starts = std::move(longer);
   }
   std::vector<std::vector<double>> out;
+  out.reserve(starts.size());
   for (Start& start : starts) out.push_back(std::move(start.values));
   return out;
 }

@@ -196,7 +196,7 @@ class PlaceTerms final : public TermLibrary {
       Add(text, "", factors, 0);
       if (data_.has_friction) Add("s*" + text, "", factors + 1, 0);
     }
-    for (const std::string& other : others) Add(other + "*" + x, "", 2, 0);
+    for (const std::string& other : others) Add(fmt::format("{}*{}", other, x), "", 2, 0);
     if (data_.has_friction) AddWithFriction(x, v, signed_v, others);
   }
 

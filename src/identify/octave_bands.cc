@@ -36,7 +36,7 @@ Eigen::Vector2d TakeTrend(Eigen::VectorXd* y) {
   const Eigen::VectorXd even = Eigen::VectorXd::Constant(n, 1 / std::sqrt(static_cast<double>(n)));
   Eigen::VectorXd slope = Eigen::VectorXd::LinSpaced(n, -1, 1);
   if (n > 1) slope.normalize();
-  const Eigen::Vector2d out(even.dot(*y), n > 1 ? slope.dot(*y) : 0);
+  Eigen::Vector2d out(even.dot(*y), n > 1 ? slope.dot(*y) : 0);
   *y -= out[0] * even;
   if (n > 1) *y -= out[1] * slope;
   return out;

@@ -34,14 +34,14 @@ Channels RecordForward::OnRows(const Channels& span) const {
 }
 
 Status RecordForward::Run(const hydraulics::PhsParams& params, Span span, Channels* out) const {
-  const Status done = RunSpan(params, span, out);
+  Status done = RunSpan(params, span, out);
   if (done.ok() && span == Span::kEstimation) *out = OnRows(*out);
   return done;
 }
 
 Status RecordForward::Uncertainty(const hydraulics::PhsParams& params, Span span,
                                   Channels* deviation) const {
-  const Status done = UncertaintySpan(params, span, deviation);
+  Status done = UncertaintySpan(params, span, deviation);
   if (done.ok() && span == Span::kEstimation) *deviation = OnRows(*deviation);
   return done;
 }

@@ -55,6 +55,7 @@ std::vector<Dependence> MapResidual(const FitData& data, const std::vector<doubl
   const double independent = static_cast<double>(r.size()) / CorrelationTime(r);
   auto add = [&](const std::string& name, auto value) {
     std::vector<double> u;
+    u.reserve(rows.size());
     for (size_t i : rows) u.push_back(value(i));
     if (std::all_of(u.begin(), u.end(), [](double x) { return std::isfinite(x); })) {
       out.push_back({name, Share(r, u, independent)});

@@ -15,6 +15,7 @@ constexpr double kMostRoll = 0.06;    ///< [rad]
 constexpr double kRollStep = 0.1e-3;  ///< the first step from the roll beside [rad]
 constexpr double kAmplitudeStep = 0.5e-3;
 constexpr double kLeastAmplitude = 1e-3;
+constexpr double kTurnStep = 0.05e-3;  ///< the first step to the turning point of an amplitude [m]
 constexpr int kPhases = 2000;
 constexpr double kDeepest = 4e-3;  ///< of an elastic contact [m]
 
@@ -177,13 +178,18 @@ Result<ContactFunctions> CalcContactFunctions(const WheelRail& left, const Wheel
   };
   out.half_base = 0.5 * (base(left, middle->left) + base(right, middle->right));
   const RadiusCurve curve(out.rows);
-  double amplitude = kLeastAmplitude;
-  for (double turn = *centre + 0.2e-3; turn < curve.end(); turn += 5e-6) {
-    const auto other = TurningPoint(curve, *centre, turn);
-    if (!other) break;
-    if (0.5 * (turn - *other) < amplitude) continue;
-    out.conicity.push_back({amplitude, ConicityBetween(curve, *other, turn)});
-    amplitude += kAmplitudeStep;
+  double turn = *centre + kLeastAmplitude;
+  for (double amplitude = kLeastAmplitude;; amplitude += kAmplitudeStep) {
+    const auto wider = [&](double right) {
+      if (!(right > *centre && right < curve.end())) return std::nan("");
+      const auto other = TurningPoint(curve, *centre, right);
+      return other ? 0.5 * (right - *other) - amplitude : std::nan("");
+    };
+    const auto found = RisingRoot(wider, {turn, kTurnStep, curve.end() - 1e-9 - turn, 1e-9});
+    if (!found) break;
+    turn = *found;
+    out.conicity.push_back(
+        {amplitude, ConicityBetween(curve, *TurningPoint(curve, *centre, turn), turn)});
   }
   return out;
 }

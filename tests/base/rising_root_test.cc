@@ -23,6 +23,10 @@ TEST(RisingRoot, AFlatPartBeforeTheRiseHidesNothing) {
   EXPECT_NEAR(*root, 3 + 1e-4, 1e-12);
 }
 
+TEST(RisingRoot, ItsOwnPlaceNeedsNoOther) {
+  EXPECT_EQ(RisingRoot([](double x) { return std::max(0.0, x); }, {0, 1, 8, 1e-9}), 0.0);
+}
+
 TEST(RisingRoot, NoneBeyondReachNorWithoutANumber) {
   const auto f = [](double x) { return x - 5; };
   EXPECT_FALSE(RisingRoot(f, {0, 0.1, 4.9, 1e-9}));

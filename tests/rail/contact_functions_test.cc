@@ -31,6 +31,19 @@ TEST(ContactFunctions, AConeHasItsOwnConicity) {
   }
 }
 
+// How far the functions reach must not move the waves inside: each is that of its own amplitude.
+TEST(ContactFunctions, ConicityIsThatOfItsAmplitudeAndNotOfAnother) {
+  const WheelRail wheel = Create(StandardPair());
+  const auto fine = CalcContactFunctions(wheel, wheel, 6e-3, 0.05e-3, 80e3);
+  const auto other = CalcContactFunctions(wheel, wheel, 7e-3, 0.05e-3, 80e3);
+  ASSERT_TRUE(fine.ok() && other.ok());
+  ASSERT_GE(fine.value().conicity.size(), 9u);
+  for (size_t i = 0; i < 9; ++i) {
+    EXPECT_NEAR(fine.value().conicity[i].amplitude, 1e-3 + 0.5e-3 * static_cast<double>(i), 1e-12);
+    EXPECT_NEAR(fine.value().conicity[i].value / other.value().conicity[i].value, 1, 1e-6) << i;
+  }
+}
+
 // Near a flange three rolls let both wheels touch: on S1002/UIC60 at 1067 mm and y = 5.5 mm 0.7 mrad, 3.0
 // mrad and 14.6 mrad, found by a scan of the heights over the roll. A wheelset that moves out from the middle
 // has the first, until it ends at 5.95 mm.
