@@ -140,6 +140,7 @@ Result<bool> DoAll(int count, int workers, double from, double to, const Watch& 
     }
   };
   std::vector<std::thread> threads;
+  threads.reserve(static_cast<size_t>(std::min(workers, count)));
   for (int i = 0; i < std::min(workers, count); ++i) threads.emplace_back(work);
   bool goes_on = true;
   while (done < count && !end) {

@@ -30,7 +30,7 @@ class Search {
   Result<Alarms> Make() {
     if (Status s = Prepare(); !s.ok()) return s.error();
     for (const auto step : {&Search::Learn, &Search::Tear, &Search::Test}) {
-      const auto all = (this->*step)();
+      auto all = (this->*step)();
       if (!all.ok()) return all.error();
       if (!all.value()) return Alarms{};
     }
@@ -115,7 +115,7 @@ Result<bool> Search::Learn() {
   if (!tasks.ok()) return tasks.error();
   std::vector<std::vector<std::vector<double>>> of_task(tasks.value().size());
   std::vector<std::vector<std::string>> lines(tasks.value().size());
-  const auto all = DoAll(
+  auto all = DoAll(
       static_cast<int>(tasks.value().size()), found_.ask.workers, 0, kShareLearn, watch_,
       [&](int i) {
         const AlarmTask& task = tasks.value()[static_cast<size_t>(i)];
@@ -200,7 +200,7 @@ Result<bool> Search::Tear() {
       }
     }
   }
-  const auto all = DoAll(
+  auto all = DoAll(
       static_cast<int>(found_.bursts.size()), found_.ask.workers, kShareLearn,
       kShareLearn + kShareBurst, watch_, [&](int i) {
         Burst& burst = found_.bursts[static_cast<size_t>(i)];
@@ -247,7 +247,7 @@ Result<bool> Search::Test() {
   if (!tasks.ok()) return tasks.error();
   std::vector<double> km(tasks.value().size());
   std::vector<std::vector<int>> counts(tasks.value().size());
-  const auto all =
+  auto all =
       DoAll(static_cast<int>(tasks.value().size()), found_.ask.workers, kShareLearn + kShareBurst,
             1, watch_, [&](int i) {
               const AlarmTask& task = tasks.value()[static_cast<size_t>(i)];

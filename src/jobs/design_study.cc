@@ -85,9 +85,9 @@ Status ReadParts(YamlMap* map, DesignStudy* study) {
 }
 
 Result<std::string> FindStudy(const std::string& name) {
-  const auto own = FindData("study", "models/studies", name, {".yaml"});
+  auto own = FindData("study", "models/studies", name, {".yaml"});
   if (own.ok()) return own;
-  const auto sweep = FindData("sweep", "models/sweeps", name, {".yaml"});
+  auto sweep = FindData("sweep", "models/sweeps", name, {".yaml"});
   if (sweep.ok()) return sweep;
   std::vector<std::string> known = ListData("models/studies", {".yaml"});
   for (const std::string& one : ListData("models/sweeps", {".yaml"})) known.push_back(one);

@@ -111,7 +111,7 @@ Result<int> MakePart(const StudyRequest& request, const StudyPart& part, const U
   if (const auto code = ReadFile(made); code.ok() && fs::exists(work.File(part.name), fault)) {
     return std::atoi(code.value().c_str());
   }
-  const auto code = request.run(WordsOf(request, part, work), work.File(part.name + ".txt"));
+  auto code = request.run(WordsOf(request, part, work), work.File(part.name + ".txt"));
   if (!code.ok() || code.value() >= kSignalCode) return code;
   if (code.value() > kFailedCode || !fs::exists(work.File(part.name), fault)) {
     return Error{request.study.path + ": part " + part.name,

@@ -22,6 +22,7 @@ void AddIndices(const Study& study, const std::vector<RunRecord>& records, std::
                 report::SweepReportInput* input) {
   if (study.design != sweep::DesignKind::kSobolIndices) return;
   std::vector<double> values;
+  values.reserve(records.size());
   for (const RunRecord& r : records) {
     values.push_back(r.status == "ok" ? r.outputs[output] : std::nan(""));
   }

@@ -62,7 +62,7 @@ std::vector<double> BandLimit::Filter(const std::vector<double>& y) const {
 }
 
 std::vector<double> BandLimit::Apply(const std::vector<double>& y) const {
-  const std::vector<double> filtered = Filter(y);
+  std::vector<double> filtered = Filter(y);
   if (stride_ == 1) return filtered;
   std::vector<double> out;
   for (size_t i = 0; i < y.size(); i += static_cast<size_t>(stride_)) out.push_back(filtered[i]);

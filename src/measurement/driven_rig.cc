@@ -25,6 +25,7 @@ Status CheckFinite(const DrivenRig& rig) {
 
 std::vector<double> DrivenRig::Times() const {
   std::vector<double> t;
+  t.reserve(static_cast<size_t>(input.motion.num_samples()));
   for (int i = 0; i < input.motion.num_samples(); ++i) {
     t.push_back(input.motion.t0_s + i * input.motion.step_s);
   }

@@ -78,6 +78,7 @@ std::vector<char> LostInput(const std::vector<Channel>& inputs) {
 
 std::string Words(const std::vector<DataFinding>& findings) {
   std::vector<std::string> words;
+  words.reserve(findings.size());
   for (const DataFinding& f : findings) words.push_back(f.channel + " " + f.text);
   return JoinWords(words);
 }

@@ -102,11 +102,13 @@ Result<Clock> ReadClock(const Table& table, const Manifest& manifest, RigRun* ru
                  "has " + std::to_string(n) + " samples: too few to tell an effect from noise",
                  "at least 50 samples, better some thousand", "record longer"};
   }
-  if (missing > 0)
+  if (missing > 0) {
     run->findings.push_back({"t_s", std::to_string(missing) + " rows without time left out"});
-  if (doubled > 0)
+  }
+  if (doubled > 0) {
     run->findings.push_back(
         {"t_s", std::to_string(doubled) + " rows with a repeated time left out"});
+  }
   std::vector<double> steps(n - 1);
   for (size_t i = 0; i + 1 < n; ++i) steps[i] = clock.time[i + 1] - clock.time[i];
   clock.step = Quantile(steps, 0.5);

@@ -21,7 +21,7 @@ double StandardDeviation(std::span<const double> y) {
 
 double Quantile(std::vector<double> y, double share) {
   if (y.empty()) return std::numeric_limits<double>::quiet_NaN();
-  const size_t k = static_cast<size_t>(share * static_cast<double>(y.size() - 1) + 0.5);
+  const size_t k = static_cast<size_t>(std::lround(share * static_cast<double>(y.size() - 1)));
   std::nth_element(y.begin(), y.begin() + static_cast<long>(k), y.end());
   return y[k];
 }

@@ -41,6 +41,7 @@ Result<StepCase> ReadStepCase(const Manifest& manifest, const RunSpec& run) {
   }
   if (!out.rows.empty()) return out;
   std::vector<std::string> known;
+  known.reserve(setups.size());
   for (const int setup : setups) known.push_back(std::to_string(setup));
   return Error{manifest.path + ": setup", "no row of " + out.source + " has this setup",
                JoinWords(known)};

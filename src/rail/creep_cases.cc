@@ -72,6 +72,7 @@ class Laws {
 
 void Append(Table* table, const std::string& name, std::vector<double> values) {
   std::vector<std::string> cells;
+  cells.reserve(values.size());
   for (double value : values) cells.push_back(Shortest(value));
   const int old = table->Find(name);
   if (old >= 0) {  // the input held a result already: replaced

@@ -65,7 +65,8 @@ std::filesystem::path FileOf(const std::string& folder, const FastsimParams& par
 /// FASTSIM itself but for rounding (processors round differently), so a few nodes of all faces,
 /// shapes and sizes are calculated anew.
 bool AgreesWithFastsim(const CreepTable& table, const FastsimParams& params) {
-  using namespace creep_table;
+  using creep_table::Direction, creep_table::kFaces, creep_table::kGrids, creep_table::kShapes,
+      creep_table::kSizes, creep_table::kSizeUnit;
   constexpr int kNodes = 48;
   constexpr double kRounding = 1e-9;  ///< of forces of size 1
   const Fastsim fastsim(params);

@@ -41,6 +41,7 @@ void SmoothOutline(double wavelength, std::vector<double>* y, std::vector<double
   // Third difference v[i+3] - 3 v[i+2] + 3 v[i+1] - v[i].
   constexpr double kDifference[] = {-1, 3, -3, 1};
   std::vector<Eigen::Triplet<double>> entries;
+  entries.reserve(static_cast<size_t>(17 * n));  // the diagonal, four times four of each difference
   for (int i = 0; i < n; ++i) entries.emplace_back(i, i, 1.0);
   for (int i = 0; i + 3 < n; ++i) {
     for (int a = 0; a < 4; ++a) {
