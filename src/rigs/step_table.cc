@@ -175,6 +175,7 @@ Result<std::vector<double>> PredictSettled(const PhsParams& params,
   if (!made.ok()) return made.error();
   const std::vector<double> state(made.value().num_states(), 0.0);
   std::vector<double> out;
+  out.reserve(rows.size());
   for (const StepRow& row : rows) {
     out.push_back(GaugePressure(made.value(), row, 0, row.piston_step_m, state));
   }

@@ -55,7 +55,7 @@ Image Columns::Draw(double time) {
     camera.distance *= std::max(1.0, shape * height_ / width);
     stage.Render(camera, viewport);
     view::DrawCaptions(stage, look_, viewport);
-    part.resize(static_cast<size_t>(3 * width * height_));
+    part.resize(3 * static_cast<size_t>(width) * static_cast<size_t>(height_));
     mjr_readPixels(part.data(), nullptr, viewport, &stage.context());
     for (int y = 0; y < height_; ++y) {
       const auto* from = part.data() + static_cast<size_t>(3 * width * (height_ - 1 - y));

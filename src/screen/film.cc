@@ -67,6 +67,7 @@ constexpr int kNoProgram = 127;
 [[noreturn]] void BecomeFfmpeg(int in, const std::vector<std::string>& arguments) {
   dup2(in, STDIN_FILENO);
   std::vector<char*> argv;
+  argv.reserve(arguments.size() + 1);
   for (const std::string& a : arguments) argv.push_back(const_cast<char*>(a.c_str()));
   argv.push_back(nullptr);
   execvp("ffmpeg", argv.data());

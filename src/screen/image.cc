@@ -11,7 +11,7 @@ namespace phs::screen {
 
 Image FromBottom(const std::vector<unsigned char>& rows, int width, int height) {
   Image image{width, height, std::vector<unsigned char>(rows.size())};
-  const size_t row = static_cast<size_t>(3 * width);
+  const size_t row = 3 * static_cast<size_t>(width);
   for (size_t y = 0; y < static_cast<size_t>(height); ++y) {
     std::copy_n(rows.data() + row * (static_cast<size_t>(height) - 1 - y), row,
                 image.rgb.data() + row * y);

@@ -70,7 +70,7 @@ Status SetBelow(YAML::Node node, const std::vector<std::string>& parts, std::siz
   return SetBelow(node[parts[i]], parts, i + 1, value, places);
 }
 
-Status SetPath(YAML::Node root, const std::string& key, const std::string& value) {
+Status SetPath(const YAML::Node& root, const std::string& key, const std::string& value) {
   int places = 0;
   if (Status s = SetBelow(root, Parts(key), 0, value, &places); !s.ok()) return s;
   if (places == 0) return Error{"", "is in no element of the list or map", "", ""};
@@ -112,7 +112,7 @@ Error AtAxis(const Study& study, const std::string& key, const Error& inner) {
 }
 
 Status SetKeys(const Study& study, const SetValues& values, const std::string& prefix,
-               YAML::Node root) {
+               const YAML::Node& root) {
   for (const auto& [key, value] : values) {
     if (!key.starts_with(prefix)) continue;
     if (Status s = SetPath(root, key.substr(prefix.size()), value); !s.ok()) {

@@ -25,7 +25,7 @@ Error AtAxis(const Study& study, const std::string& key, const Error& inner);
 /// Puts the values whose keys begin with `prefix` into the tree below it: "segments.*.radius_m". A
 /// last key that does not exist is made, for the reader of the file to judge.
 Status SetKeys(const Study& study, const SetValues& values, const std::string& prefix,
-               YAML::Node root);
+               const YAML::Node& root);
 
 /// One number of the model, as an axis "model.KEY" means it.
 struct ModelNumber {

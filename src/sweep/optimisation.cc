@@ -15,7 +15,7 @@ namespace {
 
 /// The key of a choice or parameter: known, and given once.
 std::string ReadKey(const Subject& subject, YamlMap* entry, std::set<std::string>* keys) {
-  const std::string key = entry->Text("key");
+  std::string key = entry->Text("key");
   if (Status s = CheckAxisKey(subject, key); !s.ok()) {
     entry->Fail("key", s.error().what, s.error().allowed, s.error().mend);
   }

@@ -16,7 +16,7 @@ constexpr int kMostChunk = 100;
 
 int ChunkSize(const SlurmOptions& options, std::size_t runs) {
   if (options.chunk > 0) return options.chunk;
-  const auto share = static_cast<std::size_t>(4 * SlurmProcessors(options.partition));
+  const auto share = 4 * static_cast<std::size_t>(SlurmProcessors(options.partition));
   return std::clamp(static_cast<int>((runs + share - 1) / share), 1, kMostChunk);
 }
 
