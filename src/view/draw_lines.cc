@@ -78,7 +78,7 @@ Vector3d DrawHalf(const Port& port, double x, const Frame& frame, const Colour& 
   const double along = port.place.z() + kAbove[port.rod ? 0 : 1];
   const double y = port.place.y() - side * (kInward + (port.rod ? 0.0 : 0.03));
   const double crossing = port.place.z() + kCrossing;
-  const Vector3d start(x, y, crossing);
+  Vector3d start(x, y, crossing);
   DrawPipe({port.place,
             {port.place.x(), port.place.y(), port.place.z() + 0.05},
             {port.place.x(), y, port.place.z() + 0.05},
@@ -94,6 +94,7 @@ double RadiusOf(double volume_m3) { return std::cbrt(0.75 * volume_m3 / M_PI) + 
 void DrawLine(const hydraulics::LineParams& line, const std::vector<Port>& ports, double x,
               const Frame& frame, const Colour& colour, Pen* pen) {
   std::vector<Vector3d> starts;
+  starts.reserve(ports.size());
   for (const Port& port : ports) starts.push_back(DrawHalf(port, x, frame, colour, pen));
   for (size_t i = 0; i + 1 < starts.size(); ++i) {
     DrawPipe({starts[i], starts[i + 1]}, frame, colour, pen);

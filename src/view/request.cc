@@ -45,6 +45,7 @@ Result<std::vector<Recording>> Choose(const std::vector<std::string>& asked,
                                       std::vector<Recording> recordings, const std::string& dir) {
   if (asked.empty()) return recordings;
   std::vector<std::string> known;
+  known.reserve(recordings.size());
   for (const Recording& recording : recordings) known.push_back(recording.label);
   std::vector<Recording> chosen;
   for (const std::string& name : asked) {
