@@ -20,7 +20,6 @@ using phs::plugin::AttachOptions;
 
 std::string& LastError() {
   thread_local std::string text;
-  // NOLINTNEXTLINE(clang-analyzer-cplusplus.InnerPointer): the name lives as long as its thread
   return text;
 }
 

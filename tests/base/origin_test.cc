@@ -16,7 +16,6 @@
 namespace phs {
 namespace {
 
-using testing::HasSubstr;
 
 std::vector<std::string> Paths(const Origin& origin) {
   std::vector<std::string> paths;
