@@ -247,23 +247,22 @@ Result<bool> Search::Test() {
   if (!tasks.ok()) return tasks.error();
   std::vector<double> km(tasks.value().size());
   std::vector<std::vector<int>> counts(tasks.value().size());
-  auto all =
-      DoAll(static_cast<int>(tasks.value().size()), found_.ask.workers, kShareLearn + kShareBurst,
-            1, watch_, [&](int i) {
-              const AlarmTask& task = tasks.value()[static_cast<size_t>(i)];
-              const auto made = MakeAlarmRun(task.scenario, false, watch_);
-              if (!made.ok()) return Status(made.error());
-              if (Status s = CheckPlain(task, made.value()); !s.ok()) return s;
-              const AlarmRun run = Looked(made.value());
-              km[static_cast<size_t>(i)] = 1e-3 * (run.place_m.back() - run.place_m.front());
-              for (const size_t s : found_.chosen) {
-                counts[static_cast<size_t>(i)].push_back(
-                    analysis::CountAlarms(analysis::CalcSignal(found_.signals[s], run.pressure_Pa,
-                                                               run.interval_s, found_.ask.times),
-                                          found_.thresholds[s], run.interval_s, found_.ask.hold_s));
-              }
-              return Status();
-            });
+  auto all = DoAll(static_cast<int>(tasks.value().size()), found_.ask.workers,
+                   kShareLearn + kShareBurst, 1, watch_, [&](int i) {
+                     const AlarmTask& task = tasks.value()[static_cast<size_t>(i)];
+                     const auto made = MakeAlarmRun(task.scenario, false, watch_);
+                     if (!made.ok()) return Status(made.error());
+                     if (Status s = CheckPlain(task, made.value()); !s.ok()) return s;
+                     const AlarmRun run = Looked(made.value());
+                     km[static_cast<size_t>(i)] = 1e-3 * (run.place_m.back() - run.place_m.front());
+                     for (const size_t s : found_.chosen) {
+                       counts[static_cast<size_t>(i)].push_back(analysis::CountAlarms(
+                           analysis::CalcSignal(found_.signals[s], run.pressure_Pa, run.interval_s,
+                                                found_.ask.times),
+                           found_.thresholds[s], run.interval_s, found_.ask.hold_s));
+                     }
+                     return Status();
+                   });
   if (!all.ok() || !all.value()) return all;
   found_.tested_km.assign(found_.ask.services.size(), 0);
   found_.false_count.assign(found_.ask.services.size(), std::vector<int>(found_.lines.size(), 0));

@@ -16,7 +16,6 @@
 namespace phs {
 namespace {
 
-
 std::vector<std::string> Paths(const Origin& origin) {
   std::vector<std::string> paths;
   for (const InputFile& file : origin.inputs) paths.push_back(file.path);
