@@ -99,8 +99,7 @@ TEST(OwnStates, AreOfSecondOrderAndStableHoweverStiff) {
   }
   EXPECT_LT(error[0], 2e-4);
   EXPECT_NEAR(std::log2(error[0] / error[1]), 2, 0.15);
-  // A step of four time constants is taken in sixteen parts: 2 % of the step's size are left of a
-  // method that one step alone would leave 15 %.
+  // A step of four time constants is taken in sixteen parts.
   names.numbers["tau"].value = 0.25;
   const OwnStates slow({Rate("(1 - z)/tau", names, rate)});
   double long_step = 0;
