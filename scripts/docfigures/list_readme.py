@@ -1,4 +1,5 @@
 """README.md: the main comparison, what it is made of, what phs validate says."""
+from docfigures.blind import of, sets, share, with_verdict
 from docfigures.cases import factor, over_ramps
 from docfigures.form import attack, attack_words, hand, number, percent, short, t_gamma, wheel, wheelset
 
@@ -22,6 +23,13 @@ def figures(phs):
         out["sum_Y_" + name] = number(wheelset(run)["sum_Y_N"] / 1e3, 1) + " kN"
         out["wear_" + name] = number(t_gamma(run), 0) + " N"
         out["work_" + name] = number(run["run"]["lost_creep_J"] / 1e3, 1) + " kJ"
+    blind = sets(phs)
+    out["blind_sets"] = str(len(blind))
+    out["blind_clean"] = str(sum(row["kind"] == "clean" for row in blind))
+    out["blind_explained"] = str(with_verdict(blind, "explained"))
+    out["blind_right"] = str(with_verdict(blind, "explained", "exact", "one more", "formula"))
+    others = [row for row in blind if row["suite"] != "holdout"]
+    out["blind_others"] = share(*of(others, "single", lambda row: row["right"] == "1"))
     own, rigid = c["bogies"]["phs"], c["bogies"]["rigid_link"]
     out["rigid_words"] = attack_words(wheelset(rigid)["angle_of_attack_rad"], 1, hand(rigid))
     out["rigid_creep"] = budget(rigid, "creep_Nm")

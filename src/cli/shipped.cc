@@ -69,7 +69,7 @@ constexpr ShippedKind kKinds[] = {
     {"phs", "PHS models, for --phs, `phs:` and `model:`",
      [] { return ItemsOf("models/phs", ".yaml"); }},
     {"effects", "what a real PHS, wheel or track has beside, for `effects:`", &Effects},
-    {"scenarios", "for simulate, compare, curving",
+    {"scenarios", "for simulate, compare, sweep, alarms, view and video",
      [] { return ItemsOf("models/scenarios", ".yaml"); }},
     {"rigs", "manifests, for rig and identify", &Rigs},
     {"studies", "for study", [] { return ItemsOf("models/studies", ".yaml"); }},

@@ -28,6 +28,7 @@ void AddGas(const std::string& prefix, const std::string& shell, const std::stri
 }
 
 bool ByCoulomb(const PhsParams& p) { return p.friction.curve == FrictionCurve::kCoulomb; }
+bool ByGasSpring(const PhsParams& p) { return p.element.gas_force_N > 0; }
 
 std::vector<NumberRow<CylinderParams>> CylinderRows() {
   return {
@@ -146,6 +147,24 @@ std::vector<NumberRow<PhsParams>> WholeRows() {
        [](PhsParams& p) -> double& { return p.element.mass_kg; }},
       {{"element.stiffness_N_per_m", "N/m", Within(0, 1e12), 0, 1e9, "spring to the frame"},
        [](PhsParams& p) -> double& { return p.element.stiffness_N_per_m; }},
+      {{"element.hardening_N_per_m3", "N/m3", Within(-1e15, 1e15), 0, 1e12, "of the spring: k₃ x³"},
+       [](PhsParams& p) -> double& { return p.element.hardening_N_per_m3; },
+       [](const PhsParams& p) { return p.element.hardening_N_per_m3 != 0; }},
+      {{"element.quadratic_damping_Ns2_per_m2", "N s2/m2", Within(0, 1e12), 0, 1e6,
+        "d: the force is d v abs(v)"},
+       [](PhsParams& p) -> double& { return p.element.quadratic_damping_Ns2_per_m2; },
+       [](const PhsParams& p) { return p.element.quadratic_damping_Ns2_per_m2 != 0; }},
+      {{"element.gas_force_N", "N", Within(0, 1e8), 0, 1e5,
+        "gas spring: its pressure at x = 0 times its area; what it pushes there is in `offset_N`"},
+       [](PhsParams& p) -> double& { return p.element.gas_force_N; },
+       &ByGasSpring},
+      {{"element.gas_length_m", "m", Within(-100, 100), -1, 1,
+        "gas spring: its volume at x = 0 over its area, not 0; below 0: x < 0 compresses it"},
+       [](PhsParams& p) -> double& { return p.element.gas_length_m; },
+       &ByGasSpring},
+      {{"element.gas_exponent", "-", Within(1, 2), 1, 1.67, "1 isothermal … 1.4 adiabatic"},
+       [](PhsParams& p) -> double& { return p.element.gas_exponent; },
+       &ByGasSpring},
       {{"element.pressure_area_m2", "m2", Within(-10, 10), -0.1, 0.1,
         "on which the bench's pressure acts"},
        [](PhsParams& p) -> double& { return p.element.pressure_area_m2; }},

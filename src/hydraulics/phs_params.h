@@ -108,11 +108,15 @@ struct FrictionParams {
   bool operator==(const FrictionParams&) const = default;
 };
 
-/// A part on a bench moved by prescribed motion:
-/// force = mass a + stiffness x + pressure_area p + offset + friction.
+/// A part on a bench moved by prescribed motion (equation: rigs/element_bench.h).
 struct ElementParams {
   double mass_kg = 0;
   double stiffness_N_per_m = 0;
+  double hardening_N_per_m3 = 0;
+  double quadratic_damping_Ns2_per_m2 = 0;
+  double gas_force_N = 0;       ///< pressure at x = 0 times its area; 0: no gas spring
+  double gas_length_m = 0.1;    ///< volume at x = 0 over area, not 0; > 0: x > 0 compresses
+  double gas_exponent = 1;      ///< 1 isothermal … 1.4 adiabatic
   double pressure_area_m2 = 0;  ///< on which the bench's pressure channel acts
   double offset_N = 0;
   bool operator==(const ElementParams&) const = default;

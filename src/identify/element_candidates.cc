@@ -118,9 +118,13 @@ Result<FreeModel> DeclaredElement(const PhsParams& declared, const std::vector<s
   const auto& e = declared.element;
   const double F = s.force_N;
   std::vector<FreeParameter> usual = {Linear("element.offset_N", e.offset_N, F)};
-  if (e.mass_kg > 0) usual.push_back(Logarithmic("element.mass_kg", e.mass_kg, 30));
-  if (e.stiffness_N_per_m > 0) {
-    usual.push_back(Logarithmic("element.stiffness_N_per_m", e.stiffness_N_per_m, 30));
+  // What is declared is uncertain; of a gas spring its filling, not its length.
+  for (const char* name :
+       {"element.mass_kg", "element.stiffness_N_per_m", "element.hardening_N_per_m3",
+        "element.quadratic_damping_Ns2_per_m2", "element.gas_force_N"}) {
+    const double value = phs_model::GetParameter(declared, name).value();
+    if (value > 0) usual.push_back(Logarithmic(name, value, 30));
+    if (value < 0) usual.push_back(Linear(name, value, -value));
   }
   if (e.pressure_area_m2 != 0) {
     usual.push_back(Linear("element.pressure_area_m2", e.pressure_area_m2, F / s.pressure_Pa));

@@ -101,6 +101,14 @@ class MountedFriction {
 
 }  // namespace
 
+double GasSpringForce(const hydraulics::ElementParams& part, double x) {
+  constexpr double kLeast = 0.01;  // of the length
+  if (part.gas_force_N == 0) return 0;
+  const double left = std::max(kLeast, 1 - x / part.gas_length_m);
+  const double force = part.gas_force_N * (std::pow(left, -part.gas_exponent) - 1);
+  return part.gas_length_m > 0 ? force : -force;
+}
+
 void RunElementBench(const hydraulics::PhsSystem& system, const RigMotion& motion,
                      const std::vector<double>& speed, std::vector<double>* force,
                      ElementPlaces* places) {
@@ -128,6 +136,8 @@ void RunElementBench(const hydraulics::PhsSystem& system, const RigMotion& motio
     place.warmer = T - system.params().temperature_K;
     double sum = part.offset_N + part.stiffness_N_per_m * x[i] + part.pressure_area_m2 * p +
                  friction.Calc(x[i], speed[i], place);
+    sum += part.hardening_N_per_m3 * x[i] * x[i] * x[i] + GasSpringForce(part, x[i]) +
+           part.quadratic_damping_Ns2_per_m2 * speed[i] * std::abs(speed[i]);
     if (part.mass_kg > 0) sum += part.mass_kg * acceleration[i];
     (*force)[i] = sum;
     if (places != nullptr) places->direction[i] = friction.direction();

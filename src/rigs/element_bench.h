@@ -1,9 +1,13 @@
 // A part on a bench moved by prescribed motion x(t): what force does it ask for?
 //
-//   o--[ m ]--[ mount ]--+--[ friction ]--|ground     F = m x" + k x + A p + offset
-//      x                 y                              + friction(y, y', p, T, …) + loads
+//   o--[ m ]--[ mount ]--+--[ friction ]--|ground     F = m x" + k x + k3 x³ + d v|v| + gas(x)
+//      x                 y                              + A p + offset + friction(y, y', p, T, …) + loads
 //
-// m, k, A, offset: ElementParams. Mount: play and spring of the mount laws, friction behind them,
+// m, k, k3, d, gas, A, offset: ElementParams. Gas spring: a gas of volume V0 at x = 0, p V^n constant, that x
+// compresses by its area a, V = V0 - a x. With F0 = p0 a and L = V0/a (below 0 where x < 0 compresses)
+//   gas(x) = sign(L) F0 [(1 - x/L)^-n - 1],
+// 0 at x = 0, stiffness n F0/|L| there. Beyond 0.99 L it stays as it is: nobody compresses gas a hundredfold.
+// Mount: play and spring of the mount laws, friction behind them,
 // solved for y each sample (the friction is monotone in y's move, the mount falls: one root, found
 // by bisection). Loads: the load laws, at x.
 // F > 0 pulls in the direction of x > 0.
@@ -20,6 +24,9 @@ namespace phs::rigs {
 struct ElementPlaces {
   std::vector<double> direction;  ///< of friction, -1 … 1
 };
+
+/// Force of the gas spring at `x` [m], 0 at x = 0; `part`: gas_length_m not 0.
+double GasSpringForce(const hydraulics::ElementParams& part, double x);
 
 /// Force [N] at every sample. `speed`: of x, same length. `places` may be null.
 void RunElementBench(const hydraulics::PhsSystem& system, const RigMotion& motion,

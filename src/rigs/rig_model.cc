@@ -77,6 +77,9 @@ Status CheckFits(RigKind kind, const PhsParams& params, const RigOptions& option
         "model " + params.name + " has " + std::to_string(params.cylinders.size()) + " cylinders",
         std::to_string(need) + " for this rig", "choose a model of this rig"};
   }
+  if (params.element.gas_force_N > 0 && params.element.gas_length_m == 0) {
+    return Error{"element.gas_length_m", "is 0", "volume over area, in m, not 0"};
+  }
   if (options.substeps < 1 || options.substeps > 1000) {
     return Error{"substeps", std::to_string(options.substeps) + " is out of range", "1 to 1000"};
   }

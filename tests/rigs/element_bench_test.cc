@@ -66,6 +66,37 @@ TEST(ElementBench, MassSpringAreaAndOffsetAddUp) {
   EXPECT_NEAR(f[7777], -3 * w * w * x + 300 * x + 5e-4 * 2e5 + 5, 1e-4);
 }
 
+/// 12 bar on 5 cm² over 0.2 m of gas, adiabatic: at 0.05 m the gas has three quarters of its length,
+/// 600 N (0.75^-1.4 - 1) = 297.6 N; turned round it pulls the same at -0.05 m.
+TEST(ElementBench, GasSpringHardeningAndQuadraticDampingFollowTheirLaws) {
+  hydraulics::PhsParams p = Part();
+  p.element = {.gas_force_N = 600, .gas_length_m = 0.2, .gas_exponent = 1.4};
+  EXPECT_NEAR(rigs::GasSpringForce(p.element, 0.05), 600 * (std::pow(0.75, -1.4) - 1), 1e-9);
+  EXPECT_NEAR(rigs::GasSpringForce(p.element, 1e-6) / 1e-6, 1.4 * 600 / 0.2, 0.1);
+  EXPECT_EQ(rigs::GasSpringForce(p.element, 0), 0);
+  hydraulics::ElementParams turned = p.element;
+  turned.gas_length_m = -0.2;
+  EXPECT_EQ(rigs::GasSpringForce(turned, -0.05), -rigs::GasSpringForce(p.element, 0.05));
+  EXPECT_TRUE(std::isfinite(rigs::GasSpringForce(p.element, 0.3)));
+  p.element.hardening_N_per_m3 = 4e6, p.element.quadratic_damping_Ns2_per_m2 = 700;
+  RigMotion m = Sine(0.01, 1.5, 1e-4, 20000);
+  const std::vector<double> f = Force(p, m);
+  for (const int i : {1234, 7777, 15000}) {
+    const double x = m.position_m[0][i], v = m.speed_m_s[0][i];
+    EXPECT_NEAR(f[i],
+                4e6 * x * x * x + 700 * v * std::abs(v) + 600 * (std::pow(1 - x / 0.2, -1.4) - 1),
+                1e-9);
+  }
+}
+
+TEST(ElementBench, AGasSpringOfNoLengthIsRefused) {
+  hydraulics::PhsParams p = Part();
+  p.element = {.gas_force_N = 600, .gas_length_m = 0};
+  const auto model = RigModel::Create(RigKind::kElement, p);
+  ASSERT_FALSE(model.ok());
+  EXPECT_EQ(model.error().where, "element.gas_length_m");
+}
+
 TEST(ElementBench, FlexibleLoadFollowsItsTransferFunctionBelowAtAndAboveResonance) {
   const double m = 10, mf = 3, f0 = 20, zeta = 0.07;
   hydraulics::PhsParams p = Part();

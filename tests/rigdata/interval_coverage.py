@@ -1,0 +1,81 @@
+#!/usr/bin/env python3
+"""Do the 95 % intervals of `phs identify` hold the truth as often as they say?
+
+    interval_coverage.py SUITE [SUITE ...]
+
+SUITE is a folder of blind sets that has been scored (`scripts/make_test_data --score SUITE`): the truth in
+SUITE/truth, the results in SUITE/results. Counted are the five numbers of the declared quarter rig whose truth is
+known in every set (oil and gas of both lines, scale of friction), in sets whose hidden effects were found exactly,
+clean ones included: an interval says nothing where the model is another. Nor is a number counted beside an effect of its
+own kind (a line's gas beside a diaphragm that stops, the scale of friction beside Stribeck's): what is left of it then is
+a matter of the effect's form, which differs between generator and catalogue. Prints how many hold the truth, for each
+number and for sets without and with effects, with the exact binomial interval (Clopper and Pearson 1934), and of
+what misses, by how many of its own half widths. Exit: 0 counted, 2 wrong usage, 3 nothing to count.
+"""
+import math
+import sys
+
+from blind_sets import scored_sets, share_interval
+
+# The declared numbers of quarter_setup2 and the name of their factor in the truth.
+NUMBERS = {
+    "L2.oil_volume_m3": (1.1e-3, "oil_compliance_bore"),
+    "L1.oil_volume_m3": (1.1e-3, "oil_compliance_rod"),
+    "L2.gas_volume_m3": (16.16e-6, "gas_volume_bore"),
+    "L1.gas_volume_m3": (16.16e-6, "gas_volume_rod"),
+    "friction.scale": (1.0, "friction"),
+}
+
+# Effects of a kind of their own: neither oil and gas nor the level of friction follow from them.
+FRICTION = {"stribeck", "presliding", "pressure_friction", "position_friction", "dwell_friction", "viscous_friction",
+            "asymmetric_friction", "temperature_friction"}
+HYDRAULIC = {"piston_leakage", "external_leakage", "line_resistance", "line_inertance", "check_restriction",
+             "entrained_air", "hose_expansion", "gas_thermal", "accumulator_precharge", "diaphragm_stop", "cavitation",
+             "temperature_drift", "pressure_area"}
+
+
+def is_touched(number, hidden):
+    return bool(set(hidden) & (FRICTION if number.startswith("friction") else HYDRAULIC))
+
+
+def main():
+    suites = sys.argv[1:]
+    if not suites or any(s.startswith("-") for s in suites):
+        print(__doc__.split("\n\n")[1].strip(), file=sys.stderr)
+        return 2
+    held, misses = {}, []
+    for suite in suites:
+        for name, _, truth, result in scored_sets(suite):
+            hidden = sorted(e["name"] for e in truth["effects"])
+            if result is None or hidden != sorted(e["name"] for e in result["effects"]):
+                continue
+            kind = "with effects" if hidden else "clean"
+            for number, (declared, factor) in NUMBERS.items():
+                if number not in result["fitted"] or is_touched(number, hidden):
+                    continue
+                fit = result["fitted"][number]
+                value = declared * truth["factors_on_declared"][factor]
+                good = fit["low"] <= value <= fit["high"]
+                for row in (number, f"all, {kind}", "all"):
+                    count = held.setdefault(row, [0, 0])
+                    count[0] += good
+                    count[1] += 1
+                if not good:
+                    side = fit["high"] if value > fit["value"] else fit["low"]
+                    off = math.log(value / fit["value"]) / math.log(side / fit["value"])
+                    misses.append((f"{suite}/{name}", number, off, ", ".join(hidden) or "clean"))
+    if not held:
+        print("interval_coverage: no scored set whose effects were found exactly", file=sys.stderr)
+        return 3
+    print("| number | intervals that hold the truth | 95 % interval |\n|---|---|---|")
+    for row, (good, of) in sorted(held.items()):
+        low, high = share_interval(good, of)
+        print(f"| {row} | {good} of {of} ({100 * good / of:.0f} %) | {100 * low:.0f} … {100 * high:.0f} % |")
+    print("\nMisses, in half widths of the interval:")
+    for place, number, off, hidden in sorted(misses, key=lambda m: -m[2]):
+        print(f"  {place} {number}: {off:.1f} ({hidden})")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
