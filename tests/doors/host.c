@@ -94,6 +94,7 @@ int main(int argc, char** argv) {
   }
   if (zero && calls < steps) fail("callback", "was not called");
   if (fclose(out) != 0) fail(argv[2], "cannot be written");
+  free(row);
   mj_deleteData(d);
   mj_deleteModel(m);
   return 0;

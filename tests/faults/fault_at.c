@@ -40,7 +40,7 @@ __attribute__((constructor)) static void Begin(void) {
   const char* number = getenv("FAULT_AT");
   const char* mode = getenv("FAULT_MODE");
   if (folder == NULL || file == NULL || strlen(folder) >= sizeof under) return;
-  strcpy(under, folder);
+  memcpy(under, folder, strlen(folder) + 1);
   const int fd = open(file, O_RDWR | O_CLOEXEC);
   if (fd < 0) return;
   void* page = mmap(NULL, sizeof(long), PROT_READ | PROT_WRITE, MAP_SHARED, fd, 0);

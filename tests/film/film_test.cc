@@ -16,7 +16,6 @@
 namespace phs::film {
 namespace {
 
-using ::testing::DoubleNear;
 using ::testing::HasSubstr;
 namespace fs = std::filesystem;
 
