@@ -5,6 +5,55 @@
 #include <cmath>
 
 namespace phs::identify::search {
+namespace {
+
+/// Student's 97.5 % quantile: Cornish and Fisher's first two terms in 1/freedom.
+double StudentQuantile(double freedom) {
+  constexpr double z = 1.96;
+  return z + (z * z * z + z) / (4 * freedom) +
+         (5 * std::pow(z, 5) + 16 * z * z * z + 3 * z) / (96 * freedom * freedom);
+}
+
+}  // namespace
+
+std::vector<double> EvenHalfWidths(const Likelihood& likelihood, const BandPowers& powers,
+                                   const Eigen::MatrixXd& slopes) {
+  const Eigen::VectorXd weight = likelihood.Weights(powers);
+  const Eigen::VectorXd deviation = likelihood.Deviations(powers);
+  const auto count = slopes.cols();
+  Eigen::MatrixXd normal = slopes.transpose() * slopes;
+  normal.diagonal().array() += 1e-12 * (normal.trace() + 1e-300);
+  // Rows: by how much each number follows each weighted coefficient.
+  const Eigen::MatrixXd follows = normal.ldlt().solve(slopes.transpose());
+  Eigen::VectorXd variance = Eigen::VectorXd::Zero(count), doubt = variance;
+  Eigen::Index first = 0;
+  for (size_t b = 0; b < likelihood.blocks().size(); ++b) {
+    const OctaveBands& bands = likelihood.bands(b);
+    for (int k = 0; k < bands.num_bands(); ++k) {
+      const Eigen::Index begin = first + bands.begin(k), n = bands.end(k) - bands.begin(k);
+      const double taken =
+          (follows.middleCols(begin, n).transpose().cwiseProduct(slopes.middleRows(begin, n)))
+              .sum();
+      // Mean and slope were taken off what the other coefficients of the last band are made of.
+      const int twice = k + 1 == bands.num_bands() ? 2 : 0;
+      const double there = likelihood.blocks()[b].present * static_cast<double>(n);
+      const double freedom = std::max(1.0, there - twice - taken);
+      const double floor = std::pow(deviation[begin], 2);  // the power itself where it is above
+      const double power = std::max(floor, powers(b, k) * there / freedom);
+      const Eigen::VectorXd part =
+          std::pow(weight[begin], 2) * power * follows.middleCols(begin, n).rowwise().squaredNorm();
+      variance += part;
+      doubt += part.cwiseProduct(part) / freedom;
+    }
+    first += bands.size();
+  }
+  std::vector<double> half;
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const double freedom = doubt[i] > 0 ? variance[i] * variance[i] / doubt[i] : 1e9;
+    half.push_back(StudentQuantile(std::max(3.0, freedom)) * std::sqrt(variance[i]));
+  }
+  return half;
+}
 
 Eigen::VectorXd ClusteredDeviation(const Eigen::MatrixXd& jacobian, const Eigen::VectorXd& residual,
                                    const std::vector<int>& block_of_row, int blocks,
@@ -23,8 +72,7 @@ Eigen::VectorXd ClusteredDeviation(const Eigen::MatrixXd& jacobian, const Eigen:
                            scale.cwiseInverse().asDiagonal();
   normal.diagonal().array() += 1e-12;
   const Eigen::MatrixXd half = normal.ldlt().solve(scores.transpose());
-  // Student's 97.5 % quantile: Cornish and Fisher's first term in 1/freedom.
-  *quantile = 1.96 + (std::pow(1.96, 3) + 1.96) / (4 * freedom);
+  *quantile = StudentQuantile(freedom);
   const double finite = std::sqrt(blocks / freedom);
   return finite * half.rowwise().norm().cwiseQuotient(scale);
 }
@@ -40,21 +88,13 @@ void SetIntervals(const FitProblem& problem, FitResult* result) {
   const Eigen::VectorXd weight = likelihood.Weights(result->powers);
   const Eigen::VectorXd r = weight.cwiseProduct(likelihood.Transform(result->residual));
   const Eigen::MatrixXd slopes = weight.asDiagonal() * result->slopes;
-  // Variance of a weighted coefficient: its weight times its deviation, squared.
-  const Eigen::VectorXd spread = weight.cwiseProduct(likelihood.Deviations(result->powers));
-  const auto count = slopes.cols();
-  Eigen::MatrixXd normal = slopes.transpose() * slopes;
-  normal.diagonal().array() += 1e-12 * (normal.trace() + 1e-300);
-  const Eigen::MatrixXd inverse = normal.ldlt().solve(Eigen::MatrixXd::Identity(count, count));
-  const Eigen::MatrixXd scattered = spread.asDiagonal() * slopes;
-  const Eigen::MatrixXd variance = inverse * (scattered.transpose() * scattered) * inverse;
   double quantile = 0;
   const Eigen::VectorXd clustered =
       ClusteredDeviation(slopes, r, likelihood.Parts(kBlocks), kBlocks, &quantile);
-  for (Eigen::Index i = 0; i < count; ++i) {
-    const double even = 1.96 * std::sqrt(std::max(0.0, variance(i, i)));
-    result->half_95.push_back(clustered.size() > 0 ? std::max(even, quantile * clustered[i])
-                                                   : even);
+  result->half_95 = EvenHalfWidths(likelihood, result->powers, slopes);
+  for (Eigen::Index i = 0; i < clustered.size(); ++i) {
+    double& half = result->half_95[static_cast<size_t>(i)];
+    half = std::max(half, quantile * clustered[i]);
   }
 }
 

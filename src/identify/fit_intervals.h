@@ -9,9 +9,18 @@
 namespace phs::identify::search {
 
 /// Mean squares per channel and half widths of the 95 % intervals from residual, slopes and powers
-/// of a fit: the larger of two, the inverse information of the likelihood, and that of blocks of
-/// the record that disagree (ClusteredDeviation).
+/// of a fit: the larger of two, that of the likelihood (EvenHalfWidths), and that of blocks of the
+/// record that disagree (ClusteredDeviation).
 void SetIntervals(const FitProblem& problem, FitResult* result);
+
+/// Half widths of the 95 % intervals if the likelihood's powers are right. A band's power is told by
+/// its n coefficients, of which the numbers have taken h (the sum of their leverages): it is n/(n - h)
+/// times the mean square that is left, and known with n - h degrees of freedom. A number whose
+/// variance is a sum over bands v_b has (sum v_b)^2 / sum(v_b^2/(n_b - h_b)) of them (Satterthwaite
+/// 1946, Biometrics Bulletin 2, 110), and Student's quantile: what is told by few coefficients, as an
+/// offset by the slowest octave, is less sure. `slopes`: weighted coefficients over numbers.
+std::vector<double> EvenHalfWidths(const Likelihood& likelihood, const BandPowers& powers,
+                                   const Eigen::MatrixXd& slopes);
 
 /// Standard deviations of least-squares estimates whose residuals are correlated and whose model is
 /// not quite right: (J'J)^-1 [sum_b g_b g_b'] (J'J)^-1 with g_b = J_b' r_b the score of block b,

@@ -4,105 +4,15 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <functional>
-#include <random>
 
 #include "base/data_path.h"
 #include "identify/element_data.h"
-#include "identify/element_run.h"
-#include "phs_model/phs_model.h"
+#include "tests/identify/bench_record.h"
 
 namespace phs::identify::element {
 
 using measurement::LoadManifest;
 namespace {
-
-namespace fs = std::filesystem;
-
-struct Sample {
-  double t, x, v, a, p;
-};
-/// Force beside 30 N Coulomb, 60 N s/m viscous, 4 kg and 2 N offset.
-using Hidden = std::function<double(const Sample&)>;
-
-/// What is written of a sample.
-struct Row {
-  double t, x, force, p;
-};
-/// Done to a record before it is written.
-using Tamper = std::function<void(std::vector<Row>*)>;
-
-/// A bench record: mixed sines, pressure that wanders, noise of 0.3 N, correlated over 3 samples.
-class BenchRecord {
- public:
-  BenchRecord(const std::string& name, unsigned seed, const Hidden& hidden,
-              const Tamper& tamper = nullptr, double jitter_s = 0)
-      : folder_(fs::temp_directory_path() / ("phs_element_" + name)) {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-    std::mt19937 random(seed);
-    std::normal_distribution<double> normal;
-    std::ofstream csv(folder_ / "run.csv");
-    csv << "t_s,x_m,force_N,p_Pa\n";
-    csv.precision(12);
-    double noise = 0;
-    std::vector<Row> rows;
-    for (int i = 0; i < 4000; ++i) {
-      const Sample s = At(0.01 * i + jitter_s * std::sin(2.4 * i * i));
-      noise = 0.7 * noise + 0.3 * std::sqrt(1 - 0.49) * normal(random);
-      const double friction = std::tanh(s.v / 2e-4) * 30 + 60 * s.v;
-      const double x = s.x + 2e-7 * normal(random);
-      rows.push_back({s.t, x, 4 * s.a + friction + 2 + hidden(s) + noise, s.p});
-    }
-    if (tamper) tamper(&rows);
-    for (const Row& row : rows) {
-      csv << row.t << ',' << row.x << ',' << row.force << ',' << row.p << '\n';
-    }
-    std::ofstream(folder_ / "manifest.yaml")
-        << "rig: element\nmodel: " << (folder_ / "part.yaml").string()
-        << "\ndata: run.csv\nestimation: [0, 27]\nvalidation: [27, 40]\n";
-    std::ofstream(folder_ / "part.yaml")
-        << "name: part\ncylinders: [{name: \"1\"}]\nfriction: {model: static, curve: coulomb, "
-           "coulomb_extension_N: 22, coulomb_retraction_N: 22, breakaway_extension_N: 22, "
-           "breakaway_retraction_N: 22, viscous_extension_Ns_per_m: 80, "
-           "viscous_retraction_Ns_per_m: 80, ramp_speed_m_s: 5.0e-4}\n"
-           "element: {mass_kg: 5}\n";
-  }
-  ~BenchRecord() { fs::remove_all(folder_); }
-
-  nlohmann::ordered_json Identified() const {
-    const auto manifest = LoadManifest((folder_ / "manifest.yaml").string());
-    EXPECT_TRUE(manifest.ok());
-    auto dir = ResultDir::Create((folder_ / "out").string(), true);
-    EXPECT_TRUE(dir.ok());
-    const auto outcome = RunElementIdentify(manifest.value(), {}, nullptr, dir.value());
-    EXPECT_TRUE(outcome.ok()) << (outcome.ok() ? "" : outcome.error().Line());
-    if (!outcome.ok()) return {};
-    // The corrected model is a model file like any other.
-    const auto params = phs_model::LoadPhsParams(dir.value().File("model.yaml"));
-    EXPECT_TRUE(params.ok()) << (params.ok() ? "" : params.error().Line());
-    EXPECT_TRUE(rigs::RigModel::Create(rigs::RigKind::kElement, params.value()).ok());
-    EXPECT_EQ(params.value().effects.size(), outcome.value().result["effects"].size());
-    return outcome.value().result;
-  }
-  const fs::path& folder() const { return folder_; }
-
- private:
-  static Sample At(double t) {
-    Sample s{t, 0, 0, 0, 0};
-    const double amplitude[] = {0.03, 0.012, 0.004}, w[] = {0.9, 2.3, 5.9};
-    for (int k = 0; k < 3; ++k) {
-      s.x += amplitude[k] * std::sin(w[k] * t + k);
-      s.v += amplitude[k] * w[k] * std::cos(w[k] * t + k);
-      s.a -= amplitude[k] * w[k] * w[k] * std::sin(w[k] * t + k);
-    }
-    s.p = 3e5 + 2e5 * std::sin(0.37 * t) + 5e4 * std::sin(1.7 * t);
-    return s;
-  }
-  fs::path folder_;
-};
 
 std::vector<std::string> Names(const nlohmann::ordered_json& result) {
   std::vector<std::string> names;

@@ -37,7 +37,7 @@ TEST(ThreadBudget, DoesAllOnceAndKeepsTheLimit) {
         }
         // The first to come waits for company, however slow the machine.
         WaitFor([&] { return most > 1; });
-        ++done[static_cast<size_t>(i * kInner + k)];
+        ++done[static_cast<size_t>(i) * kInner + static_cast<size_t>(k)];
         --running;
       });
     });

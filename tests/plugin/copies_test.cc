@@ -125,6 +125,7 @@ TEST_F(CopiesTest, DetachingRestoresTheModelExactly) {
   const mjModel* a = fresh.get();
   const mjModel* b = model_.get();
   ASSERT_EQ(a->nbuffer, b->nbuffer);
+  // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison): the bytes themselves are meant
   EXPECT_EQ(std::memcmp(&a->opt, &b->opt, sizeof a->opt), 0);
   EXPECT_EQ(std::memcmp(a->dof_damping, b->dof_damping, sizeof(mjtNum) * a->nv), 0);
   EXPECT_EQ(std::memcmp(a->tuple_objprm, b->tuple_objprm, sizeof(mjtNum) * a->ntupledata), 0);

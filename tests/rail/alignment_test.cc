@@ -8,11 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "phs_model/phs_model.h"
-
 namespace phs::rail {
-
-using phs_model::Failure;
 namespace {
 
 using ::testing::HasSubstr;

@@ -1,0 +1,80 @@
+// Intervals against drawn noise: how often do they hold the truth?
+#include "identify/fit_intervals.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <cmath>
+#include <random>
+
+namespace phs::identify::search {
+namespace {
+
+constexpr int kRows = 2000, kNumbers = 5;
+
+/// An offset and slow waves, which a few coefficients of the slowest octaves tell.
+Eigen::MatrixXd SlowColumns() {
+  Eigen::MatrixXd columns(kRows, kNumbers);
+  for (int i = 0; i < kRows; ++i) {
+    const double t = static_cast<double>(i) / kRows;
+    columns.row(i) << 1, std::sin(2 * M_PI * 4.2 * t), std::cos(2 * M_PI * 4.2 * t),
+        std::sin(2 * M_PI * 11 * t), std::cos(2 * M_PI * 26 * t);
+  }
+  return columns;
+}
+
+/// Remembers three samples; seven times what its differences alone would say at slow frequencies.
+Eigen::VectorXd ColouredNoise(std::mt19937* random) {
+  std::normal_distribution<double> normal;
+  Eigen::VectorXd noise(kRows);
+  double at = normal(*random);
+  for (double& x : noise) x = at = 0.7 * at + std::sqrt(1 - 0.49) * normal(*random);
+  return noise / 0.5;
+}
+
+/// Shares of 95 % intervals that hold the truth (0) in fits whose powers are found with the numbers.
+struct Shares {
+  double held = 0;
+  double by_information =
+      0;  ///< 1.96 deviations of the inverse information, the powers as they are
+};
+
+Shares Coverage(int draws) {
+  const Likelihood likelihood({{0, kRows, 1.0}}, 0.1);
+  const Eigen::MatrixXd columns = likelihood.Transform(SlowColumns());
+  std::mt19937 random(4);
+  Shares shares;
+  for (int draw = 0; draw < draws; ++draw) {
+    const Eigen::VectorXd y = likelihood.Transform(ColouredNoise(&random));
+    Eigen::VectorXd numbers = Eigen::VectorXd::Zero(kNumbers);
+    BandPowers powers = likelihood.Powers(y);
+    Eigen::MatrixXd slopes;
+    for (int round = 0; round < 8; ++round) {
+      const Eigen::VectorXd weight = likelihood.Weights(powers);
+      slopes = weight.asDiagonal() * columns;
+      numbers =
+          (slopes.transpose() * slopes).ldlt().solve(slopes.transpose() * weight.cwiseProduct(y));
+      powers = likelihood.Powers(y - columns * numbers);
+    }
+    const std::vector<double> half = EvenHalfWidths(likelihood, powers, slopes);
+    const Eigen::MatrixXd variance = (slopes.transpose() * slopes).inverse();
+    for (int k = 0; k < kNumbers; ++k) {
+      const double off = std::abs(numbers[k]), one = 1.0 / (draws * kNumbers);
+      if (off <= half[static_cast<size_t>(k)]) shares.held += one;
+      if (off <= 1.96 * std::sqrt(variance(k, k))) shares.by_information += one;
+    }
+  }
+  return shares;
+}
+
+/// Two thousand intervals. Not quite 95 %: within an octave the noise is not quite even.
+TEST(FitIntervals, HoldTheTruthWhereFewCoefficientsTell) {
+  const Shares shares = Coverage(400);
+  EXPECT_GT(shares.held, 0.92);
+  EXPECT_LT(shares.held, 0.97);
+  EXPECT_LT(shares.by_information, 0.88);
+}
+
+}  // namespace
+}  // namespace phs::identify::search
