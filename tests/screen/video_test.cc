@@ -122,7 +122,7 @@ TEST_F(VideoTest, SeveralBogiesStandBesideEachOther) {
   size_t differ = 0;
   for (int y = 60; y < 300; ++y) {
     for (int x = 0; x < 320; ++x) {
-      const size_t a = static_cast<size_t>(3 * (640 * y + x));
+      const size_t a = 3 * (640 * static_cast<size_t>(y) + static_cast<size_t>(x));
       differ += std::abs(png.rgb[a] - png.rgb[a + 960]) > 30 ? 1 : 0;
     }
   }
