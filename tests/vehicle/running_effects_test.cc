@@ -4,22 +4,17 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <filesystem>
 #include <fstream>
 
 #include "base/data_path.h"
-#include "phs_model/phs_model.h"
 #include "tests/base/scratch_dir.h"
 #include "vehicle/scenario_file.h"
 #include "vehicle/simulation.h"
 #include "vehicle/summary.h"
 
 namespace phs::vehicle {
-
-using phs_model::AddEffect;
 namespace {
 
-namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 using testing::HasSubstr;
 
