@@ -28,7 +28,6 @@ void AddGas(const std::string& prefix, const std::string& shell, const std::stri
 }
 
 bool ByCoulomb(const PhsParams& p) { return p.friction.curve == FrictionCurve::kCoulomb; }
-bool ByGasSpring(const PhsParams& p) { return p.element.gas_force_N > 0; }
 
 std::vector<NumberRow<CylinderParams>> CylinderRows() {
   return {
@@ -157,14 +156,14 @@ std::vector<NumberRow<PhsParams>> WholeRows() {
       {{"element.gas_force_N", "N", Within(0, 1e8), 0, 1e5,
         "gas spring: its pressure at x = 0 times its area; what it pushes there is in `offset_N`"},
        [](PhsParams& p) -> double& { return p.element.gas_force_N; },
-       &ByGasSpring},
+       [](const PhsParams& p) { return p.element.gas_force_N != 0; }},
       {{"element.gas_length_m", "m", Within(-100, 100), -1, 1,
         "gas spring: its volume at x = 0 over its area, not 0; below 0: x < 0 compresses it"},
        [](PhsParams& p) -> double& { return p.element.gas_length_m; },
-       &ByGasSpring},
-      {{"element.gas_exponent", "-", Within(1, 2), 1, 1.67, "1 isothermal … 1.4 adiabatic"},
+       [](const PhsParams& p) { return p.element.gas_length_m != ElementParams().gas_length_m; }},
+      {{"element.gas_exponent", "-", Within(0.9, 2), 1, 1.67, "1 isothermal … 1.4 adiabatic"},
        [](PhsParams& p) -> double& { return p.element.gas_exponent; },
-       &ByGasSpring},
+       [](const PhsParams& p) { return p.element.gas_exponent != ElementParams().gas_exponent; }},
       {{"element.pressure_area_m2", "m2", Within(-10, 10), -0.1, 0.1,
         "on which the bench's pressure acts"},
        [](PhsParams& p) -> double& { return p.element.pressure_area_m2; }},
