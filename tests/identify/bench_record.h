@@ -38,6 +38,24 @@ struct Row {
 /// Done to a record before it is written.
 using Tamper = std::function<void(std::vector<Row>*)>;
 
+/// What `phs identify` says of FOLDER/manifest.yaml; empty, and a failure noted, where it says nothing.
+inline nlohmann::ordered_json IdentifiedIn(const fs::path& folder) {
+  const auto manifest = measurement::LoadManifest((folder / "manifest.yaml").string());
+  EXPECT_TRUE(manifest.ok()) << (manifest.ok() ? "" : manifest.error().Line());
+  if (!manifest.ok()) return {};
+  auto dir = ResultDir::Create((folder / "out").string(), true);
+  EXPECT_TRUE(dir.ok());
+  const auto outcome = RunElementIdentify(manifest.value(), {}, nullptr, dir.value());
+  EXPECT_TRUE(outcome.ok()) << (outcome.ok() ? "" : outcome.error().Line());
+  if (!outcome.ok()) return {};
+  // The corrected model is a model file like any other.
+  const auto params = phs_model::LoadPhsParams(dir.value().File("model.yaml"));
+  EXPECT_TRUE(params.ok()) << (params.ok() ? "" : params.error().Line());
+  EXPECT_TRUE(rigs::RigModel::Create(rigs::RigKind::kElement, params.value()).ok());
+  EXPECT_EQ(params.value().effects.size(), outcome.value().result["effects"].size());
+  return outcome.value().result;
+}
+
 /// A bench record: mixed sines, pressure that wanders, noise of 0.3 N, correlated over 3 samples.
 class BenchRecord {
  public:
@@ -79,21 +97,7 @@ class BenchRecord {
   }
   ~BenchRecord() { fs::remove_all(folder_); }
 
-  nlohmann::ordered_json Identified() const {
-    const auto manifest = measurement::LoadManifest((folder_ / "manifest.yaml").string());
-    EXPECT_TRUE(manifest.ok());
-    auto dir = ResultDir::Create((folder_ / "out").string(), true);
-    EXPECT_TRUE(dir.ok());
-    const auto outcome = RunElementIdentify(manifest.value(), {}, nullptr, dir.value());
-    EXPECT_TRUE(outcome.ok()) << (outcome.ok() ? "" : outcome.error().Line());
-    if (!outcome.ok()) return {};
-    // The corrected model is a model file like any other.
-    const auto params = phs_model::LoadPhsParams(dir.value().File("model.yaml"));
-    EXPECT_TRUE(params.ok()) << (params.ok() ? "" : params.error().Line());
-    EXPECT_TRUE(rigs::RigModel::Create(rigs::RigKind::kElement, params.value()).ok());
-    EXPECT_EQ(params.value().effects.size(), outcome.value().result["effects"].size());
-    return outcome.value().result;
-  }
+  nlohmann::ordered_json Identified() const { return IdentifiedIn(folder_); }
   const fs::path& folder() const { return folder_; }
 
  private:

@@ -8,13 +8,10 @@
 #include <fstream>
 #include <random>
 
-#include "identify/element_run.h"
-#include "measurement/manifest.h"
+#include "tests/identify/bench_record.h"
 
 namespace phs::identify::element {
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr double kGasForce_N = 600, kExponent = 1.3;
 constexpr double kHardening_N_per_m3 = 2e6, kQuadratic_Ns2_per_m2 = 900, kCoulomb_N = 12;
@@ -59,13 +56,7 @@ TEST(BenchSprings, GasHardeningAndQuadraticDampingOfAStrutAreFittedWithin2Percen
   const fs::path folder = fs::temp_directory_path() / ("phs_strut_" + std::to_string(::getpid()));
   fs::create_directories(folder);
   WriteRecord(folder);
-  const auto manifest = measurement::LoadManifest((folder / "manifest.yaml").string());
-  ASSERT_TRUE(manifest.ok()) << manifest.error().Line();
-  auto dir = ResultDir::Create((folder / "out").string(), true);
-  ASSERT_TRUE(dir.ok());
-  const auto outcome = RunElementIdentify(manifest.value(), {}, nullptr, dir.value());
-  ASSERT_TRUE(outcome.ok()) << outcome.error().Line();
-  const auto& r = outcome.value().result;
+  const nlohmann::ordered_json r = IdentifiedIn(folder);
   EXPECT_TRUE(r["effects"].empty()) << r["effects"].dump(1);
   EXPECT_EQ(r["verdict"], "sufficient") << r["reasons"].dump();
   const auto expect_near = [&](const char* name, double truth) {

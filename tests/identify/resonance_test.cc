@@ -9,14 +9,11 @@
 #include <fstream>
 #include <random>
 
-#include "identify/element_run.h"
-#include "measurement/manifest.h"
 #include "rigs/rig.h"
+#include "tests/identify/bench_record.h"
 
 namespace phs::identify::element {
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr double kRate_Hz = 500, kEnd_s = 40;
 constexpr double kMass_kg = 4, kViscous_Ns_per_m = 60;
@@ -58,13 +55,7 @@ TEST(Resonance, AtANinthOfTheSamplingRateIsIdentifiedWithin2Percent) {
       fs::temp_directory_path() / ("phs_resonance_" + std::to_string(::getpid()));
   fs::create_directories(folder);
   WriteRecord(folder);
-  const auto manifest = measurement::LoadManifest((folder / "manifest.yaml").string());
-  ASSERT_TRUE(manifest.ok()) << manifest.error().Line();
-  auto dir = ResultDir::Create((folder / "out").string(), true);
-  ASSERT_TRUE(dir.ok());
-  const auto outcome = RunElementIdentify(manifest.value(), {}, nullptr, dir.value());
-  ASSERT_TRUE(outcome.ok()) << outcome.error().Line();
-  const auto& r = outcome.value().result;
+  const nlohmann::ordered_json r = IdentifiedIn(folder);
   EXPECT_TRUE(r["effects"].empty()) << r["effects"].dump(1);
   const auto value = [&](const char* name) { return r["fitted"][name]["value"].get<double>(); };
   EXPECT_NEAR(value("element.mass_kg"), kMass_kg, 0.02 * kMass_kg) << r["fitted"].dump(1);
