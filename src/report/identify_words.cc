@@ -204,12 +204,16 @@ std::vector<std::string> NextTests(const IdentifyResults& results) {
         "Mend what the reasons name, in the record or in the declared numbers, and identify "
         "again.");
   }
+  const bool found = !results.all.value("effects", json::array()).empty();
   if (tests.empty()) {
-    tests.push_back(
-        "Repeat the run on another day and score the corrected model on it without any "
-        "fit: an effect that is real stays.");
+    tests.push_back(found
+                        ? "Repeat the run on another day and score the corrected model on it "
+                          "without any fit: an effect that is real stays."
+                        : "Repeat the run on another day and score model.yaml, the declared model "
+                          "with its fitted numbers, on it without any fit (phs rig): it should err "
+                          "no more there.");
   }
-  if (described) {
+  if (described && found) {
     tests.push_back(
         "Put model.yaml into the bogie (phs compare) to see what the found effects mean "
         "in a curve.");

@@ -54,6 +54,10 @@ TEST_F(IdentifyReport, NothingFoundIsSaidPlainly) {
   EXPECT_TRUE(Holds(html, "No missing effect is supported by the data"));
   EXPECT_TRUE(Holds(html, "No effect was accepted"));
   EXPECT_TRUE(Lacks(html, "The declared model lacks"));
+  // What to do next speaks of no effect either.
+  EXPECT_TRUE(Holds(html, "the declared model with its fitted numbers"));
+  EXPECT_TRUE(Lacks(html, "an effect that is real"));
+  EXPECT_TRUE(Lacks(html, "the found effects"));
 }
 
 TEST_F(IdentifyReport, AnEffectOnNoListStandsWithItsFormulaAndPlace) {
