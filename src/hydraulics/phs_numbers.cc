@@ -154,7 +154,8 @@ std::vector<NumberRow<PhsParams>> WholeRows() {
        [](PhsParams& p) -> double& { return p.element.quadratic_damping_Ns2_per_m2; },
        [](const PhsParams& p) { return p.element.quadratic_damping_Ns2_per_m2 != 0; }},
       {{"element.gas_force_N", "N", Within(0, 1e8), 0, 1e5,
-        "gas spring: its pressure at x = 0 times its area; what it pushes there is in `offset_N`"},
+        "gas spring: its absolute pressure at x = 0 times its area; what it pushes there is in "
+        "`offset_N`"},
        [](PhsParams& p) -> double& { return p.element.gas_force_N; },
        [](const PhsParams& p) { return p.element.gas_force_N != 0; }},
       {{"element.gas_length_m", "m", Within(-100, 100), -1, 1,

@@ -114,7 +114,7 @@ struct ElementParams {
   double stiffness_N_per_m = 0;
   double hardening_N_per_m3 = 0;
   double quadratic_damping_Ns2_per_m2 = 0;
-  double gas_force_N = 0;       ///< pressure at x = 0 times its area; 0: no gas spring
+  double gas_force_N = 0;       ///< absolute pressure at x = 0 times its area; 0: none
   double gas_length_m = 0.1;    ///< volume at x = 0 over area, not 0; > 0: x > 0 compresses
   double gas_exponent = 1;      ///< 1 isothermal … 1.4 adiabatic
   double pressure_area_m2 = 0;  ///< on which the bench's pressure channel acts

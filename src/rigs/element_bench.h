@@ -4,7 +4,7 @@
 //      x                 y                              + A p + offset + friction(y, y', p, T, …) + loads
 //
 // m, k, k3, d, gas, A, offset: ElementParams. Gas spring: a gas of volume V0 at x = 0, p V^n constant, that x
-// compresses by its area a, V = V0 - a x. With F0 = p0 a and L = V0/a (below 0 where x < 0 compresses)
+// compresses by its area a, V = V0 - a x. With F0 = p0 a (p absolute) and L = V0/a (below 0 where x < 0 compresses)
 //   gas(x) = sign(L) F0 [(1 - x/L)^-n - 1],
 // 0 at x = 0, stiffness n F0/|L| there. Beyond 0.99 L it stays as it is: nobody compresses gas a hundredfold.
 // Mount: play and spring of the mount laws, friction behind them,

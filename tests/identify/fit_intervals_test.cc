@@ -36,8 +36,8 @@ Eigen::VectorXd ColouredNoise(std::mt19937* random) {
 /// Shares of 95 % intervals that hold the truth (0) in fits whose powers are found with the numbers.
 struct Shares {
   double held = 0;
-  double by_information =
-      0;  ///< 1.96 deviations of the inverse information, the powers as they are
+  /// 1.96 deviations of the inverse information, the powers as they are.
+  double by_information = 0;
 };
 
 Shares Coverage(int draws) {
