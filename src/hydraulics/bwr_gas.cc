@@ -5,7 +5,7 @@
 namespace phs::hydraulics {
 namespace {
 
-double CalcDensity(double pressure, double T) { return CalcBwrDensity(pressure, T); }
+double CalcRealDensity(double pressure, double T) { return CalcBwrDensity(pressure, T); }
 
 GasState CalcVolume(const GasVolume& gas, double pressure, double T, double solved_volume) {
   // A closed blow-off is the usual case: no need for the root.
@@ -45,7 +45,7 @@ GasPressure CalcOfDensity(double density, double T) {
 const GasLaw kBwrGas = {.name = "bwr",
                         .text = "real gas after Benedict, Webb and Rubin with an energy equation",
                         .follows_boyle = false,
-                        .density = CalcDensity,
+                        .density = CalcRealDensity,
                         .volume = CalcVolume,
                         .pressure = CalcPressure,
                         .energy = CalcEnergy,

@@ -99,7 +99,8 @@ bool TwoStages(const CompiledPhs& sys, double time, double h, const Instant& sta
                const StepSpeeds& speeds, const double* state, double* rate) {
   const int count = sys.num_states(), first = sys.first_slow;
   const double a = kGamma * h;
-  double u[kMaxStates], base[kMaxStates] = {}, F1[kMaxStates], F2[kMaxStates];
+  double u[kMaxStates], base[kMaxStates], F1[kMaxStates], F2[kMaxStates];
+  std::fill(base, base + first, 0.0);
   // First guess: what flows and warms now goes on; flows with inertance may change within less.
   SlowMatrix ignored(count);
   CalcDerivative(sys, time, start, speeds.mean, state, F1, &ignored);

@@ -56,13 +56,17 @@ double CalcFlow(const FlowLaw& law, const FlowPlace& at, double dp, const double
 }
 
 void CalcDropSlopes(const CompiledPhs& sys, const Instant& at, PathSlopes* slopes) {
+  double give[kMaxNodes];  // of a node's pressure to a volume that enters
+  for (size_t n = 0; n < sys.nodes.size(); ++n) {
+    give[n] = 1 / (at.node[n].slope + slopes->heat[n]);
+  }
   for (size_t k = 0; k < sys.paths.size(); ++k) {
     const Path& path = sys.paths[k];
     for (size_t l = 0; l < sys.paths.size(); ++l) {
       const Path& other = sys.paths[l];
       auto rise = [&](int node) {  // of its pressure with the volume that the other lets pass
         if (node == kOpen || (node != other.to && node != other.from)) return 0.0;
-        return (node == other.to ? 1 : -1) / (at.node[node].slope + slopes->heat[node]);
+        return node == other.to ? give[node] : -give[node];
       };
       slopes->drop[k][l] = rise(path.from) - rise(path.to);
     }

@@ -20,11 +20,16 @@ namespace phs::hydraulics {
 /// Free air always assumed, as a share of the oil volume at atmospheric pressure.
 inline constexpr double kTraceAir = 1e-6;
 
+/// Gas volumes of a node: three parts each of a reservoir and of an accumulator.
+inline constexpr int kMostGases = 6;
+
 /// A compiled gas volume of a node.
 struct NodeGas {
   GasVolume gas;
   double static_volume = 0;  ///< gas volume in the static state [m3]
   bool blow_off = false;     ///< an accumulator: closed below its precharge
+  double boyle = 0;          ///< p V at the reference temperature [J]; set by Prepare
+  double boyle_at_p0 = 0;    ///< its volume at the static pressure [m3]; set by Prepare
   int state = -1;            ///< index of its temperature state, or -1
   int wall_state = -1;       ///< of the state of its wall's temperature, or -1
 };
@@ -51,6 +56,7 @@ struct Node {
   std::vector<NodeLaw> laws;
   bool sequential = false;
   double law_compliance = 0;  ///< of the laws at p0 [m3/Pa], for the guess; set by Prepare
+  double air_at_p0 = 0;       ///< volume of the free air at p0 [m3]; set by Prepare
   bool closed_form = false;   ///< set by Prepare
   bool real_gas = false;      ///< set by Prepare: the first gas is a reservoir by density
 

@@ -18,11 +18,10 @@ double CalcNodeRates(const Node& node, const NodeState& at, double ambient, doub
   bool any = false;
   for (const NodeGas& g : node.gases) any |= g.state >= 0;
   if (!any) return at.slope;
-  constexpr int kMost = 6;  // three parts each of a reservoir and of an accumulator
-  GasState gas[kMost];
-  GasHeat heat[kMost];
+  GasState gas[kMostGases];
+  GasHeat heat[kMostGases];
   double stiff = at.slope, driven = inflow;
-  const int count = std::min<int>(static_cast<int>(node.gases.size()), kMost);
+  const int count = std::min<int>(static_cast<int>(node.gases.size()), kMostGases);
   for (int k = 0; k < count; ++k) {
     const NodeGas& g = node.gases[k];
     if (g.state < 0) continue;

@@ -8,27 +8,27 @@
 namespace phs::hydraulics {
 namespace {
 
-constexpr double kColdest = 253.15, kWarmest = 373.15;
+constexpr double kColdestOil = 253.15, kWarmestOil = 373.15;
 
 double DoubleLog(double nu_mm2_s) { return std::log10(std::log10(nu_mm2_s + 0.7)); }
 
 }  // namespace
 
 double CalcKinematicViscosity(double temperature_K, const OilParams& oil) {
-  const double T = std::clamp(temperature_K, kColdest, kWarmest);
+  const double T = std::clamp(temperature_K, kColdestOil, kWarmestOil);
   const double x40 = std::log10(313.15), x100 = std::log10(373.15);
   const double y40 = DoubleLog(oil.viscosity_40C_mm2_s), y100 = DoubleLog(oil.viscosity_100C_mm2_s);
   const double y = y40 + (y100 - y40) * (std::log10(T) - x40) / (x100 - x40);
   return (std::pow(10.0, std::pow(10.0, y)) - 0.7) * 1e-6;
 }
 
-double CalcDensity(double temperature_K, const OilParams& oil) {
-  const double T = std::clamp(temperature_K, kColdest, kWarmest);
+double CalcOilDensity(double temperature_K, const OilParams& oil) {
+  const double T = std::clamp(temperature_K, kColdestOil, kWarmestOil);
   return oil.density_15C_kg_m3 / (1 + oil.expansion_1_per_K * (T - 288.15));
 }
 
 double CalcDynamicViscosity(double temperature_K, const OilParams& oil) {
-  return CalcKinematicViscosity(temperature_K, oil) * CalcDensity(temperature_K, oil);
+  return CalcKinematicViscosity(temperature_K, oil) * CalcOilDensity(temperature_K, oil);
 }
 
 double CalcViscosityRatio(double temperature_K, const OilParams& oil) {

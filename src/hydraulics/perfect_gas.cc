@@ -5,7 +5,7 @@
 namespace phs::hydraulics {
 namespace {
 
-double CalcDensity(double pressure, double T) { return pressure / (kNitrogenR * T); }
+double CalcPerfectDensity(double pressure, double T) { return pressure / (kNitrogenR * T); }
 
 GasState CalcBoyleVolume(const GasVolume& gas, double pressure, double T, double) {
   const double ratio = T / gas.reference_temperature;
@@ -58,7 +58,7 @@ GasCapacity CalcIdealCapacity(const GasVolume& gas, double volume, double) {
 const GasLaw kIsothermalGas = {.name = "isothermal",
                                .text = "perfect gas at the temperature of the surroundings",
                                .follows_boyle = true,
-                               .density = CalcDensity,
+                               .density = CalcPerfectDensity,
                                .volume = CalcBoyleVolume,
                                .pressure = CalcBoylePressure,
                                .energy = CalcIsothermalEnergy};
@@ -66,7 +66,7 @@ const GasLaw kIsothermalGas = {.name = "isothermal",
 const GasLaw kPolytropicGas = {.name = "polytropic",
                                .text = "perfect gas with a fixed exponent",
                                .follows_boyle = false,
-                               .density = CalcDensity,
+                               .density = CalcPerfectDensity,
                                .volume = CalcPolytropicVolume,
                                .pressure = CalcPolytropicPressure,
                                .energy = CalcPolytropicEnergy};
@@ -74,7 +74,7 @@ const GasLaw kPolytropicGas = {.name = "polytropic",
 const GasLaw kIdealGas = {.name = "ideal",
                           .text = "perfect gas with an energy equation",
                           .follows_boyle = true,
-                          .density = CalcDensity,
+                          .density = CalcPerfectDensity,
                           .volume = CalcBoyleVolume,
                           .pressure = CalcBoylePressure,
                           .energy = CalcIdealEnergy,

@@ -279,11 +279,13 @@ void PhsSystem::CalcStateRateAt(const Instant& at, double h, const double* x, co
 }
 
 void PhsSystem::CalcHydraulics(double time, double h, const double* x, const StepSpeeds& v,
-                               const double* state, double* rate, double* p_bore,
+                               const double* state, Instant* instant, double* rate, double* p_bore,
                                double* p_rod) const noexcept {
   const CompiledPhs& sys = *impl_;
-  Instant at;
-  SolveInstant(sys, time, x, state, &at);
+  Instant& at = *instant;
+  PlacePistons(sys, time, x, state, &at);
+  sys.CalcPushed(state, &at);
+  sys.SolveNodes(state, &at, &at);
   for (size_t i = 0; i < sys.cylinders.size(); ++i) {
     p_bore[i] = sys.Pressure(at, sys.cylinders[i].bore);
     p_rod[i] = sys.Pressure(at, sys.cylinders[i].rod);

@@ -70,9 +70,10 @@ class PhsSystem {
                        const double* before = nullptr) const noexcept;
   /// Without yielding mountings the pressures follow from the motion alone, whatever the friction:
   /// chamber pressures at an instant [Pa, absolute; per cylinder] and mean rates of the hydraulic
-  /// states over the coming step h; other rates are left as they are.
+  /// states over the coming step h; other rates are left as they are. `instant`: of the step before,
+  /// or as made; gets that of this step's start.
   void CalcHydraulics(double time, double h, const double* x, const StepSpeeds& v,
-                      const double* state, double* rate, double* p_bore,
+                      const double* state, Instant* instant, double* rate, double* p_bore,
                       double* p_rod) const noexcept;
   /// Calc where the chamber pressures are known; of `out` all but the line pressures and energies
   /// (out->energy is set to false).

@@ -59,7 +59,7 @@ NodeState SolveSequential(const Node& node, double D, double ambient,
     p = 1e3 * std::exp(std::max((p - 1e3) / 1e3, -60.0));
     out.slope = C * 1e3 / p;
   }
-  out.p = p;
+  out.p = p, out.pushed = D;
   if (!(out.slope > 0)) out.slope = C;
   return out;
 }

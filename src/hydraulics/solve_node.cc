@@ -20,42 +20,66 @@ double OilVolume(const Node& node, double p, double ambient, double* slope) {
   return oil / node.bulk_slope * std::log(beta / node.bulk_modulus);
 }
 
-// The isothermal balance in q = p - p0:  C q² + (C p0 + S/p0 - D) q - D p0 = 0, so that D = 0 gives
-// exactly q = 0. `with_blow_off`: accumulators open. Temperature enters as a factor on S.
-double ClosedFormRise(const Node& node, double D, double ambient, const double* state,
-                      bool with_blow_off) {
-  const double C = node.Compliance(ambient) + node.law_compliance;
-  double S = node.air, pushed = D;
-  for (const NodeGas& g : node.gases) {
-    if (g.blow_off && !with_blow_off) continue;
-    const double warm = GasTemperature(g, ambient, state) / g.gas.reference_temperature;
-    const double pV = g.gas.reference_pressure * g.gas.reference_volume * warm;
-    S += pV;
-    pushed -= g.static_volume - pV / node.p0;
-  }
-  const double B = C * node.p0 + S / node.p0 - pushed;
-  const double root = std::sqrt(std::max(B * B + 4 * C * pushed * node.p0, 0.0));
-  return B > 0 ? 2 * pushed * node.p0 / (B + root) : (root - B) / (2 * C);
+// p V = p0 V0 T/T0 of a gas at its temperature.
+struct BoyleGas {
+  double pV = 0;     // [J]
+  double at_p0 = 0;  // its volume at the node's static pressure [m3]
+};
+
+BoyleGas CalcBoyle(const NodeGas& g, double ambient, const double* state) {
+  const double T = GasTemperature(g, ambient, state);
+  if (T == g.gas.reference_temperature) return {g.boyle, g.boyle_at_p0};
+  const double warm = T / g.gas.reference_temperature;
+  return {warm * g.boyle, warm * g.boyle_at_p0};
 }
 
-// True where the closed form is exact at p: no diaphragm on a stop that the form does not know.
-bool ClosedFormHolds(const Node& node, double p, double ambient, const double* state) {
-  for (const NodeGas& g : node.gases) {
-    const double warm = GasTemperature(g, ambient, state) / g.gas.reference_temperature;
-    const double volume = g.gas.reference_pressure * g.gas.reference_volume * warm / p;
-    if (volume < g.gas.min_volume) return false;
-    if (!g.blow_off && volume > g.gas.max_volume) return false;
-  }
-  return true;
+struct BoyleState {
+  double p = 0;       // [Pa]
+  double pV = 0;      // of the air and of all gases that give way at p [J]
+  bool holds = true;  // exact at p: no diaphragm on a stop that the form does not know
+};
+
+// The isothermal balance in q = p - p0:  C q² + (C p0 + V - D) q - D p0 = 0, so that D = 0 gives
+// exactly q = 0. V: sum p V/p0, what air and gases hold at p0; D less their static volumes beyond
+// that. Temperature enters as a factor on p V.
+double ClosedFormRise(double p0, double compliance, double at_p0, double pushed) {
+  const double B = compliance * p0 + at_p0 - pushed;
+  const double root = std::sqrt(std::max(B * B + 4 * compliance * pushed * p0, 0.0));
+  return B > 0 ? 2 * pushed * p0 / (B + root) : (root - B) / (2 * compliance);
 }
 
-bool OpensBlowOff(const Node& node, double p, double ambient, const double* state) {
-  for (const NodeGas& g : node.gases) {
-    if (!g.blow_off) continue;
-    const double warm = GasTemperature(g, ambient, state) / g.gas.reference_temperature;
-    if (p > g.gas.reference_pressure * warm) return true;
+// The isothermal balance solved: accumulators are open if a pressure without them would open one.
+BoyleState SolveBoyle(const Node& node, double D, double ambient, const double* state) {
+  BoyleGas gases[kMostGases];
+  const size_t count = std::min<size_t>(node.gases.size(), kMostGases);
+  double pV = node.air, at_p0 = node.air_at_p0, pushed = D;
+  const auto take = [&](bool blow_off) {
+    for (size_t k = 0; k < count; ++k) {
+      const NodeGas& g = node.gases[k];
+      if (g.blow_off != blow_off) continue;
+      pV += gases[k].pV, at_p0 += gases[k].at_p0, pushed += gases[k].at_p0 - g.static_volume;
+    }
+  };
+  for (size_t k = 0; k < count; ++k) gases[k] = CalcBoyle(node.gases[k], ambient, state);
+  take(false);
+  const double compliance = node.Compliance(ambient) + node.law_compliance;
+  double p = node.p0 + ClosedFormRise(node.p0, compliance, at_p0, pushed);
+  bool opens = false;
+  for (size_t k = 0; k < count; ++k) {
+    const NodeGas& g = node.gases[k];
+    opens |= g.blow_off && p * g.gas.reference_volume > gases[k].pV;
   }
-  return false;
+  if (opens) {
+    take(true);
+    p = node.p0 + ClosedFormRise(node.p0, compliance, at_p0, pushed);
+  }
+  bool holds = true;
+  for (size_t k = 0; k < count; ++k) {
+    const GasVolume& gas = node.gases[k].gas;
+    if (gases[k].pV < gas.min_volume * p) holds = false;
+    if (!node.gases[k].blow_off && gases[k].pV > gas.max_volume * p) holds = false;
+  }
+  return {p, pV, holds};
 }
 
 // Newton's method on a rising function inside a bracket that is grown first; a step that leaves the
@@ -77,7 +101,7 @@ NodeState NewtonNode(const Node& node, double D, double ambient, const double* s
     p = next;
     if (move <= (inside ? 1e-9 : 4e-15) * p || p < 1e-12 || p > 1e15) break;
   }
-  out.p = p;
+  out.p = p, out.pushed = D;
   return out;
 }
 
@@ -94,6 +118,11 @@ void Node::Prepare() {
   double volume = 0;
   law_compliance = 0;
   for (const NodeLaw& l : laws) l.law->Add(p0, 0, &volume, &law_compliance);
+  for (NodeGas& g : gases) {
+    g.boyle = g.gas.reference_pressure * g.gas.reference_volume;
+    g.boyle_at_p0 = g.boyle / p0;
+  }
+  air_at_p0 = air / p0;
   real_gas = !gases.empty() && !gases[0].blow_off && gases[0].gas.law->of_density != nullptr &&
              gases.size() - blow_offs == 1 && bulk_slope == 0 && !sequential;
 }
@@ -101,7 +130,7 @@ void Node::Prepare() {
 double CalcAbsorbed(const Node& node, double p, double ambient, const double* state,
                     double* slope) noexcept {
   double volume = OilVolume(node, p, ambient, slope);
-  volume += node.air * (1 / node.p0 - 1 / p);
+  volume += node.air_at_p0 - node.air / p;
   *slope += node.air / (p * p);
   for (const NodeGas& g : node.gases) {
     const GasState at = CalcGas(g.gas, p, GasTemperature(g, ambient, state));
@@ -112,42 +141,21 @@ double CalcAbsorbed(const Node& node, double p, double ambient, const double* st
   return volume;
 }
 
-namespace {
-
-NodeState Solve(const Node& node, double D, double ambient, const double* state,
-                const NodeState* near) {
+NodeState SolveNode(const Node& node, double D, double ambient, const double* state,
+                    const NodeState* near) noexcept {
   if (node.sequential) return SolveSequential(node, D, ambient, state);
   if (near != nullptr && near->slope > 0 && !node.closed_form && !node.real_gas) {
     const double guess = near->p + (D - near->pushed) / near->slope;
     if (guess > 0.1 * near->p) return NewtonNode(node, D, ambient, state, guess);
   }
-  double p = node.p0 + ClosedFormRise(node, D, ambient, state, false);
-  bool open = OpensBlowOff(node, p, ambient, state);
-  if (open) p = node.p0 + ClosedFormRise(node, D, ambient, state, true);
-  NodeState real;
-  if (node.real_gas && SolveRealGasNode(node, D, ambient, state, p, &real)) return real;
-  if (!node.closed_form || !ClosedFormHolds(node, p, ambient, state)) {
-    return NewtonNode(node, D, ambient, state, p);
+  const BoyleState boyle = SolveBoyle(node, D, ambient, state);
+  if (node.real_gas) {
+    NodeState real;
+    real.pushed = D;
+    if (SolveRealGasNode(node, D, ambient, state, boyle.p, &real)) return real;
   }
-  NodeState out;
-  out.p = p;
-  double S = node.air;
-  for (const NodeGas& g : node.gases) {
-    if (g.blow_off && !open) continue;
-    S += g.gas.reference_pressure * g.gas.reference_volume * GasTemperature(g, ambient, state) /
-         g.gas.reference_temperature;
-  }
-  out.slope = node.Compliance(ambient) + S / (p * p);
-  return out;
-}
-
-}  // namespace
-
-NodeState SolveNode(const Node& node, double D, double ambient, const double* state,
-                    const NodeState* near) noexcept {
-  NodeState out = Solve(node, D, ambient, state, near);
-  out.pushed = D;
-  return out;
+  if (!node.closed_form || !boyle.holds) return NewtonNode(node, D, ambient, state, boyle.p);
+  return {boyle.p, node.Compliance(ambient) + boyle.pV / (boyle.p * boyle.p), D, 0};
 }
 
 NodeState StepNode(const Node& node, double D, double ambient, const double* state,

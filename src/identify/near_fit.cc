@@ -56,24 +56,20 @@ class Fitter {
   bool Begin(const Eigen::MatrixXd& kept) {
     at_.slopes.resize(problem_.likelihood().size(), count());
     if (first_ > 0) at_.slopes.leftCols(first_) = kept.leftCols(first_);
-    if (first_ < count()) {
-      if (!TakeColumns()) return false;
-    } else {
-      at_.residual = problem_.Residual(model_, at_.values);
-      ++at_.runs;
-      if (at_.residual.size() == 0) return false;
-      coefficients_ = problem_.likelihood().Transform(at_.residual);
-    }
+    at_.residual = problem_.Residual(model_, at_.values);
+    ++at_.runs;
+    if (at_.residual.size() == 0) return false;
+    coefficients_ = problem_.likelihood().Transform(at_.residual);
+    if (first_ < count() && !TakeColumns()) return false;
     SetPowers();
     return true;
   }
 
-  /// Residual and the columns from `first_` on.
+  /// The columns from `first_` on, about the residual as it is.
   bool TakeColumns() {
     Eigen::MatrixXd own;
-    if (!problem_.Linearise(model_, at_.values, first_, &at_.residual, &own)) return false;
-    at_.runs += 1 + count() - first_;
-    coefficients_ = problem_.likelihood().Transform(at_.residual);
+    if (!problem_.CalcSlopes(model_, at_.values, first_, at_.residual, &own)) return false;
+    at_.runs += count() - first_;
     at_.slopes.rightCols(count() - first_) = problem_.likelihood().Transform(own);
     fresh_ = first_ == 0;
     first_ = options_.first_own;

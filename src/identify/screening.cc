@@ -30,37 +30,57 @@ void Keep(double score, size_t point, const std::vector<double>& values, Probe* 
   if (score < best->score) *best = {point, values, score};
 }
 
-void ProbeStart(const FitProblem& problem, const std::vector<Point>& points, size_t k,
-                const FreeModel& model, const std::vector<double>& start, Probe* promised,
-                Probe* present) {
-  const Point& at = points[k];
-  std::vector<double> values = at.values;
+/// A point and what all its probes share.
+struct Base {
+  const Point* at = nullptr;
+  Eigen::VectorXd weight;
+  Eigen::MatrixXd weighted;  ///< its slopes
+};
+
+std::vector<double> ValuesAt(const Base& base, const std::vector<double>& start) {
+  std::vector<double> values = base.at->values;
   values.insert(values.end(), start.begin(), start.end());
-  Eigen::VectorXd residual;
-  Eigen::MatrixXd own;
-  const int base = static_cast<int>(at.values.size());
-  if (!problem.Linearise(model, values, base, &residual, &own)) return;
-  const Likelihood& likelihood = problem.likelihood();
-  const Eigen::VectorXd coefficients = likelihood.Transform(residual);
-  Eigen::MatrixXd slopes(likelihood.size(), base + own.cols());
-  slopes << at.slopes, likelihood.Transform(own);
-  const Eigen::VectorXd weight = likelihood.Weights(at.powers);
-  const Eigen::VectorXd step = BoundedStep(model, values, weight.cwiseProduct(coefficients),
-                                           weight.asDiagonal() * slopes, 1e-6, kReach);
-  const double now = likelihood.MinusTwoLog(likelihood.Powers(coefficients));
-  const double then = likelihood.MinusTwoLog(likelihood.Powers(coefficients + slopes * step));
-  Keep(now, k, values, present);
-  Keep(then, k, Moved(model, values, step), promised);
+  return values;
 }
 
-Probes Probed(const FitProblem& problem, const FreeModel& model, const std::vector<Point>& points,
+/// Score of a start about a point, and what one step from there promises. `own`: slopes of the
+/// candidate's numbers.
+void Promise(const FitProblem& problem, const FreeModel& model, const Base& base, size_t point,
+             const std::vector<double>& values, const Eigen::VectorXd& coefficients,
+             const Eigen::MatrixXd& own, Probe* promised, Probe* present) {
+  const Likelihood& likelihood = problem.likelihood();
+  const Eigen::MatrixXd& known = base.at->slopes;
+  Eigen::MatrixXd slopes(likelihood.size(), known.cols() + own.cols());
+  slopes << base.weighted, base.weight.asDiagonal() * own;
+  const Eigen::VectorXd step =
+      BoundedStep(model, values, base.weight.cwiseProduct(coefficients), slopes, 1e-6, kReach);
+  const Eigen::VectorXd then =
+      coefficients + known * step.head(known.cols()) + own * step.tail(own.cols());
+  Keep(likelihood.MinusTwoLog(likelihood.Powers(coefficients)), point, values, present);
+  Keep(likelihood.MinusTwoLog(likelihood.Powers(then)), point, Moved(model, values, step),
+       promised);
+}
+
+/// Every start about every point, with the slopes of the candidate's numbers about the first, the
+/// best fit: they differ little from point to point, and cost most.
+Probes Probed(const FitProblem& problem, const FreeModel& model, const std::vector<Base>& bases,
               const Candidate& candidate) {
   const FreeModel whole = WithCandidate(model, candidate);
+  const int first = static_cast<int>(bases[0].at->values.size());
+  const Likelihood& likelihood = problem.likelihood();
   Probes best;
   for (const std::vector<double>& start : candidate.starts) {
+    std::vector<double> values = ValuesAt(bases[0], start);
+    Eigen::VectorXd residual;
+    Eigen::MatrixXd own;
+    if (!problem.Linearise(whole, values, first, &residual, &own)) continue;
+    own = likelihood.Transform(own);
     Probe promised;
-    for (size_t k = 0; k < points.size(); ++k) {
-      ProbeStart(problem, points, k, whole, start, &promised, &best.present);
+    for (size_t k = 0; k < bases.size(); ++k) {
+      if (k > 0) values = ValuesAt(bases[k], start), residual = problem.Residual(whole, values);
+      if (residual.size() == 0) continue;
+      Promise(problem, whole, bases[k], k, values, likelihood.Transform(residual), own, &promised,
+              &best.present);
     }
     if (!promised.values.empty()) best.promised.push_back(std::move(promised));
   }
@@ -135,11 +155,16 @@ std::vector<Trial> ScreenCandidates(const FitProblem& coarse, const FreeModel& m
                                     const std::function<bool(double)>& go_on) {
   constexpr double kProbes = 0.4, kShare = 0.6;  // of the work
   std::vector<Probes> probes(list.size());
+  std::vector<Base> bases;
+  for (const Point& point : points) {
+    const Eigen::VectorXd weight = coarse.likelihood().Weights(point.powers);
+    bases.push_back({&point, weight, weight.asDiagonal() * point.slopes});
+  }
   std::atomic<int> done{0};
   coarse.ForEach(static_cast<int>(list.size()), [&](int i) {
     if (!go_on(kProbes * done++ / static_cast<double>(list.size()))) return;
     const auto k = static_cast<size_t>(i);
-    probes[k] = Probed(coarse, model, points, list[k]);
+    probes[k] = Probed(coarse, model, bases, list[k]);
   });
   const std::vector<size_t> tried = MostPromising(probes, 3 * effort.coarse_fits);
   std::vector<Trial> trials(tried.size());

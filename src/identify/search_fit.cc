@@ -152,9 +152,13 @@ Eigen::VectorXd FitProblem::Residual(const FreeModel& model,
 bool FitProblem::Linearise(const FreeModel& model, const std::vector<double>& values, int first,
                            Eigen::VectorXd* residual, Eigen::MatrixXd* jacobian) const {
   *residual = Residual(model, values);
-  if (residual->size() == 0) return false;
+  return residual->size() > 0 && CalcSlopes(model, values, first, *residual, jacobian);
+}
+
+bool FitProblem::CalcSlopes(const FreeModel& model, const std::vector<double>& values, int first,
+                            const Eigen::VectorXd& residual, Eigen::MatrixXd* jacobian) const {
   const int count = static_cast<int>(model.free.size());
-  jacobian->resize(residual->size(), count - first);
+  jacobian->resize(residual.size(), count - first);
   ForEach(count - first, [&](int column) {
     const auto j = static_cast<size_t>(first + column);
     const FreeParameter& p = model.free[j];
@@ -168,10 +172,10 @@ bool FitProblem::Linearise(const FreeModel& model, const std::vector<double>& va
     if (r.size() == 0 || really == 0) {
       jacobian->col(column).setZero();
     } else {
-      jacobian->col(column) = (r - *residual) / really;
+      jacobian->col(column) = (r - residual) / really;
     }
   });
-  return true;
+  return !go_on_ || go_on_();
 }
 
 }  // namespace phs::identify::search

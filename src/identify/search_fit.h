@@ -86,9 +86,13 @@ class FitProblem {
   }
   /// Weighted residual; empty if the model refuses the values.
   Eigen::VectorXd Residual(const FreeModel& model, const std::vector<double>& values) const;
-  /// Residual and its derivative over the coordinates from `first` on.
+  /// Residual and its derivative over the coordinates from `first` on; false if the model refuses
+  /// the values, or when stopped.
   bool Linearise(const FreeModel& model, const std::vector<double>& values, int first,
                  Eigen::VectorXd* residual, Eigen::MatrixXd* jacobian) const;
+  /// That derivative alone, about the known residual of `values`.
+  bool CalcSlopes(const FreeModel& model, const std::vector<double>& values, int first,
+                  const Eigen::VectorXd& residual, Eigen::MatrixXd* jacobian) const;
   /// Values on the rows of a channel's blocks -> weighted, on all rows of the residual.
   Eigen::VectorXd Weighted(const std::string& channel, const Channels& on_rows) const;
   /// Asked before every run of the model: false = stop; every residual is empty from then on.

@@ -104,13 +104,14 @@ RigPressures CalcPressures(const PhsSystem& system, const RigMotion& motion,
                            const std::vector<double>& speed, int substeps) {
   const int states = system.num_states();
   std::vector<double> state(states, 0.0), rate(states, 0.0);
+  hydraulics::Instant instant;
   RigPressures out;
   const auto steps = static_cast<size_t>(motion.num_samples()) * static_cast<size_t>(substeps);
   out.bore.reserve(steps), out.rod.reserve(steps);
   WalkSteps(motion, speed, substeps, [&](const RigStep& at) {
     double bore, rod;
-    system.CalcHydraulics(at.time, at.length, &at.x, {&at.v, &at.v_end}, state.data(), rate.data(),
-                          &bore, &rod);
+    system.CalcHydraulics(at.time, at.length, &at.x, {&at.v, &at.v_end}, state.data(), &instant,
+                          rate.data(), &bore, &rod);
     out.bore.push_back(bore), out.rod.push_back(rod);
     for (int j = system.num_friction_states(); j < states; ++j) state[j] += at.length * rate[j];
   });

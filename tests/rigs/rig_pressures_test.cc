@@ -89,6 +89,7 @@ TEST(RigPressures, AndForcesAreThoseOfTheSystemStepByStep) {
   std::vector<double> state(static_cast<size_t>(system.num_states()), 0.0), rate(state);
   hydraulics::PhsOutputs at;
   double force, bore, rod;
+  hydraulics::Instant instant;
   at.force = &force, at.p_bore = &bore, at.p_rod = &rod;
   for (size_t i = 0; i < x.size(); ++i) {
     const double t = static_cast<double>(i) * motion.step_s;
@@ -99,8 +100,8 @@ TEST(RigPressures, AndForcesAreThoseOfTheSystemStepByStep) {
     if (i + 1 == x.size()) break;
     const double h = motion.step_s, v = (x[i + 1] - x[i]) / h;
     double before[2];
-    system.CalcHydraulics(t, h, &x[i], {&v, &speed[i + 1]}, state.data(), rate.data(), before,
-                          before + 1);
+    system.CalcHydraulics(t, h, &x[i], {&v, &speed[i + 1]}, state.data(), &instant, rate.data(),
+                          before, before + 1);
     for (size_t j = friction; j < state.size(); ++j) state[j] += h * rate[j];
     // Friction goes to where the motion turns, and back.
     const double s = TurnOf(x[i], x[i + 1], speed[i], speed[i + 1], h);
