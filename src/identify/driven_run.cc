@@ -223,25 +223,25 @@ Result<IdentifyOutcome> SearchAndWrite(const Manifest& manifest, const FitData& 
   if (!over_before.ok()) return over_before.error();
   Json& result = outcome.result;
   result = Head(manifest, data);
-  result["channels"] = ScoreBoth(data, before, after, data.validation);
-  result["channels_estimation"] = ScoreBoth(data, before, after, data.estimation);
+  const std::vector<BeforeAfter> scores = ScoreBoth(data, before, after, data.validation);
+  const Unexplained unexplained = FindUnexplained(data, after, over_noise.value(), found);
+  VerdictFacts facts{{}, NamedEffects(found), FittedNumbers(found), WhatDrives(*problem, found)};
+  for (size_t c = 0; c < data.outputs.size(); ++c) {
+    const LeftOver& left = over_noise.value()[c];
+    facts.channels.push_back({data.outputs[c].name, over_before.value()[c].over_noise,
+                              left.over_noise, scores[c].after.nrmse, left.following});
+  }
+  result["channels"] = ScoresJson(scores);
+  result["channels_estimation"] = ScoresJson(ScoreBoth(data, before, after, data.estimation));
   result["effects"] = EffectList(found);
   result["fitted"] = Parameters(found.corrected, found.after, 0, found.declared.free.size(), true);
-  result["localised"] = Localise(data, before, found.before);
-  result["unexplained"] = Unexplained(data, after, over_noise.value(), found);
-  result["drives"] = WhatDrives(*problem, found);
-  VerdictFacts facts{{}, NamedEffects(found), FittedNumbers(found), result["drives"]};
-  for (size_t c = 0; c < data.outputs.size(); ++c) {
-    const std::string& name = data.outputs[c].name;
-    const LeftOver& left = over_noise.value()[c];
-    facts.channels.push_back({name, over_before.value()[c].over_noise, left.over_noise,
-                              result["channels"][name]["after"]["nrmse"].get<double>(),
-                              left.following});
-  }
+  result["localised"] = LocalisedJson(Localise(data, before, found.before));
+  result["unexplained"] = UnexplainedJson(unexplained);
+  result["drives"] = facts.faults;
   PutVerdict(facts, &result);
   const Status tested = PutNextTest(
-      *problem, found, TestRigOf(manifest, data, declared, options), options.effort.threads,
-      [&] { return !progress || progress(kLast); }, dir, &result);
+      *problem, found, unexplained, TestRigOf(manifest, data, declared, options),
+      options.effort.threads, [&] { return !progress || progress(kLast); }, dir, &result);
   if (!tested.ok()) return tested.error();
   if (outcome.cancelled = progress && !progress(kLast); outcome.cancelled) return outcome;
   result["candidates"] = CandidateList(found);

@@ -94,7 +94,7 @@ void AddOptions(const EffectInfo& info, const EffectForm& form, Candidate* candi
 }
 
 /// Cylinders or lines that an effect may stand at.
-std::vector<std::string> PlacesOf(const EffectInfo& info, const PhsParams& params) {
+std::vector<std::string> OptionPlaces(const EffectInfo& info, const PhsParams& params) {
   std::vector<std::string> places;
   if (info.targets == "lines") {
     for (const auto& line : params.lines) places.push_back(line.name);
@@ -115,7 +115,7 @@ void AddForm(const EffectInfo& info, const EffectForm& form, const PhsParams& pa
   Candidate candidate = MakeCandidate(info, form, scale);
   AddOptions(info, form, &candidate);
   if (form.places != Places::kAlone) out->push_back(candidate);
-  const std::vector<std::string> places = PlacesOf(info, params);
+  const std::vector<std::string> places = OptionPlaces(info, params);
   candidate.shows_at_place = form.places == Places::kAll;
   const bool shown = full && info.targets != "lines";
   if ((candidate.shows_at_place && !shown) || places.size() < 2) return;

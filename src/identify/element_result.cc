@@ -56,7 +56,7 @@ std::vector<double> TravelSinceReversal(const ElementRecord& record) {
 
 }  // namespace
 
-json ScoreRows(const ElementData& data, const Rows& predicted, bool fitted) {
+RowScore ScoreRows(const ElementData& data, const Rows& predicted, bool fitted) {
   std::vector<double> time, measured, model;
   for (size_t r = 0; r < data.records.size(); ++r) {
     const ElementRecord& record = data.records[r];
@@ -75,12 +75,16 @@ json ScoreRows(const ElementData& data, const Rows& predicted, bool fitted) {
     error += (measured[i] - model[i]) * (measured[i] - model[i]);
     whole += measured[i] * measured[i];
   }
-  json out = ToJson(s);
-  out["relative_percent"] = whole > 0 ? 100 * std::sqrt(error / whole) : 0;
+  return {s, whole > 0 ? 100 * std::sqrt(error / whole) : 0};
+}
+
+json ToJson(const RowScore& score) {
+  json out = measurement::ToJson(score.score);
+  out["relative_percent"] = score.relative_percent;
   return out;
 }
 
-json MapRows(const ElementData& data, const Rows& predicted, bool fitted) {
+RowMap MapRows(const ElementData& data, const Rows& predicted, bool fitted) {
   const WindowRows rows = Collect(data, predicted, fitted);
   std::vector<std::pair<std::string, std::vector<double>>> variables;
   const auto add = [&](const std::string& name, auto value) {
@@ -100,20 +104,29 @@ json MapRows(const ElementData& data, const Rows& predicted, bool fitted) {
   }
   const double independent =
       search::EffectiveSamples(rows.vector(), 0, static_cast<int>(rows.residual.size()));
-  json depends = json::array(), share = json::object(), p = json::object();
-  for (const VariableShare& v : ShareByVariable(rows.residual, independent, variables)) {
-    share[v.variable] = v.share;
-    p[v.variable] = v.p_value;
-    if (v.share > 0.03 && v.p_value < 1e-3 && depends.size() < 4) depends.push_back(v.variable);
+  RowMap out;
+  out.shares = ShareByVariable(rows.residual, independent, variables);
+  for (const VariableShare& v : out.shares) {
+    if (v.share > 0.03 && v.p_value < 1e-3 && out.depends_on.size() < 4) {
+      out.depends_on.push_back(v.variable);
+    }
   }
   double square = 0;
   for (const double r : rows.residual) square += r * r / static_cast<double>(rows.residual.size());
+  out.over_noise = std::sqrt(square) / data.noise_N;
+  out.whiteness_p = search::WhitenessP(rows.residual);
+  return out;
+}
+
+json ToJson(const RowMap& map) {
+  json share = json::object(), p = json::object();
+  for (const VariableShare& v : map.shares) share[v.variable] = v.share, p[v.variable] = v.p_value;
   return {{"channel", "force_N"},
-          {"depends_on", depends},
+          {"depends_on", map.depends_on},
           {"explained_share", share},
           {"p_values", p},
-          {"residual_over_noise", std::sqrt(square) / data.noise_N},
-          {"whiteness_p", search::WhitenessP(rows.residual)}};
+          {"residual_over_noise", map.over_noise},
+          {"whiteness_p", map.whiteness_p}};
 }
 
 LeftOver LeftOfRows(const ElementData& data, const Rows& predicted) {
@@ -144,7 +157,7 @@ LeftOver LeftOfRows(const ElementData& data, const Rows& predicted) {
   return {std::sqrt(square / count), following / count};
 }
 
-json FormulaJson(const search::Identification& found) {
+std::string FormulaText(const search::Identification& found) {
   for (const search::AcceptedEffect& effect : found.effects) {
     if (effect.candidate.effect != effects::UnlistedInfo().name) continue;
     const std::string prefix = "effects." + effect.candidate.effect + ".";
@@ -159,7 +172,7 @@ json FormulaJson(const search::Identification& found) {
     }
     return text;
   }
-  return nullptr;
+  return {};
 }
 
 Status WriteRows(const std::string& path, const ElementData& data, const Rows* force) {

@@ -7,21 +7,35 @@
 
 #include "base/result_dir.h"
 #include "identify/bench_forward.h"
+#include "identify/formula_search.h"
 #include "identify/identification.h"
 #include "identify/motion_share.h"
 #include "measurement/channel_scores.h"
 
 namespace phs::identify::element {
 
-/// Scores of the predicted rows over the estimation or the validation windows, with
-/// `relative_percent` = 100 |y - ŷ| / |y| (norms over all rows).
-nlohmann::ordered_json ScoreRows(const ElementData& data, const Rows& predicted, bool fitted);
-/// On what the rows' residual depends: channel, depends_on, explained_share, p_values, whiteness_p.
-nlohmann::ordered_json MapRows(const ElementData& data, const Rows& predicted, bool fitted);
+/// Scores of the predicted rows over the estimation or the validation windows.
+struct RowScore {
+  measurement::ChannelScore score;
+  double relative_percent = 0;  ///< 100 |y - ŷ| / |y| (norms over all rows)
+};
+RowScore ScoreRows(const ElementData& data, const Rows& predicted, bool fitted);
+nlohmann::ordered_json ToJson(const RowScore& score);
+
+/// On what the rows' residual depends.
+struct RowMap {
+  std::vector<std::string> depends_on;  ///< variables, the strongest first
+  std::vector<VariableShare> shares;    ///< of all variables
+  double over_noise = 0;                ///< rms over the noise of the force
+  double whiteness_p = 1;               ///< Ljung–Box
+};
+RowMap MapRows(const ElementData& data, const Rows& predicted, bool fitted);
+nlohmann::ordered_json ToJson(const RowMap& map);
+
 /// What the scored rows leave, over the noise.
 LeftOver LeftOfRows(const ElementData& data, const Rows& predicted);
-/// The formula with its fitted coefficients, as text; null without.
-nlohmann::ordered_json FormulaJson(const search::Identification& found);
+/// The formula with its fitted coefficients; empty without.
+std::string FormulaText(const search::Identification& found);
 
 /// t_s, x_m, force_N (and p_Pa, temperature_K) on the compared rows; several runs one after the
 /// other with a column `run`. `force` null: as measured.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "base/words.h"
 #include "effects/unlisted.h"
@@ -34,7 +35,7 @@ using search::IdentifyOutcome;
 
 constexpr double kLast = 0.99;  // of the work
 
-json Head(const Manifest& manifest, const ElementData& data) {
+json BenchHead(const Manifest& manifest, const ElementData& data) {
   json sources = json::array();
   for (const ElementRecord& r : data.records) sources.push_back(r.source);
   json head = {{"rig", manifest.rig},
@@ -52,8 +53,15 @@ json Head(const Manifest& manifest, const ElementData& data) {
 }
 
 /// What the validation windows would ask for beyond the corrected model. Not part of the model.
-json AskValidation(const ElementData& data, const FreeModel& corrected, const FitResult& fit,
-                   const PhsParams& params, const SearchOptions& options) {
+struct Asked {
+  Identification found;
+  std::vector<double> estimated;  ///< the same numbers as the estimation windows have them
+  std::optional<double> relative_percent_refitted, relative_percent_with_effects;
+};
+
+std::optional<Asked> AskValidation(const ElementData& data, const FreeModel& corrected,
+                                   const FitResult& fit, const PhsParams& params,
+                                   const SearchOptions& options) {
   ElementData turned = data;
   for (ElementRecord& r : turned.records) {
     std::swap(r.fitted, r.scored), std::swap(r.estimation, r.validation);
@@ -61,40 +69,46 @@ json AskValidation(const ElementData& data, const FreeModel& corrected, const Fi
   std::vector<std::string> names;
   for (const FreeParameter& p : corrected.free) names.push_back(p.name);
   auto bench = BenchForward::Create(turned, params, names);
-  if (!bench.ok()) return nullptr;
+  if (!bench.ok()) return {};
   Result<FitProblem> problem = FitProblem::Create(bench.value(), params);
-  if (!problem.ok()) return nullptr;
+  if (!problem.ok()) return {};
   SearchOptions few = options;
   few.effort.max_effects = 2;
   Result<Identification> found = Identify(&problem.value(), params, few, nullptr);
-  if (!found.ok()) return nullptr;
-  const Identification& f = found.value();
-  json refitted = json::object();
-  const json anew = search::Parameters(f.declared, f.before, 0, f.declared.free.size(), true);
-  for (size_t i = 0; i < names.size(); ++i) {
-    refitted[names[i]] = anew[names[i]];
-    refitted[names[i]]["estimation"] = fit.values[i];
-  }
+  if (!found.ok()) return {};
+  Asked out{std::move(found).value(), {}, {}, {}};
+  const Identification& f = out.found;
+  out.estimated.assign(fit.values.begin(), fit.values.begin() + static_cast<long>(names.size()));
   const auto rows = bench.value()->Predict(problem.value().Params(f.declared, f.before.values));
   const auto more = bench.value()->Predict(problem.value().Params(f.corrected, f.after.values));
-  json out = {
-      {"refitted", refitted}, {"effects", search::EffectList(f)}, {"formula", FormulaJson(f)}};
   if (rows.ok()) {
-    out["relative_percent_refitted"] = ScoreRows(turned, rows.value(), true)["relative_percent"];
+    out.relative_percent_refitted = ScoreRows(turned, rows.value(), true).relative_percent;
   }
   if (more.ok()) {
-    out["relative_percent_with_effects"] =
-        ScoreRows(turned, more.value(), true)["relative_percent"];
+    out.relative_percent_with_effects = ScoreRows(turned, more.value(), true).relative_percent;
   }
   return out;
 }
 
-std::vector<ChannelLeft> BenchChannels(const json& result, const ElementData& data,
-                                       const Rows& before) {
-  const json& left = result["unexplained"];
-  return {{"force_N", LeftOfRows(data, before).over_noise,
-           left["residual_over_noise"].get<double>(), left["nrmse"].get<double>(),
-           std::pow(left["following_over_noise"].get<double>(), 2)}};
+json OrNull(const std::string& text) { return text.empty() ? json(nullptr) : json(text); }
+
+json AskedJson(const std::optional<Asked>& asked) {
+  if (!asked) return nullptr;
+  const Identification& f = asked->found;
+  json refitted = search::Parameters(f.declared, f.before, 0, f.declared.free.size(), true);
+  for (size_t i = 0; i < asked->estimated.size(); ++i) {
+    refitted[f.declared.free[i].name]["estimation"] = asked->estimated[i];
+  }
+  json out = {{"refitted", refitted},
+              {"effects", search::EffectList(f)},
+              {"formula", OrNull(FormulaText(f))}};
+  if (asked->relative_percent_refitted) {
+    out["relative_percent_refitted"] = *asked->relative_percent_refitted;
+  }
+  if (asked->relative_percent_with_effects) {
+    out["relative_percent_with_effects"] = *asked->relative_percent_with_effects;
+  }
+  return out;
 }
 
 search::TestRig TestRigOf(const Manifest& manifest, const ElementData& data) {
@@ -109,16 +123,16 @@ search::TestRig TestRigOf(const Manifest& manifest, const ElementData& data) {
 }
 
 /// What the validation record alone asks for.
-void AddAsked(const json& asks, json* tests) {
-  if (!asks.is_object()) return;
-  for (const json& e : asks["effects"]) {
-    tests->push_back(e["name"].get<std::string>() +
+void AddAsked(const std::optional<Asked>& asked, json* tests) {
+  if (!asked) return;
+  for (const search::AcceptedEffect& effect : asked->found.effects) {
+    tests->push_back(effect.candidate.effect +
                      ": only the validation record asks for it; take a record of that kind into "
                      "the estimation");
   }
 }
 
-std::string Summary(const json& result) {
+std::string BenchSummary(const json& result) {
   std::string out;
   out += search::VerdictLines(result);
   for (const json& e : result["effects"]) {
@@ -176,30 +190,63 @@ Status WriteFiles(const ElementData& data, const Rows* before, const Rows& after
   return WriteFileAtomically(dir.File("result.json"), result.dump(1) + "\n");
 }
 
+/// Errors and residuals of both models.
+struct BenchFindings {
+  RowScore estimation_before, estimation_after, before, after;
+  RowMap map_before;  ///< in the estimation windows
+  RowMap map_after;   ///< in the validation windows
+  LeftOver left_before, left_after;
+};
+
+BenchFindings Look(const ElementData& data, const Rows& before, const Rows& after) {
+  return {ScoreRows(data, before, true),  ScoreRows(data, after, true),
+          ScoreRows(data, before, false), ScoreRows(data, after, false),
+          MapRows(data, before, true),    MapRows(data, after, false),
+          LeftOfRows(data, before),       LeftOfRows(data, after)};
+}
+
+Unexplained UnexplainedOf(const BenchFindings& f, const Identification& found) {
+  return {.channel = "force_N",
+          .nrmse = f.after.score.nrmse,
+          .whiteness_p = f.map_after.whiteness_p,
+          .over_noise = f.map_after.over_noise,
+          .following_over_noise = std::sqrt(f.left_after.following),
+          .depends_on = f.map_after.depends_on,
+          .formula = FormulaText(found)};
+}
+
+VerdictFacts FactsOf(const BenchFindings& f, const FitProblem& problem, const Identification& found,
+                     std::vector<std::string> faults, std::vector<std::string>* drives) {
+  *drives = search::WhatDrives(problem, found);
+  faults.insert(faults.end(), drives->begin(), drives->end());
+  return {{{"force_N", f.left_before.over_noise, f.map_after.over_noise, f.after.score.nrmse,
+            f.left_after.following}},
+          search::NamedEffects(found),
+          search::FittedNumbers(found),
+          std::move(faults)};
+}
+
 /// result.json up to the verdict. `faults`: of the data.
 json Describe(const Manifest& manifest, const ElementData& data, const FitProblem& problem,
-              const Identification& found, const Rows& before, const Rows& after,
+              const Identification& found, const BenchFindings& f, const Unexplained& left,
               std::vector<std::string> faults) {
-  json result = Head(manifest, data);
-  for (const bool fitted : {false, true}) {
-    result[fitted ? "channels_estimation" : "channels"]["force_N"] = {
-        {"before", ScoreRows(data, before, fitted)}, {"after", ScoreRows(data, after, fitted)}};
-  }
+  json result = BenchHead(manifest, data);
+  result["channels_estimation"]["force_N"] = {{"before", ToJson(f.estimation_before)},
+                                              {"after", ToJson(f.estimation_after)}};
+  result["channels"]["force_N"] = {{"before", ToJson(f.before)}, {"after", ToJson(f.after)}};
   const size_t declared = found.declared.free.size();
   result["effects"] = search::EffectList(found);
   result["fitted"] = search::Parameters(found.corrected, found.after, 0, declared, true);
   result["fitted_before"] = search::Parameters(found.declared, found.before, 0, declared, true);
-  result["localised"] = MapRows(data, before, true);
-  result["unexplained"] = MapRows(data, after, false);
-  result["unexplained"]["nrmse"] = result["channels"]["force_N"]["after"]["nrmse"];
-  result["unexplained"]["following_over_noise"] = std::sqrt(LeftOfRows(data, after).following);
-  result["unexplained"]["formula"] = FormulaJson(found);
-  const std::vector<std::string> drives = search::WhatDrives(problem, found);
+  result["localised"] = ToJson(f.map_before);
+  result["unexplained"] = ToJson(f.map_after);
+  result["unexplained"]["nrmse"] = left.nrmse;
+  result["unexplained"]["following_over_noise"] = left.following_over_noise;
+  result["unexplained"]["formula"] = OrNull(left.formula);
+  std::vector<std::string> drives;
+  const VerdictFacts facts = FactsOf(f, problem, found, std::move(faults), &drives);
   result["drives"] = drives;
-  faults.insert(faults.end(), drives.begin(), drives.end());
-  search::PutVerdict({BenchChannels(result, data, before), search::NamedEffects(found),
-                      search::FittedNumbers(found), faults},
-                     &result);
+  search::PutVerdict(facts, &result);
   return result;
 }
 
@@ -241,15 +288,18 @@ Result<IdentifyOutcome> RunElementIdentify(const Manifest& manifest, const Searc
   if (!before.ok()) return before.error();
   if (!after.ok()) return after.error();
   json& result = outcome.result;
-  result = Describe(manifest, data.value(), problem, found, before.value(), after.value(), faults);
-  result["validation_asks_for"] =
+  const BenchFindings findings = Look(data.value(), before.value(), after.value());
+  const Unexplained left = UnexplainedOf(findings, found);
+  result = Describe(manifest, data.value(), problem, found, findings, left, faults);
+  const std::optional<Asked> asks =
       AskValidation(data.value(), found.corrected, found.after, corrected, options);
+  result["validation_asks_for"] = AskedJson(asks);
   const Status tested = search::PutNextTest(
-      problem, found, TestRigOf(manifest, data.value()), options.effort.threads,
+      problem, found, left, TestRigOf(manifest, data.value()), options.effort.threads,
       [&] { return !progress || progress(kLast); }, dir, &result);
   if (!tested.ok()) return tested.error();
   if (outcome.cancelled = progress && !progress(kLast); outcome.cancelled) return outcome;
-  AddAsked(result["validation_asks_for"], &result["next_test"]);
+  AddAsked(asks, &result["next_test"]);
   result["candidates"] = search::CandidateList(found);
   result["model"] = "model.yaml";
   corrected.name += "_identified";
@@ -259,7 +309,7 @@ Result<IdentifyOutcome> RunElementIdentify(const Manifest& manifest, const Searc
       !s.ok()) {
     return s.error();
   }
-  outcome.summary = Summary(result);
+  outcome.summary = BenchSummary(result);
   return outcome;
 }
 
@@ -273,14 +323,14 @@ Result<IdentifyOutcome> RunElementRig(const Manifest& manifest, const ResultDir&
   const Result<Rows> rows = bench.value()->Predict(declared.value());
   if (!rows.ok()) return rows.error();
   IdentifyOutcome outcome;
-  outcome.result = Head(manifest, data.value());
-  const json score = ScoreRows(data.value(), rows.value(), false);
-  outcome.result["channels"]["force_N"] = score;
-  outcome.result["channels_estimation"]["force_N"] = ScoreRows(data.value(), rows.value(), true);
+  outcome.result = BenchHead(manifest, data.value());
+  const RowScore score = ScoreRows(data.value(), rows.value(), false);
+  outcome.result["channels"]["force_N"] = ToJson(score);
+  outcome.result["channels_estimation"]["force_N"] =
+      ToJson(ScoreRows(data.value(), rows.value(), true));
   outcome.summary =
       fmt::format("force_N  validation rmse {:.4g} N  nrmse {:.4f}  relative {:.3f} %\n",
-                  score["rmse"].get<double>(), score["nrmse"].get<double>(),
-                  score["relative_percent"].get<double>());
+                  score.score.rmse, score.score.nrmse, score.relative_percent);
   if (Status s = WriteFiles(data.value(), nullptr, rows.value(), nullptr, outcome.result, dir);
       !s.ok()) {
     return s.error();

@@ -169,7 +169,7 @@ class LineTerms final : public TermLibrary {
 };
 
 /// Lines of the first cylinder, each alone and together, and its piston.
-std::vector<LinePlace> Places(const FitProblem& problem, const PhsParams& params) {
+std::vector<LinePlace> LinePlaces(const FitProblem& problem, const PhsParams& params) {
   const Result<FormulaFrame> frame = problem.forward().Frame(params, "p_bore_Pa");
   if (!frame.ok() || params.cylinders.empty()) return {};
   const std::vector<hydraulics::ForcePlace>& at = frame.value().places.front();
@@ -221,7 +221,7 @@ double TotalEvidence(const FoundFormula& found) {
 
 FoundFormula SearchLineFormula(const FitProblem& problem, const FreeModel& model,
                                const std::vector<double>& values, const FormulaLimits& limits) {
-  const std::vector<LinePlace> places = Places(problem, problem.Params(model, values));
+  const std::vector<LinePlace> places = LinePlaces(problem, problem.Params(model, values));
   Model at{problem, model, values, {}};
   SelectionData data;
   if (places.empty() || !problem.Linearise(model, values, 0, &at.residual, &data.jacobian)) {
@@ -264,7 +264,7 @@ FoundFormula SearchAnew(const FitProblem& problem, const FreeModel& model,
     return IndependentSamples(r, problem.likelihood().blocks());
   };
   const Eigen::MatrixXd space = ModelSpace(data.jacobian, data.residual.size());
-  for (const LinePlace& place : Places(problem, problem.Params(model, values))) {
+  for (const LinePlace& place : LinePlaces(problem, problem.Params(model, values))) {
     if (place.targets != law.targets || effects::UnitSuffix(place.unit) != law.unit) continue;
     return SearchAt(at, place, data, space, limits, thresholds_only);
   }

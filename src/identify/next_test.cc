@@ -124,22 +124,21 @@ double Least(const std::array<TestEvidence, 2>& answers) {
 
 }  // namespace
 
-std::string OtherMotion(const nlohmann::ordered_json& unexplained) {
+std::string OtherMotion(const Unexplained& left) {
   constexpr double kMuch = 2;  // times as much as in estimation, and as noise
-  const double left = unexplained.value("residual_over_noise", 0.0);
-  const double before = unexplained.value("estimation_over_noise", left);
-  if (!(left > kMuch) || !(left > kMuch * before)) return {};
+  const double before = left.estimation_over_noise.value_or(left.over_noise);
+  if (!(left.over_noise > kMuch) || !(left.over_noise > kMuch * before)) return {};
   return fmt::format(
       "the validation window excites what the estimation window does not: {} is {:.1f} times its "
       "noise there and {:.1f} times in estimation; identify again with such motion in both",
-      unexplained["channel"].get<std::string>(), left, before);
+      left.channel, left.over_noise, before);
 }
 
-Status PutNextTest(const FitProblem& problem, const Identification& found, const TestRig& rig,
-                   int threads, const std::function<bool()>& go_on, const ResultDir& dir,
-                   nlohmann::ordered_json* result) {
+Status PutNextTest(const FitProblem& problem, const Identification& found, const Unexplained& left,
+                   const TestRig& rig, int threads, const std::function<bool()>& go_on,
+                   const ResultDir& dir, nlohmann::ordered_json* result) {
   nlohmann::ordered_json tests = nlohmann::ordered_json::array();
-  const std::string other = OtherMotion((*result)["unexplained"]);
+  const std::string other = OtherMotion(left);
   if (!other.empty()) tests.push_back(other);
   const std::optional<NextTest> test = DesignTest(problem, found, rig, threads, go_on);
   if (test) {

@@ -19,6 +19,7 @@
 #include "identify/identification.h"
 #include "identify/test_evidence.h"
 #include "identify/test_motion.h"
+#include "identify/unexplained.h"
 #include "measurement/manifest.h"
 
 namespace phs::identify::search {
@@ -56,15 +57,14 @@ std::optional<NextTest> DesignTest(const FitProblem& problem, const Identificati
                                    const TestRig& rig, int threads,
                                    const std::function<bool()>& go_on);
 
-/// A sentence where the validation window (`unexplained` of result.json) excites what the estimation
-/// window does not, else empty.
-std::string OtherMotion(const nlohmann::ordered_json& unexplained);
+/// A sentence where the validation window excites what the estimation window does not, else empty.
+std::string OtherMotion(const Unexplained& left);
 
 /// Designs a test; `next_test` of `result` gets what it says, `test_design` its numbers, the result
 /// folder next_test.csv. OtherMotion is said there too.
-Status PutNextTest(const FitProblem& problem, const Identification& found, const TestRig& rig,
-                   int threads, const std::function<bool()>& go_on, const ResultDir& dir,
-                   nlohmann::ordered_json* result);
+Status PutNextTest(const FitProblem& problem, const Identification& found, const Unexplained& left,
+                   const TestRig& rig, int threads, const std::function<bool()>& go_on,
+                   const ResultDir& dir, nlohmann::ordered_json* result);
 
 /// next_test.csv in the result folder.
 Status WriteNextTest(const NextTest& test, const TestRig& rig, const ResultDir& dir);

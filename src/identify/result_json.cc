@@ -40,7 +40,16 @@ size_t WorstChannel(const FitResult& fit) {
                              fit.channel_ms.begin());
 }
 
-Json ToJson(const Evidence& e) {
+/// At most three variables that explain more than a twentieth.
+std::vector<std::string> Strongest(const std::vector<VariableShare>& shares) {
+  std::vector<std::string> out;
+  for (const VariableShare& v : shares) {
+    if (v.share > 0.05 && out.size() < 3) out.push_back(v.variable);
+  }
+  return out;
+}
+
+Json EvidenceJson(const Evidence& e) {
   return {{"delta_bic", e.delta_bic},
           {"estimation_gain", e.estimation_gain},
           {"best_channel", e.best_channel},
@@ -61,37 +70,51 @@ Json ScoreChannels(const FitData& data, const Channels& predicted,
   return out;
 }
 
-Json ScoreBoth(const FitData& data, const Channels& before, const Channels& after,
-               const std::array<double, 2>& window) {
-  Json out = Json::object();
+std::vector<BeforeAfter> ScoreBoth(const FitData& data, const Channels& before,
+                                   const Channels& after, const std::array<double, 2>& window) {
+  std::vector<BeforeAfter> out;
   for (size_t c = 0; c < data.outputs.size(); ++c) {
     const auto& measured = data.outputs[c].values;
-    out[data.outputs[c].name] = {
-        {"before", ToJson(Score(data.time_s, measured, before[c], window))},
-        {"after", ToJson(Score(data.time_s, measured, after[c], window))}};
+    out.push_back({data.outputs[c].name, Score(data.time_s, measured, before[c], window),
+                   Score(data.time_s, measured, after[c], window)});
   }
   return out;
 }
 
-Json Localise(const FitData& data, const Channels& predicted, const FitResult& fit) {
+Json ScoresJson(const std::vector<BeforeAfter>& scores) {
+  Json out = Json::object();
+  for (const BeforeAfter& s : scores) {
+    out[s.channel] = {{"before", ToJson(s.before)}, {"after", ToJson(s.after)}};
+  }
+  return out;
+}
+
+Localised Localise(const FitData& data, const Channels& predicted, const FitResult& fit) {
   const size_t c = WorstChannel(fit);
-  Json depends = Json::array(), strength = Json::object(), over = Json::object();
-  for (const Dependence& d :
-       MapResidual(data, Residual(data, predicted, c, data.estimation), data.estimation)) {
-    strength[d.variable] = d.share;
-    if (d.share > 0.05 && depends.size() < 3) depends.push_back(d.variable);
+  Localised out{data.outputs[c].name, {}, {}, {}};
+  const std::vector<double> r = Residual(data, predicted, c, data.estimation);
+  for (const Dependence& d : MapResidual(data, r, data.estimation)) {
+    out.shares.push_back({d.variable, d.share});
   }
+  out.depends_on = Strongest(out.shares);
   for (size_t k = 0; k < data.outputs.size(); ++k) {
-    over[data.outputs[k].name] = std::sqrt(fit.channel_ms[k]);
+    out.over_noise.emplace_back(data.outputs[k].name, std::sqrt(fit.channel_ms[k]));
   }
-  return {{"channel", data.outputs[c].name},
-          {"depends_on", depends},
-          {"explained_share", strength},
+  return out;
+}
+
+Json LocalisedJson(const Localised& found) {
+  Json share = Json::object(), over = Json::object();
+  for (const VariableShare& v : found.shares) share[v.variable] = v.share;
+  for (const auto& [name, value] : found.over_noise) over[name] = value;
+  return {{"channel", found.channel},
+          {"depends_on", found.depends_on},
+          {"explained_share", share},
           {"residual_over_noise", over}};
 }
 
-Json Unexplained(const FitData& data, const Channels& after, const std::vector<LeftOver>& left,
-                 const Identification& found) {
+Unexplained FindUnexplained(const FitData& data, const Channels& after,
+                            const std::vector<LeftOver>& left, const Identification& found) {
   const auto more = [](const LeftOver& a, const LeftOver& b) {
     return a.over_noise < b.over_noise;
   };
@@ -99,18 +122,30 @@ Json Unexplained(const FitData& data, const Channels& after, const std::vector<L
       static_cast<size_t>(std::max_element(left.begin(), left.end(), more) - left.begin());
   const std::vector<double> r = Residual(data, after, c, data.validation);
   const ChannelScore score = Score(data.time_s, data.outputs[c].values, after[c], data.validation);
-  Json depends = Json::array();
+  std::vector<VariableShare> shares;
   for (const Dependence& d : MapResidual(data, r, data.validation)) {
-    if (d.share > 0.05 && depends.size() < 3) depends.push_back(d.variable);
+    shares.push_back({d.variable, d.share});
   }
-  return {{"channel", data.outputs[c].name},
-          {"nrmse", score.nrmse},
-          {"whiteness_p", WhitenessP(Finite(r))},
-          {"residual_over_noise", left[c].over_noise},
-          {"following_over_noise", std::sqrt(left[c].following)},
-          {"estimation_over_noise", std::sqrt(found.after.channel_ms[c])},
-          {"depends_on", depends},
-          {"formula", found.formula.empty() ? Json(nullptr) : Json(found.formula.text)}};
+  return {.channel = data.outputs[c].name,
+          .nrmse = score.nrmse,
+          .whiteness_p = WhitenessP(Finite(r)),
+          .over_noise = left[c].over_noise,
+          .following_over_noise = std::sqrt(left[c].following),
+          .estimation_over_noise = std::sqrt(found.after.channel_ms[c]),
+          .depends_on = Strongest(shares),
+          .formula = found.formula.empty() ? "" : found.formula.text};
+}
+
+Json UnexplainedJson(const Unexplained& left) {
+  Json out = {{"channel", left.channel},
+              {"nrmse", left.nrmse},
+              {"whiteness_p", left.whiteness_p},
+              {"residual_over_noise", left.over_noise},
+              {"following_over_noise", left.following_over_noise}};
+  if (left.estimation_over_noise) out["estimation_over_noise"] = *left.estimation_over_noise;
+  out["depends_on"] = left.depends_on;
+  out["formula"] = left.formula.empty() ? Json(nullptr) : Json(left.formula);
+  return out;
 }
 
 Json Parameters(const FreeModel& model, const FitResult& fit, size_t begin, size_t end,
@@ -136,7 +171,7 @@ Json EffectList(const Identification& found) {
     Json entry = {{"name", effect.candidate.effect},
                   {"parameters", Parameters(found.corrected, found.after, begin,
                                             begin + effect.candidate.free.size(), false)},
-                  {"evidence", ToJson(effect.evidence)},
+                  {"evidence", EvidenceJson(effect.evidence)},
                   {"confusable_with", effect.confusable_with}};
     if (effect.candidate.effect == effects::UnlistedInfo().name)
       entry["formula"] = found.formula.text;

@@ -7,6 +7,7 @@
 
 #include "identify/identification.h"
 #include "identify/motion_share.h"
+#include "identify/unexplained.h"
 #include "identify/verdict.h"
 #include "measurement/fit_data.h"
 
@@ -17,14 +18,17 @@ using Json = nlohmann::ordered_json;
 /// Errors of one predicted set of channels over a window, by name of channel.
 Json ScoreChannels(const measurement::FitData& data, const Channels& predicted,
                    const std::array<double, 2>& window);
-/// "before" and "after" of each channel.
-Json ScoreBoth(const measurement::FitData& data, const Channels& before, const Channels& after,
-               const std::array<double, 2>& window);
-/// Where the residual of the declared model lives: channel and variables it depends on.
-Json Localise(const measurement::FitData& data, const Channels& predicted, const FitResult& fit);
-/// What the corrected model leaves in the validation window. `left`: by channel, there.
-Json Unexplained(const measurement::FitData& data, const Channels& after,
-                 const std::vector<LeftOver>& left, const Identification& found);
+std::vector<BeforeAfter> ScoreBoth(const measurement::FitData& data, const Channels& before,
+                                   const Channels& after, const std::array<double, 2>& window);
+/// Of the declared model as fitted.
+Localised Localise(const measurement::FitData& data, const Channels& predicted,
+                   const FitResult& fit);
+/// `left`: by channel, in the validation window.
+Unexplained FindUnexplained(const measurement::FitData& data, const Channels& after,
+                            const std::vector<LeftOver>& left, const Identification& found);
+Json ScoresJson(const std::vector<BeforeAfter>& scores);
+Json LocalisedJson(const Localised& found);
+Json UnexplainedJson(const Unexplained& left);
 /// Values and intervals of the free numbers [begin, end).
 Json Parameters(const FreeModel& model, const FitResult& fit, size_t begin, size_t end,
                 bool whole_name);

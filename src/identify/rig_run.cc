@@ -18,7 +18,7 @@ using measurement::Manifest;
 using measurement::RigCase;
 
 /// The measured channels as used: uniform clock, SI, NaN where a sample takes no part.
-Status WriteMeasured(const DrivenRig& rig, const std::string& path) {
+Status WriteMeasuredRig(const DrivenRig& rig, const std::string& path) {
   std::vector<std::string> names = {"t_s"};
   std::vector<std::vector<double>> columns = {rig.Times()};
   for (const auto* list : {&rig.input.run.inputs, &rig.input.run.outputs}) {
@@ -124,7 +124,7 @@ Result<RigOutcome> RunRig(const Manifest& manifest, const ResultDir& dir) {
   if (c.compared()) {
     outcome.summary += RecordLines(outcome.result, c.run.validation.empty());
     outcome.measured = dir.File("measured.csv");
-    if (Status s = WriteMeasured(rig, outcome.measured); !s.ok()) return s.error();
+    if (Status s = WriteMeasuredRig(rig, outcome.measured); !s.ok()) return s.error();
   } else {
     outcome.summary += ExtremeLines(outcome.result);
   }

@@ -184,7 +184,7 @@ std::string NumbersText(const StepSearch& s) {
   return out;
 }
 
-std::string Summary(const StepSearch& s) {
+std::string StepsSummary(const StepSearch& s) {
   std::string out =
       "mean relative error of gauge pressures, each step left out of the fit (in brackets: of the "
       "absolute pressure)\n"
@@ -303,7 +303,7 @@ Result<RigOutcome> IdentifySteps(const measurement::Manifest& manifest, const Re
   out.result = ToJson(searched.value(), manifest, cases.value());
   Status written = WriteFiles(searched.value(), cases.value(), out.result, dir);
   if (!written.ok()) return written.error();
-  out.summary = Summary(searched.value());
+  out.summary = StepsSummary(searched.value());
   return out;
 }
 

@@ -69,7 +69,7 @@ std::vector<StepNumber> UsualNumbers(const StepProblem& problem) {
   return out;
 }
 
-void Share(const std::vector<std::string>& shared, StepProblem* problem) {
+void MarkShared(const std::vector<std::string>& shared, StepProblem* problem) {
   for (StepNumber& n : problem->numbers) {
     n.shared = std::find(shared.begin(), shared.end(), n.name) != shared.end();
   }
@@ -112,7 +112,7 @@ Result<StepProblem> MakeStepProblem(const measurement::Manifest& manifest,
   for (const std::string& name : manifest.free) out.numbers.push_back({name});
   if (manifest.free.empty()) out.numbers = UsualNumbers(out);
   if (Status s = CheckShared(manifest, out); !s.ok()) return s.error();
-  Share(manifest.shared, &out);
+  MarkShared(manifest.shared, &out);
   return out;
 }
 
@@ -124,7 +124,7 @@ StepProblem WithEffect(const StepProblem& problem, const std::string& effect,
                                      [&](const StepNumber& n) { return n.name == added.name; });
     if (!present) out.numbers.push_back(added);
   }
-  Share(shared, &out);
+  MarkShared(shared, &out);
   return out;
 }
 

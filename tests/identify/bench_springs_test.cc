@@ -17,7 +17,7 @@ constexpr double kGasForce_N = 600, kExponent = 1.3;
 constexpr double kHardening_N_per_m3 = 2e6, kQuadratic_Ns2_per_m2 = 900, kCoulomb_N = 12;
 
 /// Three sines of 70 mm together, force noise 0.5 N.
-void WriteRecord(const fs::path& folder) {
+void WriteSpringRecord(const fs::path& folder) {
   std::mt19937 random(17);
   std::normal_distribution<double> normal;
   std::ofstream csv(folder / "run.csv");
@@ -55,7 +55,7 @@ void WriteRecord(const fs::path& folder) {
 TEST(BenchSprings, GasHardeningAndQuadraticDampingOfAStrutAreFittedWithin2Percent) {
   const fs::path folder = fs::temp_directory_path() / ("phs_strut_" + std::to_string(::getpid()));
   fs::create_directories(folder);
-  WriteRecord(folder);
+  WriteSpringRecord(folder);
   const nlohmann::ordered_json r = IdentifiedIn(folder);
   EXPECT_TRUE(r["effects"].empty()) << r["effects"].dump(1);
   EXPECT_EQ(r["verdict"], "sufficient") << r["reasons"].dump();

@@ -13,16 +13,16 @@
 namespace phs::identify::search {
 namespace {
 
-constexpr int kRows = 1024;
+constexpr int kEvidenceRows = 1024;
 
 /// A model of which only the number of rows counts.
 class NoModel : public ForwardModel {
  public:
-  NoModel() : measured_{{"load_cell_N", std::vector<double>(kRows, 0.0), 1.0}} {}
+  NoModel() : measured_{{"load_cell_N", std::vector<double>(kEvidenceRows, 0.0), 1.0}} {}
   const std::vector<MeasuredBlock>& Measured() const override { return measured_; }
   Status Run(const hydraulics::PhsParams&, Span, Channels*) const override { return {}; }
   Status Uncertainty(const hydraulics::PhsParams&, Span, Channels* deviation) const override {
-    deviation->assign(1, std::vector<double>(kRows, 0.0));
+    deviation->assign(1, std::vector<double>(kEvidenceRows, 0.0));
     return {};
   }
   FreeModel Declared(const hydraulics::PhsParams&) const override { return {}; }
@@ -36,7 +36,7 @@ class NoModel : public ForwardModel {
 Eigen::VectorXd Noise(unsigned seed, double deviation) {
   std::mt19937 random(seed);
   std::normal_distribution<double> normal(0, deviation);
-  Eigen::VectorXd out(kRows);
+  Eigen::VectorXd out(kEvidenceRows);
   for (double& x : out) x = normal(random);
   return out;
 }
@@ -48,7 +48,7 @@ FitResult Fitted(const FitProblem& problem, const Eigen::VectorXd& residual, int
   fit.powers = problem.likelihood().Powers(problem.likelihood().Transform(residual));
   fit.score = problem.likelihood().MinusTwoLog(fit.powers);
   fit.slopes = Eigen::MatrixXd::Zero(problem.likelihood().size(), numbers);
-  fit.channel_ms = {residual.squaredNorm() / kRows};
+  fit.channel_ms = {residual.squaredNorm() / kEvidenceRows};
   return fit;
 }
 
@@ -81,9 +81,9 @@ TEST(Evidence, BelowTheNoiseNothingIsGained) {
 // parts left out.
 TEST(Evidence, ANumberThatEveryPartSetsAnewLosesInCrossValidation) {
   const FitProblem problem = NoProblem();
-  Eigen::VectorXd bump = Eigen::VectorXd::Zero(kRows), other = bump;
-  for (int i = 0; i < kRows / 6; ++i) {
-    bump[i] = 0.05 * std::sin(0.3 * i), other[i + kRows / 6] = 0.05 * std::sin(0.3 * i);
+  Eigen::VectorXd bump = Eigen::VectorXd::Zero(kEvidenceRows), other = bump;
+  for (int i = 0; i < kEvidenceRows / 6; ++i) {
+    bump[i] = 0.05 * std::sin(0.3 * i), other[i + kEvidenceRows / 6] = 0.05 * std::sin(0.3 * i);
   }
   // Two parts ask for +1 and -1 times the same column: the fit takes half of one and none of it.
   const FitResult without = Fitted(problem, 100 * (bump - other), 1);
@@ -91,7 +91,7 @@ TEST(Evidence, ANumberThatEveryPartSetsAnewLosesInCrossValidation) {
   with.slopes.col(0) = problem.likelihood().Transform(Eigen::VectorXd(1000 * (bump + other)));
   EXPECT_LT(Compare(problem, without, with, 1).cross_validation_gain, 0);
   // Where both ask for the same, nothing is lost by leaving either out.
-  FitResult same = Fitted(problem, Eigen::VectorXd::Zero(kRows), 1);
+  FitResult same = Fitted(problem, Eigen::VectorXd::Zero(kEvidenceRows), 1);
   same.slopes = with.slopes;
   EXPECT_GT(Compare(problem, without, same, 1).cross_validation_gain, 0);
 }

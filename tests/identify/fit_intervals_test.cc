@@ -11,13 +11,13 @@
 namespace phs::identify::search {
 namespace {
 
-constexpr int kRows = 2000, kNumbers = 5;
+constexpr int kDrawnRows = 2000, kNumbers = 5;
 
 /// An offset and slow waves, which a few coefficients of the slowest octaves tell.
 Eigen::MatrixXd SlowColumns() {
-  Eigen::MatrixXd columns(kRows, kNumbers);
-  for (int i = 0; i < kRows; ++i) {
-    const double t = static_cast<double>(i) / kRows;
+  Eigen::MatrixXd columns(kDrawnRows, kNumbers);
+  for (int i = 0; i < kDrawnRows; ++i) {
+    const double t = static_cast<double>(i) / kDrawnRows;
     columns.row(i) << 1, std::sin(2 * M_PI * 4.2 * t), std::cos(2 * M_PI * 4.2 * t),
         std::sin(2 * M_PI * 11 * t), std::cos(2 * M_PI * 26 * t);
   }
@@ -27,7 +27,7 @@ Eigen::MatrixXd SlowColumns() {
 /// Remembers three samples; seven times what its differences alone would say at slow frequencies.
 Eigen::VectorXd ColouredNoise(std::mt19937* random) {
   std::normal_distribution<double> normal;
-  Eigen::VectorXd noise(kRows);
+  Eigen::VectorXd noise(kDrawnRows);
   double at = normal(*random);
   for (double& x : noise) x = at = 0.7 * at + std::sqrt(1 - 0.49) * normal(*random);
   return noise / 0.5;
@@ -41,7 +41,7 @@ struct Shares {
 };
 
 Shares Coverage(int draws) {
-  const Likelihood likelihood({{0, kRows, 1.0}}, 0.1);
+  const Likelihood likelihood({{0, kDrawnRows, 1.0}}, 0.1);
   const Eigen::MatrixXd columns = likelihood.Transform(SlowColumns());
   std::mt19937 random(4);
   Shares shares;

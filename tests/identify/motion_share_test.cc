@@ -10,13 +10,13 @@
 namespace phs::identify {
 namespace {
 
-constexpr int kRows = 8000;
+constexpr int kMotionRows = 8000;
 constexpr double kStep = 0.005;  // s
 
 /// Slow and fast parts, reversals, rests.
 std::vector<double> Motion() {
   std::vector<double> x;
-  for (int i = 0; i < kRows; ++i) {
+  for (int i = 0; i < kMotionRows; ++i) {
     const double t = i * kStep;
     const double slow = std::sin(2 * M_PI * 0.13 * t), fast = std::sin(2 * M_PI * 1.7 * t + 1);
     x.push_back(std::fmod(t, 10) < 8 ? slow + 0.2 * fast : slow);
@@ -30,17 +30,17 @@ std::vector<double> Speed(const std::vector<double>& x) {
   return v;
 }
 
-std::vector<double> White(unsigned seed, double deviation) {
+std::vector<double> WhiteRow(unsigned seed, double deviation) {
   std::mt19937 generator(seed);
   std::normal_distribution<double> normal(0, deviation);
-  std::vector<double> out(kRows);
+  std::vector<double> out(kMotionRows);
   for (double& y : out) y = normal(generator);
   return out;
 }
 
 /// y_i = remembered y_(i-1) + white: first-order noise of the asked deviation.
-std::vector<double> Coloured(unsigned seed, double remembered, double deviation) {
-  std::vector<double> out = White(seed, deviation * std::sqrt(1 - remembered * remembered));
+std::vector<double> ColouredRow(unsigned seed, double remembered, double deviation) {
+  std::vector<double> out = WhiteRow(seed, deviation * std::sqrt(1 - remembered * remembered));
   for (size_t i = 1; i < out.size(); ++i) out[i] += remembered * out[i - 1];
   return out;
 }
@@ -48,12 +48,12 @@ std::vector<double> Coloured(unsigned seed, double remembered, double deviation)
 TEST(MotionShare, NoiseOfAnyColourDoesNotFollow) {
   const std::vector<std::vector<double>> signals = {Motion(), Speed(Motion())};
   for (const unsigned seed : {1u, 2u, 3u, 4u, 5u}) {
-    EXPECT_LT(MeanSquareThatFollows(White(seed, 1), signals), 0.05) << seed;
+    EXPECT_LT(MeanSquareThatFollows(WhiteRow(seed, 1), signals), 0.05) << seed;
     for (const double remembered : {0.7, 0.95}) {  // three and twenty samples
-      EXPECT_LT(MeanSquareThatFollows(Coloured(seed, remembered, 3), signals), 9 * 0.06)
+      EXPECT_LT(MeanSquareThatFollows(ColouredRow(seed, remembered, 3), signals), 9 * 0.06)
           << seed << ' ' << remembered;
     }
-    std::vector<double> hum = White(seed, 1);  // mains, 50 Hz, at its own phase
+    std::vector<double> hum = WhiteRow(seed, 1);  // mains, 50 Hz, at its own phase
     for (size_t i = 0; i < hum.size(); ++i) {
       hum[i] += 4 * std::sin(2 * M_PI * 50.03 * kStep * static_cast<double>(i) + seed);
     }
@@ -63,7 +63,7 @@ TEST(MotionShare, NoiseOfAnyColourDoesNotFollow) {
 
 TEST(MotionShare, FrictionDampingAndCreepFollow) {
   const std::vector<double> x = Motion(), v = Speed(x);
-  const std::vector<double> noise = Coloured(6, 0.7, 1);
+  const std::vector<double> noise = ColouredRow(6, 0.7, 1);
   std::vector<double> friction = noise, square = noise, creep = noise;
   double remembered = 0;
   for (size_t i = 0; i < x.size(); ++i) {
@@ -73,7 +73,7 @@ TEST(MotionShare, FrictionDampingAndCreepFollow) {
   }
   for (const auto& residual : {friction, square, creep}) {
     double all = -1;  // of the noise
-    for (const double r : residual) all += r * r / kRows;
+    for (const double r : residual) all += r * r / kMotionRows;
     const double following = MeanSquareThatFollows(residual, {x});
     EXPECT_GT(following, 0.5 * all);
     EXPECT_LT(following, 1.2 * all);
@@ -81,13 +81,13 @@ TEST(MotionShare, FrictionDampingAndCreepFollow) {
 }
 
 TEST(MotionShare, AnOffsetIsNoColour) {
-  std::vector<double> residual = White(7, 1);
+  std::vector<double> residual = WhiteRow(7, 1);
   for (double& r : residual) r += 2;
   EXPECT_NEAR(MeanSquareThatFollows(residual, {Motion()}), 4, 0.2);
 }
 
 TEST(MotionShare, GapsAndShortRecords) {
-  std::vector<double> residual = Coloured(8, 0.7, 3);
+  std::vector<double> residual = ColouredRow(8, 0.7, 3);
   for (size_t i = 100; i < 500; ++i) residual[i] = std::numeric_limits<double>::quiet_NaN();
   EXPECT_LT(MeanSquareThatFollows(residual, {Motion()}), 0.5);
   // What cannot be told counts whole: it is not taken for noise.

@@ -13,25 +13,25 @@ namespace {
 
 using hydraulics::PhsParams;
 
-constexpr int kRows = 120;
+constexpr int kRivalRows = 120;
 
 /// y = friction.scale sin(w t) + bend of the line's oil on cos(w t): two numbers, two waves.
 class TwoWaves final : public ForwardModel {
  public:
   explicit TwoWaves(double noise) {
-    measured_.push_back({"load_cell_N", std::vector<double>(kRows, 0.0), noise});
+    measured_.push_back({"load_cell_N", std::vector<double>(kRivalRows, 0.0), noise});
   }
   const std::vector<MeasuredBlock>& Measured() const override { return measured_; }
   Status Run(const PhsParams& params, Span, Channels* out) const override {
     out->assign(1, {});
-    for (int i = 0; i < kRows; ++i) {
+    for (int i = 0; i < kRivalRows; ++i) {
       out->front().push_back(params.friction.scale * std::sin(0.3 * i) +
                              1e3 * params.lines[0].oil_volume_m3 * std::cos(0.3 * i));
     }
     return {};
   }
   Status Uncertainty(const PhsParams&, Span, Channels* deviation) const override {
-    deviation->assign(1, std::vector<double>(kRows, 0.0));
+    deviation->assign(1, std::vector<double>(kRivalRows, 0.0));
     return {};
   }
   FreeModel Declared(const PhsParams& declared) const override { return {declared, {}}; }
@@ -64,7 +64,7 @@ TEST(TestEvidence, IsTheMeanAndScatterOfDrawnRecords) {
   constexpr int kDraws = 400;
   for (int k = 0; k < kDraws; ++k) {
     auto drawn = std::make_shared<TwoWaves>(noise);
-    for (int i = 0; i < kRows; ++i) {
+    for (int i = 0; i < kRivalRows; ++i) {
       drawn->measured_[0].values[static_cast<size_t>(i)] =
           0.7 * std::sin(0.3 * i) + noise * normal(random);
     }

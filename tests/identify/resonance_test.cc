@@ -20,7 +20,7 @@ constexpr double kMass_kg = 4, kViscous_Ns_per_m = 60;
 const double kStiffness_N_per_m = kMass_kg * std::pow(2 * M_PI * kRate_Hz / 9, 2);
 
 /// A sine of 0.1 mm whose frequency rises evenly from 2 to 75 Hz.
-void WriteRecord(const fs::path& folder) {
+void WriteResonance(const fs::path& folder) {
   std::mt19937 random(5);
   std::normal_distribution<double> normal;
   std::ofstream csv(folder / "run.csv");
@@ -54,7 +54,7 @@ TEST(Resonance, AtANinthOfTheSamplingRateIsIdentifiedWithin2Percent) {
   const fs::path folder =
       fs::temp_directory_path() / ("phs_resonance_" + std::to_string(::getpid()));
   fs::create_directories(folder);
-  WriteRecord(folder);
+  WriteResonance(folder);
   const nlohmann::ordered_json r = IdentifiedIn(folder);
   EXPECT_TRUE(r["effects"].empty()) << r["effects"].dump(1);
   const auto value = [&](const char* name) { return r["fitted"][name]["value"].get<double>(); };

@@ -230,9 +230,9 @@ TEST(Unexplained, SaysWhatTheValidationWindowAloneExcites) {
   ASSERT_TRUE(over.ok());
   EXPECT_NEAR(over.value()[2].over_noise, 1, 0.1);
   EXPECT_NEAR(over.value()[3].following, 99, 10) << "an offset is no noise";
-  const Json left = Unexplained(data, truth, over.value(), found);
-  EXPECT_EQ(left["channel"], "p_rod_Pa");
-  EXPECT_NEAR(left["residual_over_noise"].get<double>(), 10, 1);
+  const Unexplained left = FindUnexplained(data, truth, over.value(), found);
+  EXPECT_EQ(left.channel, "p_rod_Pa");
+  EXPECT_NEAR(left.over_noise, 10, 1);
   EXPECT_THAT(OtherMotion(left), testing::HasSubstr("validation window excites"));
 }
 
