@@ -54,7 +54,7 @@ py::dict Wheelset(const py::object& cases, const py::dict& pair, const std::stri
 }
 
 /// (table over the lateral position, amplitudes [m], equivalent conicities)
-py::tuple Functions(const py::dict& pair, double reach_m, double step_m, double load_N) {
+py::tuple ContactFunctions(const py::dict& pair, double reach_m, double step_m, double load_N) {
   const jobs::FunctionsRequest request = {
       .pair = ReadPair(pair), .reach_m = reach_m, .step_m = step_m, .load_N = load_N};
   const auto done = Take(
@@ -76,7 +76,7 @@ py::tuple Functions(const py::dict& pair, double reach_m, double step_m, double 
 void BindContact(py::module_* module) {
   module->def("contact_patches", &Patches);
   module->def("contact_wheelset", &Wheelset);
-  module->def("contact_functions", &Functions);
+  module->def("contact_functions", &ContactFunctions);
   module->def("creep_laws", &rail::CreepLawNames);
 }
 

@@ -11,7 +11,7 @@ const char* StiffnessKey(const AxleMode& mode) {
   return mode.rotation ? "stiffness_Nm_per_rad" : "stiffness_N_per_m";
 }
 
-Json ModeJson(const AxleMode& mode, const BogiePlan& plan) {
+Json AxleModeJson(const AxleMode& mode, const BogiePlan& plan) {
   Json json;
   json[StiffnessKey(mode)] = mode.stiffness;
   json[mode.rotation ? "damping_Nms_per_rad" : "damping_Ns_per_m"] = mode.damping;
@@ -60,8 +60,8 @@ Json AxleModesJson(const std::string& bogie, const AxleModes& modes,
                    const AxleModeOptions& options) {
   Json json;
   for (size_t i = 0; i < modes.large.size(); ++i) {
-    Json& mode = json[modes.large[i].name] = ModeJson(modes.large[i], modes.plan);
-    mode["small_amplitude"] = ModeJson(modes.small[i], modes.plan);
+    Json& mode = json[modes.large[i].name] = AxleModeJson(modes.large[i], modes.plan);
+    mode["small_amplitude"] = AxleModeJson(modes.small[i], modes.plan);
     mode["closed_form"] = ClosedFormJson(modes.small[i]);
   }
   json["bogie"] = bogie;

@@ -6,12 +6,12 @@
 #include <cmath>
 
 #include "base/data_path.h"
+#include "base/gravity.h"
 #include "rail/track.h"
 
 namespace phs::analysis {
 namespace {
 
-constexpr double kGravity = 9.81;
 constexpr double kRampSlope = 1e-3;
 constexpr double kShortestTransition = 30;  ///< [m]
 

@@ -129,7 +129,7 @@ class GuidedRun {
   DrivesOff drives_off_;
 };
 
-Status CheckOptions(const LimitCycleOptions& o) {
+Status CheckCycleOptions(const LimitCycleOptions& o) {
   if (o.low_speed_m_s > 0 && o.high_speed_m_s > o.low_speed_m_s && o.high_speed_m_s <= 200 &&
       o.rate_m_s2 > 0 && o.rate_m_s2 <= 5) {
     return {};
@@ -222,7 +222,7 @@ Status RampUp(const VibrationMode& mode, const LimitCycleOptions& options, Guide
 Result<LimitCycle> FindLimitCycle(vehicle::Simulation* simulation, const VibrationMode& mode,
                                   const LimitCycleOptions& options,
                                   const vehicle::Progress& progress) {
-  if (Status s = CheckOptions(options); !s.ok()) return s.error();
+  if (Status s = CheckCycleOptions(options); !s.ok()) return s.error();
   LimitCycle result;
   result.critical_speed = std::numeric_limits<double>::quiet_NaN();
   GuidedRun run(simulation, progress);

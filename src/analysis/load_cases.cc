@@ -14,10 +14,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kSteps = 200;         ///< load steps to the end of a case
-constexpr double kProbe = 1e-7;     ///< of finite differences [m, rad]
-constexpr double kTolerance = 1.0;  ///< of the equilibrium [N, N m]
-constexpr int kMaxIterations = 60;
+constexpr int kSteps = 200;          ///< load steps to the end of a case
+constexpr double kMoveProbe = 1e-7;  ///< of finite differences [m, rad]
+constexpr double kTolerance = 1.0;   ///< of the equilibrium [N, N m]
+constexpr int kMostBalanceSteps = 60;
 
 using Vector = Eigen::Vector4d;  ///< lead x, lead yaw, trail x, trail yaw
 
@@ -91,9 +91,9 @@ class HeldBogie {
     for (int k = 0; k < 4; ++k) {
       Vector plus = u;
       Vector minus = u;
-      plus[k] += kProbe;
-      minus[k] -= kProbe;
-      slope.col(k) = (Resistance(plus) - Resistance(minus)) / (2 * kProbe);
+      plus[k] += kMoveProbe;
+      minus[k] -= kMoveProbe;
+      slope.col(k) = (Resistance(plus) - Resistance(minus)) / (2 * kMoveProbe);
     }
     return slope;
   }
@@ -117,7 +117,7 @@ Vector PatternLoad(const std::string& pattern, double lever) {
 /// Newton with step halving from `u`; false if it does not settle.
 bool Balance(HeldBogie* bogie, const Vector& load, Vector* u) {
   Vector r = bogie->Resistance(*u) + load;
-  for (int iteration = 0; iteration < kMaxIterations; ++iteration) {
+  for (int iteration = 0; iteration < kMostBalanceSteps; ++iteration) {
     if (r.cwiseAbs().maxCoeff() < kTolerance) return true;
     const Vector step = bogie->Slope(*u).partialPivLu().solve(-r);
     double share = 1;

@@ -4,6 +4,8 @@
 
 #include <filesystem>
 
+#include "base/gravity.h"
+
 namespace phs::analysis {
 namespace {
 
@@ -12,7 +14,6 @@ using Json = nlohmann::ordered_json;
 constexpr double kReach = 10e-3;  ///< to either side [m]
 constexpr double kRigidStep = 0.1e-3;
 constexpr double kLoadedStep = 0.5e-3;  ///< elastic bodies change smoothly
-constexpr double kGravity = 9.81;       ///< as in the models [m/s2]
 
 std::string FileName(const std::string& path) {
   return path.find(':') < path.find('/') ? path : std::filesystem::path(path).filename().string();

@@ -44,26 +44,27 @@ Signal OffsetsOf(const vehicle::Simulation& simulation, const vehicle::RunOutcom
 }
 
 /// Rows [first, last) at which `place` lies on the section.
-struct Rows {
+struct RowRange {
   size_t first = 0;
   size_t last = 0;
 };
-Rows RowsOn(const Signal& place, double offset, const rail::TrackSection& section) {
-  Rows rows;
+RowRange RowsOn(const Signal& place, double offset, const rail::TrackSection& section) {
+  RowRange rows;
   while (rows.first < place.size() && place[rows.first] - offset < section.begin_s) ++rows.first;
   rows.last = rows.first;
   while (rows.last < place.size() && place[rows.last] - offset <= section.end_s) ++rows.last;
   return rows;
 }
 
-Signal Part(const Signal& all, const Rows& rows, double factor = 1) {
+Signal Part(const Signal& all, const RowRange& rows, double factor = 1) {
   Signal part(all.begin() + static_cast<long>(rows.first),
               all.begin() + static_cast<long>(rows.last));
   for (double& x : part) x *= factor;
   return part;
 }
 
-WheelsetForces ForcesOn(const vehicle::RunOutcome& run, const std::string& name, const Rows& rows) {
+WheelsetForces ForcesOn(const vehicle::RunOutcome& run, const std::string& name,
+                        const RowRange& rows) {
   // Recorded Y pushes its own rail outwards; here both count to the left.
   return {Part(Column(run, "s_m"), rows), Part(Column(run, name + "_left_Y_N"), rows),
           Part(Column(run, name + "_right_Y_N"), rows, -1),
@@ -104,7 +105,7 @@ Signal Derivative(const Signal& x, double interval_s) {
 
 /// Of the car body along an axis; none where that is not recorded finely enough.
 std::optional<AccelerationStatistics> Ride(const vehicle::RunOutcome& run, const char* axis,
-                                           const Rows& rows, double interval_s) {
+                                           const RowRange& rows, double interval_s) {
   const Signal speed = Part(Column(run, std::string("car_body_") + axis + "_speed_m_s"), rows);
   const auto found = AssessAcceleration(Derivative(speed, interval_s), interval_s);
   if (!found.ok()) return {};
@@ -141,7 +142,7 @@ Result<std::optional<AssessedSection>> AssessSection(const Vehicle& v,
   SectionConditions conditions{v.interval_s, v.wheel_load_N, radius, 1, 0};
   const auto& wheelsets = v.simulation.binding().wheelsets();
   for (size_t i = 0; i < wheelsets.size(); ++i) {
-    const Rows rows = RowsOn(place, v.offsets[i], section);
+    const RowRange rows = RowsOn(place, v.offsets[i], section);
     if (rows.last - rows.first < 2 || place[rows.last - 1] - place[rows.first] < kShortest_m) {
       return std::optional<AssessedSection>();
     }
@@ -166,7 +167,7 @@ Result<std::optional<AssessedSection>> AssessSection(const Vehicle& v,
 }
 
 /// T-gamma in the steady curve, worn section over the run.
-AssessedWheel WheelWear(const Vehicle& v, const std::string& wheel, const Rows& steady) {
+AssessedWheel WheelWear(const Vehicle& v, const std::string& wheel, const RowRange& steady) {
   const Signal& t_gamma = Column(v.run, wheel + "_T_gamma_N");
   const Signal& place = Column(v.run, "s_m");
   const double diameter = 2 * v.simulation.binding().wheel_rail().params().wheel_radius;
@@ -233,7 +234,7 @@ Assessment AssessRun(const vehicle::Simulation& simulation, const vehicle::RunOu
     }
     if (part.value()) out.sections.push_back(*std::move(part).value());
   }
-  const Rows steady = RowsOn(Column(run, "s_m"), 0, SteadySection(binding.track()));
+  const RowRange steady = RowsOn(Column(run, "s_m"), 0, SteadySection(binding.track()));
   for (const auto& w : binding.wheelsets()) {
     for (const char* side : {"_left", "_right"}) {
       out.wheels.push_back(WheelWear(v, w.name + side, steady));

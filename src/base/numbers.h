@@ -1,11 +1,15 @@
 // Numbers as text: the shortest form that reads back to the same bits, and strict reading.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
 
 namespace phs {
+
+/// Where there is none; written as null.
+inline constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 
 /// The shortest text that reads back as exactly `value` ("0.1", "1e-07", "nan", "inf").
 std::string Shortest(double value);

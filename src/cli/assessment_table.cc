@@ -18,7 +18,7 @@ const Json* Assessed(const Json& summary) {
 }
 
 /// Value with "!" where the limit is missed.
-std::string Cell(const Json& assessment, const AssessedName& q) {
+std::string LimitCell(const Json& assessment, const AssessedName& q) {
   if (!assessment["worst"].contains(q.key)) return "-";
   const Json& worst = assessment["worst"][q.key];
   return fmt::format("{:.{}f}{}", q.scale * worst["value"].get<double>(), q.decimals,
@@ -107,7 +107,7 @@ std::string AssessmentTable(const NamedSummaries& summaries) {
   };
   for (const AssessedName& q : report::AssessedNames()) {
     const std::string limit = LimitOf(summaries, q);
-    if (!limit.empty()) row(q.label, q.unit, limit, [&](const Json& a) { return Cell(a, q); });
+    if (!limit.empty()) row(q.label, q.unit, limit, [&](const Json& a) { return LimitCell(a, q); });
   }
   row("body acceleration, lateral", "m/s2", "", [](const Json& a) { return Ride(a, "lateral"); });
   row("body acceleration, vertical", "m/s2", "", [](const Json& a) { return Ride(a, "vertical"); });

@@ -11,7 +11,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string Cell(const Json& row, const char* key, double scale, int decimals) {
+std::string RadiusCell(const Json& row, const char* key, double scale, int decimals) {
   if (!row.contains(key) || !row[key].is_number() || !std::isfinite(row[key].get<double>())) {
     return "-";
   }
@@ -33,9 +33,10 @@ std::string Line(const Json& row) {
   return fmt::format(
       "  {:<19}{:>13}{:>13}{:>11}{:>11}{:>9}{:>10}{:>10}{:>9}\n", row["bogie"].get<std::string>(),
       Attack(row, "angle_of_attack_lead_rad"), Attack(row, "angle_of_attack_trail_rad"),
-      Cell(row, "T_gamma_N", 1, 1), Cell(row, "T_gamma_total_J", 1e-3, 1),
-      Cell(row, "wear_yardstick_over_own_run", 1, 2), Cell(row, "sum_Y_lead_N", 1e-3, 2),
-      Cell(row, "max_sum_Y_N", 1e-3, 1), Cell(row, "max_Y_over_Q", 1, 3));
+      RadiusCell(row, "T_gamma_N", 1, 1), RadiusCell(row, "T_gamma_total_J", 1e-3, 1),
+      RadiusCell(row, "wear_yardstick_over_own_run", 1, 2),
+      RadiusCell(row, "sum_Y_lead_N", 1e-3, 2), RadiusCell(row, "max_sum_Y_N", 1e-3, 1),
+      RadiusCell(row, "max_Y_over_Q", 1, 3));
 }
 
 /// Critical speeds on straight track, one line per bogie.
@@ -44,11 +45,12 @@ std::string SpeedLines(const Json& speeds) {
                                  "", "linear", "hunting lives");
   for (const auto& [bogie, own] : speeds.items()) {
     const std::string linear =
-        own["linear_m_s"].is_number() ? Cell(own, "linear_m_s", 3.6, 0) : "stable";
+        own["linear_m_s"].is_number() ? RadiusCell(own, "linear_m_s", 3.6, 0) : "stable";
     const std::string hunting = own["hunting"].get<std::string>();
-    const std::string lives = hunting == "dies"    ? "from " + Cell(own, "nonlinear_m_s", 3.6, 0)
-                              : hunting == "lives" ? "below " + Cell(own, "ramp_to_m_s", 3.6, 0)
-                                                   : hunting;
+    const std::string lives = hunting == "dies" ? "from " + RadiusCell(own, "nonlinear_m_s", 3.6, 0)
+                              : hunting == "lives"
+                                  ? "below " + RadiusCell(own, "ramp_to_m_s", 3.6, 0)
+                                  : hunting;
     text += fmt::format("  {:<19}{:>9}{:>15}\n", bogie, linear, lives);
   }
   return text;

@@ -59,7 +59,7 @@ std::string NameOf(const Row& row, const Json& summary) {
   return name;
 }
 
-std::string Cell(const Json& changes, const std::string& name) {
+std::string ChangeCell(const Json& changes, const std::string& name) {
   if (!changes.contains(name)) return "-";
   const double change = vehicle::JudgedChange(changes[name]);
   if (!std::isfinite(change)) return "-";
@@ -102,8 +102,8 @@ std::string DiscretisationTable(const NamedSummaries& summaries, const Json& rat
   for (const Row& row : kRows) {
     text += fmt::format("{:<36}", row.label);
     for (const auto& [name, summary] : summaries) {
-      text += fmt::format("{:>{}}",
-                          Cell(summary["discretisation"]["changes"], NameOf(row, summary)), wide);
+      text += fmt::format(
+          "{:>{}}", ChangeCell(summary["discretisation"]["changes"], NameOf(row, summary)), wide);
     }
     text += '\n';
   }

@@ -61,7 +61,7 @@ std::vector<ShippedItem> Effects() {
   return items;
 }
 
-constexpr ShippedKind kKinds[] = {
+constexpr ShippedKind kShippedKinds[] = {
     {"bogies", "for --bogie and `bogie:` of a scenario",
      [] { return ItemsOf("bogie_xml", ".xml"); }},
     {"tracks", "for --track and `track:`", [] { return ItemsOf("models/tracks", ".yaml"); }},
@@ -111,11 +111,11 @@ std::string LeadingComment(const std::string& text) {
 
 }  // namespace
 
-std::span<const ShippedKind> ShippedKinds() { return kKinds; }
+std::span<const ShippedKind> ShippedKinds() { return kShippedKinds; }
 
 std::vector<std::string> ShippedKindNames() {
   std::vector<std::string> names;
-  for (const ShippedKind& kind : kKinds) names.push_back(kind.name);
+  for (const ShippedKind& kind : kShippedKinds) names.push_back(kind.name);
   return names;
 }
 

@@ -37,7 +37,7 @@ std::string Attack(const Json& row) {
   return fmt::format("{:.3f} {}", 1e3 * std::abs(angle), RailPointedTo(angle, 1));
 }
 
-void PrintRow(const Json& row) {
+void PrintRadius(const Json& row) {
   fmt::print("{:>8.0f}{:>8.1f}{:>7.0f}{:>14}{:>11}{:>11}{:>11}", row["radius_m"].get<double>(),
              3.6 * row["speed_m_s"].get<double>(), 1e3 * row["cant_m"].get<double>(), Attack(row),
              Cell(row, "largest_Y_N", 1e-3, 2), Cell(row, "sum_Y_lead_N", 1e-3, 2),
@@ -94,7 +94,7 @@ int RunCurving(CurvingVerb verb) {
                                         },
                                     .row =
                                         [&](const Json& row) {
-                                          if (text) PrintRow(row);
+                                          if (text) PrintRadius(row);
                                         }};
   const auto solved = jobs::SolveCurves(verb.request, {}, tell);
   if (!solved.ok()) return BadInput(solved.error());

@@ -135,7 +135,7 @@ void PrintSpread(const Json& spread) {
              spread.at("within_factor").get<double>());
 }
 
-void Print(const Json& study, const std::string& out) {
+void PrintStudy(const Json& study, const std::string& out) {
   fmt::print("{}: {}\n", study.at("study").get<std::string>(),
              study.at("question").get<std::string>());
   for (const Json& part : study.at("parts")) {
@@ -188,7 +188,7 @@ int RunStudy(const CLI::App& app, StudyOptions options) {
   if (options.common.format == "json") {
     fmt::print("{}\n", json.dump(2));
   } else {
-    Print(json, out);
+    PrintStudy(json, out);
   }
   return options.checks.Conclude("study", NumbersOf(json),
                                  json.at("status") == "ok" ? kDone : kFailed);

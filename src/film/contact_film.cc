@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "base/numbers.h"
 #include "rail/height_under_load.h"
 #include "view/shapes.h"
 
@@ -11,7 +11,6 @@ namespace phs::film {
 namespace {
 
 using rail::Side;
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr size_t kShown = 3;  ///< patches of a wheel that are shown
 constexpr size_t kLead = 0;
 constexpr int kMostRolls = 6;
@@ -61,7 +60,7 @@ std::vector<std::array<double, 2>> PointsOf(const std::vector<Eigen::Vector2d>& 
 void AddNothing(report::ReplayWheel::Patch* patch) {
   for (report::Course* course : {&patch->y, &patch->z, &patch->angle, &patch->a, &patch->b,
                                  &patch->pressure, &patch->load, &patch->share}) {
-    course->push_back(kNone);
+    course->push_back(kNoNumber);
   }
 }
 
@@ -81,7 +80,7 @@ void AddPlace(const WheelOnRail& at, const rail::ContactPatch* largest,
               report::ReplayWheel* wheel) {
   if (largest == nullptr) {
     for (report::Course* course : {&wheel->offset_y, &wheel->offset_z, &wheel->roll}) {
-      course->push_back(kNone);
+      course->push_back(kNoNumber);
     }
     return;
   }

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "base/check.h"
+#include "base/numbers.h"
 #include "view/palette.h"
 #include "view/shapes.h"
 
@@ -16,7 +16,6 @@ using Eigen::Quaterniond;
 using Eigen::Vector3d;
 using report::Course;
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr double kStill = 2e-4;  ///< a place that moves less against a body belongs to it [m]
 
 const char* SolidName(int type) {
@@ -165,7 +164,7 @@ std::vector<Course> PlacesInL(const std::vector<Instant>& look, size_t part, boo
   for (const Instant& instant : look) {
     const Shot& shot = instant.shots[part];
     if (!shot.visible) {
-      for (Course& course : place) course.push_back(kNone);
+      for (Course& course : place) course.push_back(kNoNumber);
       continue;
     }
     Eigen::VectorXd now = PlaceOf(shot, nullptr, bar);

@@ -6,6 +6,7 @@
 #include "analysis/curve_family.h"
 #include "analysis/pair_conicity.h"
 #include "analysis/steady_curve.h"
+#include "base/gravity.h"
 #include "base/origin.h"
 #include "report/analysis_report.h"
 #include "vehicle/compose.h"
@@ -133,7 +134,7 @@ Result<Json> SolveOne(const CurvingRequest& request, const std::string& bogie, d
   row["processor_s"] = solved.value().processor_s;
   const mjModel* m = simulation.value().model();
   const double load =
-      m->body_subtreemass[0] * 9.81 / (2.0 * static_cast<double>(steady.wheelsets.size()));
+      m->body_subtreemass[0] * kGravity / (2.0 * static_cast<double>(steady.wheelsets.size()));
   if (request.time_run) {
     if (Status s = AddTimeRun(&simulation.value(), radius, load, solved.value(), watch, &row);
         !s.ok()) {

@@ -11,8 +11,8 @@
 namespace phs::rail {
 namespace {
 
-constexpr double kMostRoll = 0.06;    ///< [rad]
-constexpr double kRollStep = 0.1e-3;  ///< the first step from the roll beside [rad]
+constexpr double kMostWheelsetRoll = 0.06;  ///< [rad]
+constexpr double kRollStep = 0.1e-3;        ///< the first step from the roll beside [rad]
 constexpr double kAmplitudeStep = 0.5e-3;
 constexpr double kLeastAmplitude = 1e-3;
 constexpr double kTurnStep = 0.05e-3;  ///< the first step to the turning point of an amplitude [m]
@@ -66,7 +66,7 @@ std::optional<ContactFunctionRow> RowAt(const WheelRail& left, const WheelRail& 
   const auto difference = [&](double roll) {
     return place(roll) ? row.left.height - row.right.height : std::nan("");
   };
-  const auto roll = RisingRoot(difference, {near, kRollStep, kMostRoll, 1e-12});
+  const auto roll = RisingRoot(difference, {near, kRollStep, kMostWheelsetRoll, 1e-12});
   if (!roll || !place(*roll)) return std::nullopt;
   row.height = 0.5 * (row.right.height + row.left.height);
   return row;

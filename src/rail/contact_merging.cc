@@ -10,7 +10,7 @@ namespace {
 
 /// From 3^(2/3) on m is 0.
 constexpr double kApart = 2.081;
-constexpr double kEnd = 0.5e-3;  ///< contact this near to an end is at the end [m]
+constexpr double kNearEnd = 0.5e-3;  ///< contact this near to an end is at the end [m]
 
 double SizeOf(const Overlap& p) { return std::sqrt(p.push[1] * p.push[1] + p.push[2] * p.push[2]); }
 
@@ -97,9 +97,9 @@ void ContactSearch::AddReadings(const Axle& axle, const Humps& humps, int from,
     Overlap& patch = found->patch[static_cast<size_t>(found->count++)];
     Describe(axle, sum, readings.stored[from][to], &patch);
     patch.weight = share;
-    patch.at_end = at_end || patch.wheel_y < wheel_.min_y() + kEnd ||
-                   patch.wheel_y > wheel_.max_y() - kEnd || patch.y < rail_.min_y() + kEnd ||
-                   patch.y > rail_.max_y() - kEnd;
+    patch.at_end = at_end || patch.wheel_y < wheel_.min_y() + kNearEnd ||
+                   patch.wheel_y > wheel_.max_y() - kNearEnd ||
+                   patch.y < rail_.min_y() + kNearEnd || patch.y > rail_.max_y() - kNearEnd;
   }
 }
 

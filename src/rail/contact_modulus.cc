@@ -8,15 +8,15 @@
 namespace phs::rail {
 namespace {
 
-constexpr double kStep = 0.125e-3;      ///< of the table [m]
-constexpr double kMostShift = 25e-3;    ///< of the wheel across the rail, either way [m]
-constexpr double kShiftStep = 0.1e-3;   ///< [m]
-constexpr double kSearchStep = 0.5e-3;  ///< on the wheel [m]
-constexpr double kJump = 1e-3;          ///< touches farther apart leave the rail between them [m]
-constexpr double kWindow = 0.5e-3;      ///< of curvature, half, arc length [m]
-constexpr double kEven = 1.5e-3;        ///< over which kappa is evened out, half, arc length [m]
-constexpr double kEnd = 1e-3;           ///< curvature is not asked for nearer to an end [m]
-constexpr double kFlattest = 0.05;      ///< conformal regions carry a wide but finite patch [1/m]
+constexpr double kTableStep = 0.125e-3;   ///< of the table [m]
+constexpr double kMostShift = 25e-3;      ///< of the wheel across the rail, either way [m]
+constexpr double kShiftStep = 0.1e-3;     ///< [m]
+constexpr double kSearchStep = 0.5e-3;    ///< on the wheel [m]
+constexpr double kJump = 1e-3;            ///< touches farther apart leave the rail between them [m]
+constexpr double kWindow = 0.5e-3;        ///< of curvature, half, arc length [m]
+constexpr double kEvenedOver = 1.5e-3;    ///< over which kappa is evened out, half, arc length [m]
+constexpr double kLeftOut = 1e-3;         ///< curvature is not asked for nearer to an end [m]
+constexpr double kFlattestRegion = 0.05;  ///< conformal regions carry a wide but finite patch [1/m]
 
 /// Mean curvature: the turn of the surface over its length.
 double MeanCurvature(const Profile& p, double y) {
@@ -29,8 +29,8 @@ double MeanCurvature(const Profile& p, double y) {
 
 /// Where the upright wheel touches first, its origin `shift` outside of the rail's; wheel profile.
 double TouchOf(const Profile& wheel, const Profile& rail, double shift) {
-  const double from = std::max(wheel.min_y(), rail.min_y() - shift) + kEnd;
-  const double to = std::min(wheel.max_y(), rail.max_y() - shift) - kEnd;
+  const double from = std::max(wheel.min_y(), rail.min_y() - shift) + kLeftOut;
+  const double to = std::min(wheel.max_y(), rail.max_y() - shift) - kLeftOut;
   const auto depth = [&](double y) { return wheel.At(y).z - rail.At(y + shift).z; };
   double deepest = from;
   double most = depth(from);
@@ -51,11 +51,11 @@ double TouchOf(const Profile& wheel, const Profile& rail, double shift) {
 }
 
 /// kappa over a rail's surface in the making; 0 = not yet known.
-class Table {
+class ModulusTable {
  public:
-  Table(const Profile& wheel, const Profile& rail, double radius, const Hertz& hertz)
+  ModulusTable(const Profile& wheel, const Profile& rail, double radius, const Hertz& hertz)
       : wheel_(wheel), rail_(rail), radius_(radius), hertz_(hertz) {
-    const int pieces = static_cast<int>(std::ceil((rail.max_y() - rail.min_y()) / kStep));
+    const int pieces = static_cast<int>(std::ceil((rail.max_y() - rail.min_y()) / kTableStep));
     per_step_ = pieces / (rail.max_y() - rail.min_y());
     modulus_.assign(static_cast<size_t>(pieces) + 1, 0);
     shift_.assign(modulus_.size(), 0);
@@ -102,7 +102,7 @@ class Table {
       arc.push_back(arc.back() + std::sqrt(1 + slope * slope) / per_step_);
     }
     const std::vector<double> same(modulus_.size(), 1);
-    return MeanOverArc(modulus_, arc, same, kEven, [](double away) { return 1 - away; });
+    return MeanOverArc(modulus_, arc, same, kEvenedOver, [](double away) { return 1 - away; });
   }
 
  private:
@@ -114,7 +114,7 @@ class Table {
     const Profile::Sample s = wheel_.At(wheel_y);
     const double across = 0.5 * (MeanCurvature(rail_, rail_y) - MeanCurvature(wheel_, wheel_y));
     const double along = 0.5 / ((radius_ + s.z) * std::sqrt(1 + s.slope * s.slope));
-    const double b = std::max(across, kFlattest);
+    const double b = std::max(across, kFlattestRegion);
     const double energy = 0.4 * hertz_.Stiffness(along, b);  // over depth^2.5
     return std::pow(energy, 1.8) * std::sqrt(b) / kParabolaFourth;
   }
@@ -149,7 +149,7 @@ class Table {
 ContactModulus::ContactModulus(const Profile& wheel, const Profile& rail, double radius,
                                const Hertz& hertz)
     : begin_(rail.min_y()) {
-  Table table(wheel, rail, radius, hertz);
+  ModulusTable table(wheel, rail, radius, hertz);
   table.FillTouched();
   table.FillRest();
   modulus_ = table.EvenedOut();

@@ -11,8 +11,8 @@ namespace {
 constexpr double kDepth = 80e-6;   ///< of a hump under a usual load [m]
 constexpr double kNodesInIt = 20;  ///< in that hump
 constexpr double kPiece = 0.1e-3;
-constexpr double kFlattest = 1, kSharpest = 60;  ///< B [1/m]
-constexpr double kEven = 3e-3;                   ///< half, along the surface [m]
+constexpr double kFlattestHump = 1, kSharpestHump = 60;  ///< B [1/m]
+constexpr double kEven = 3e-3;                           ///< half, along the surface [m]
 constexpr double kEnd = 1e-3;  ///< curvature is not asked for nearer to an end [m]
 
 double Curvature(const Profile& p, double y) {
@@ -63,7 +63,7 @@ ContactNodes::ContactNodes(const Profile& wheel, const Profile& rail, double rad
     stretch.push_back(std::sqrt(1 + slope * slope));
     arc.push_back(i == 0 ? 0 : arc.back() + 0.5 * piece * (stretch[i - 1] + stretch[i]));
     const double b = 0.5 * (PartnersCurvature(rail_points, slope) - Curvature(wheel, y));
-    root.push_back(std::sqrt(std::clamp(b, kFlattest, kSharpest)));
+    root.push_back(std::sqrt(std::clamp(b, kFlattestHump, kSharpestHump)));
   }
   const double step = 2 * std::sqrt(kDepth) / (kNodesInIt * fineness);
   const std::vector<double> even = MeanOverArc(

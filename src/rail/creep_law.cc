@@ -14,7 +14,7 @@ Status InRange(const char* key, double value, double low, double high) {
                std::to_string(low) + " … " + std::to_string(high), ""};
 }
 
-Status Validate(const CreepLawParams& p) {
+Status CheckCreepLaw(const CreepLawParams& p) {
   const Status checks[] = {
       InRange("shear_modulus_Pa", p.material.shear_modulus_Pa, 1e9, 1e12),
       InRange("poisson_ratio", p.material.poisson_ratio, 0, 0.5),
@@ -118,7 +118,7 @@ Status ChooseCreepLaw(const std::string& text, CreepLawParams* params) {
 }
 
 Result<std::unique_ptr<CreepLaw>> CreateCreepLaw(const CreepLawParams& params) {
-  const Status valid = Validate(params);
+  const Status valid = CheckCreepLaw(params);
   if (!valid.ok()) return valid.error();
   const CreepLawRow* row = FindCreepLaw(params.method);
   if (row == nullptr) return UnknownLaw(params.method);

@@ -25,7 +25,7 @@ using creep_table::kStride;
 using creep_table::Place;
 using creep_table::PlaceOn;
 
-constexpr double kSmallest = 1e-9;  ///< p of the linear limit
+constexpr double kLeastPush = 1e-9;  ///< p of the linear limit
 
 /// Folded into the part of the cube that is stored, with the signs that undo it.
 struct Folded {
@@ -226,7 +226,7 @@ PHS_WIDE NormalisedForce CreepTable::At(const NormalisedCreepage& c, NormalisedS
                                         Cell* cell) const noexcept {
   const Folded f = Fold(c);
   if (f.p == 0) {  // no direction: that of u stands for the linear limit
-    At({kSmallest, 0, 0, c.chi}, slope, nullptr);
+    At({kLeastPush, 0, 0, c.chi}, slope, nullptr);
     return {};
   }
   *slope = {};

@@ -12,8 +12,6 @@ constexpr double kTolerance = 1e-8;  ///< [m]
 constexpr double kBack = 0.01;
 constexpr double kLongest = 5;  ///< step over rest
 
-double Dot(const Vec3& a, const Vec3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
 /// Displacement of an elastic, massless rail under the Hertz forces: k w = sum N n (2 x 2 Newton)
 /// with shapes held as found at `from`.
 void BendUnder(const Overlaps& found, const RailSupport& s, const Vec3& from, Vec3* bend) noexcept {

@@ -21,6 +21,8 @@ namespace phs::rail {
 
 using Vec3 = std::array<double, 3>;
 
+inline double Dot(const Vec3& a, const Vec3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
 enum class Side { kLeft = 0, kRight = 1 };
 
 /// Components of a polar vector (position, velocity, force) in C from T, and back (an involution).

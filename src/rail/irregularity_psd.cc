@@ -156,7 +156,7 @@ struct Grid {
   double waves;
 };
 
-Grid GridOf(const IrregularityPsdParams& params) {
+Grid WaveGridOf(const IrregularityPsdParams& params) {
   const double range = params.end_s - params.begin_s;
   const bool goes_on =
       params.finest_wavelength > 0 && params.finest_wavelength < params.shortest_wavelength;
@@ -178,14 +178,14 @@ Grid GridOf(const IrregularityPsdParams& params) {
 }  // namespace
 
 double IrregularityWork(const IrregularityPsdParams& params) {
-  const Grid g = GridOf(params);
+  const Grid g = WaveGridOf(params);
   return g.intervals * g.waves;
 }
 
 IrregularitySamples GenerateIrregularity(const IrregularityPsdParams& params) {
   PHS_CHECK(params.end_s > params.begin_s && params.shortest_wavelength > 0);
   PHS_CHECK(params.longest_wavelength > params.shortest_wavelength);
-  const Grid g = GridOf(params);
+  const Grid g = WaveGridOf(params);
   const auto intervals = static_cast<size_t>(g.intervals);
   const auto waves = static_cast<size_t>(g.waves);
   IrregularitySamples samples;

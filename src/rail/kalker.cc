@@ -36,7 +36,7 @@ constexpr double kTable[kRows][3][4] = {
     {{10.7, 10.7, 12.2, 0.795}, {11.7, 12.8, 14.6, 0.526}, {12.9, 16.0, 18.0, 0.228}},  // a/b = 10
 };
 /// g = min(a/b, b/a) of the rows: 0.1 … 1 … 0.1.
-constexpr double kSmallest = 0.1;
+constexpr double kSmallestRatio = 0.1;
 
 using Four = std::array<double, 4>;
 
@@ -73,7 +73,8 @@ Four Asymptote(double g, bool short_along, double nu) {
 KalkerCoefficients CalcKalkerCoefficients(double a_over_b, double nu) {
   const bool short_along = a_over_b <= 1;
   const double g = short_along ? a_over_b : 1 / a_over_b;
-  const double place = (std::max(g, kSmallest) - kSmallest) / 0.1;  // rows from the end to a = b
+  const double place =
+      (std::max(g, kSmallestRatio) - kSmallestRatio) / 0.1;  // rows from the end to a = b
   const int below = std::min(static_cast<int>(place), 8);
   const double part = place - below;
   const int row0 = short_along ? below : kRows - 1 - below;
@@ -82,9 +83,9 @@ KalkerCoefficients CalcKalkerCoefficients(double a_over_b, double nu) {
   const Four c1 = AtPoisson(row1, nu);
   Four c;
   for (int i = 0; i < 4; ++i) c[i] = c0[i] + part * (c1[i] - c0[i]);
-  if (g < kSmallest) {
+  if (g < kSmallestRatio) {
     const Four here = Asymptote(g, short_along, nu);
-    const Four edge = Asymptote(kSmallest, short_along, nu);
+    const Four edge = Asymptote(kSmallestRatio, short_along, nu);
     for (int i = 0; i < 4; ++i) c[i] *= here[i] / edge[i];
   }
   return {c[0], c[1], c[2], c[3]};

@@ -10,10 +10,10 @@
 namespace phs::rail {
 namespace {
 
-constexpr double kStep = 0.25e-3;    ///< of the equidistant knots [m]
-constexpr double kThin = 0.4e-3;     ///< points nearer together are thinned out [m]
-constexpr double kSteepest = 6;      ///< |dz/dy|
-constexpr double kShortest = 10e-3;  ///< usable width [m]
+constexpr double kKnotStep = 0.25e-3;  ///< of the equidistant knots [m]
+constexpr double kThin = 0.4e-3;       ///< points nearer together are thinned out [m]
+constexpr double kSteepest = 6;        ///< |dz/dy|
+constexpr double kShortest = 10e-3;    ///< usable width [m]
 
 /// Second derivatives of the natural cubic spline through (y, z).
 std::vector<double> NaturalSpline(const std::vector<double>& y, const std::vector<double>& z) {
@@ -80,11 +80,11 @@ Result<Profile> Profile::FromPoints(const std::string& name, std::vector<double>
                  "check units and the direction of y and z"};
   }
   const std::vector<double> second = NaturalSpline(ty, tz);
-  const int pieces = static_cast<int>((ty.back() - ty.front()) / kStep);
+  const int pieces = static_cast<int>((ty.back() - ty.front()) / kKnotStep);
   std::vector<double> ky(static_cast<size_t>(pieces) + 1);
   std::vector<double> kz(ky.size());
   for (size_t i = 0; i < ky.size(); ++i) {
-    ky[i] = ty.front() + kStep * static_cast<double>(i);
+    ky[i] = ty.front() + kKnotStep * static_cast<double>(i);
     kz[i] = EvaluateSpline(ty, tz, second, ky[i]);
   }
   const std::vector<double> bend = NaturalSpline(ky, kz);
@@ -93,12 +93,12 @@ Result<Profile> Profile::FromPoints(const std::string& name, std::vector<double>
   profile.outline_y_ = std::move(y);
   profile.outline_z_ = std::move(z);
   profile.begin_ = ty.front();
-  profile.step_ = kStep;
-  profile.per_step_ = 1 / kStep;
+  profile.step_ = kKnotStep;
+  profile.per_step_ = 1 / kKnotStep;
   for (size_t i = 0; i + 1 < ky.size(); ++i) {
-    profile.piece_.push_back({kz[i],
-                              (kz[i + 1] - kz[i]) / kStep - kStep * (2 * bend[i] + bend[i + 1]) / 6,
-                              bend[i] / 2, (bend[i + 1] - bend[i]) / (6 * kStep)});
+    profile.piece_.push_back(
+        {kz[i], (kz[i + 1] - kz[i]) / kKnotStep - kKnotStep * (2 * bend[i] + bend[i + 1]) / 6,
+         bend[i] / 2, (bend[i + 1] - bend[i]) / (6 * kKnotStep)});
   }
   return profile;
 }

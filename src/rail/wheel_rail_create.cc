@@ -15,7 +15,7 @@ namespace {
 constexpr double kLeastRoom = 0.040;
 constexpr double kMostRoom = 0.150;
 
-Status Validate(const WheelRailParams& p) {
+Status CheckWheelRail(const WheelRailParams& p) {
   const auto in = [](double x, double low, double high) { return x >= low && x <= high; };
   if (!in(p.gauge, 0.3, 2.0)) return Error{"gauge", "is out of range", "0.3 … 2 m", ""};
   if (!in(p.wheel_radius, 0.1, 1.5))
@@ -60,7 +60,7 @@ double WheelRail::wheel_position() const {
 }
 
 Result<WheelRail> WheelRail::Create(const WheelRailParams& params) {
-  if (Status s = Validate(params); !s.ok()) return s.error();
+  if (Status s = CheckWheelRail(params); !s.ok()) return s.error();
   auto impl = std::make_unique<Impl>();
   impl->params = params;
   if (params.linear) {

@@ -10,8 +10,6 @@
 
 namespace phs::rail {
 
-inline double Dot(const Vec3& a, const Vec3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
 struct WheelRail::Impl {
   WheelRailParams params;
   std::unique_ptr<CreepLaw> creep;

@@ -16,7 +16,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// Of a signal: what its numbers are multiplied with and the unit then.
-std::pair<double, std::string> Shown(const Json& hose) {
+std::pair<double, std::string> UnitShown(const Json& hose) {
   if (hose.at("unit") == "Pa") return {1e-6, "MPa"};
   return {1, ""};
 }
@@ -31,7 +31,7 @@ std::string PairText(const Json& hose) {
 }
 
 std::string ThresholdText(const Json& hose) {
-  const auto [factor, unit] = Shown(hose);
+  const auto [factor, unit] = UnitShown(hose);
   return hose.at("alarm").get<std::string>() + " " +
          FormatNumber(factor * NumberOf(hose, "threshold")) + (unit.empty() ? "" : " " + unit);
 }
@@ -86,7 +86,7 @@ void AddFalseAlarms(const Json& all, ReportPage* page) {
   page->Add(table);
 }
 
-std::vector<double> Numbers(const Json& list, double factor) {
+std::vector<double> ScaledNumbers(const Json& list, double factor) {
   std::vector<double> out;
   for (const Json& value : list) out.push_back(factor * AsNumber(value));
   return out;
@@ -94,7 +94,7 @@ std::vector<double> Numbers(const Json& list, double factor) {
 
 void AddBurst(const Json& hose, ReportPage* page) {
   const Json& drawn = hose.at("drawn");
-  const std::vector<double> t = Numbers(drawn.at("t_s"), 1);
+  const std::vector<double> t = ScaledNumbers(drawn.at("t_s"), 1);
   SeriesPlot lines{.title = hose.at("name").get<std::string>() + " bursts, " +
                             drawn.at("service").get<std::string>() + ": pressures",
                    .x_label = "time since the burst [s]",
@@ -104,23 +104,25 @@ void AddBurst(const Json& hose, ReportPage* page) {
   for (const auto& [name, values] : drawn.at("pressure_Pa").items()) {
     const int n = static_cast<int>(lines.curves.size());
     lines.curves.push_back(
-        {.label = name, .colour = n, .dash = n % 4, .x = t, .y = Numbers(values, 1e-6)});
+        {.label = name, .colour = n, .dash = n % 4, .x = t, .y = ScaledNumbers(values, 1e-6)});
   }
-  const auto [factor, unit] = Shown(hose);
+  const auto [factor, unit] = UnitShown(hose);
   SeriesPlot signal{.title = hose.at("name").get<std::string>() + " bursts: " + PairText(hose),
                     .x_label = "time since the burst [s]",
                     .y_label = "signal" + (unit.empty() ? "" : " [" + unit + "]"),
                     .levels = {{factor * NumberOf(hose, "threshold"), "threshold"}},
                     .group = "burst"};
-  signal.curves.push_back(
-      {.label = PairText(hose), .colour = 0, .x = t, .y = Numbers(drawn.at("signal"), factor)});
+  signal.curves.push_back({.label = PairText(hose),
+                           .colour = 0,
+                           .x = t,
+                           .y = ScaledNumbers(drawn.at("signal"), factor)});
   page->Add(lines);
   page->Add(signal);
 }
 
 /// Largest values of the blocks in order against what their law says of that order.
 void AddLearned(const Json& hose, ReportPage* page) {
-  const auto [factor, unit] = Shown(hose);
+  const auto [factor, unit] = UnitShown(hose);
   XyPlot plot{.title = hose.at("name").get<std::string>() + ": " + PairText(hose),
               .x_label = "reduced variate of Gumbel's law",
               .y_label = "extreme of a block" + (unit.empty() ? "" : " [" + unit + "]"),
@@ -128,7 +130,7 @@ void AddLearned(const Json& hose, ReportPage* page) {
               .height_px = 260};
   const double sign = hose.at("alarm") == "above" ? 1 : -1;
   for (const Json& learned : hose.at("learned")) {
-    std::vector<double> extremes = Numbers(learned.at("maxima"), factor);
+    std::vector<double> extremes = ScaledNumbers(learned.at("maxima"), factor);
     std::sort(extremes.begin(), extremes.end(),
               [sign](double a, double b) { return sign * a < sign * b; });
     const int colour = static_cast<int>(plot.curves.size()) / 2;

@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "base/numbers.h"
 #include "report/json_fields.h"
 #include "report/moving_shape.h"
 #include "report/report_page.h"
@@ -18,7 +18,6 @@ namespace phs::report {
 namespace {
 
 using json = nlohmann::ordered_json;
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 struct Mode {
   const char* key;
@@ -104,10 +103,10 @@ MovingShape ModeShape(const json& bogie, const Mode& mode, int lead_sign, int tr
   return shape;
 }
 
-std::vector<double> Scaled(const json& values, double factor) {
+std::vector<double> ClosedLoop(const json& values, double factor) {
   std::vector<double> out;
   for (const json& value : values)
-    out.push_back(value.is_number() ? factor * value.get<double>() : kNone);
+    out.push_back(value.is_number() ? factor * value.get<double>() : kNoNumber);
   if (!out.empty()) out.push_back(out.front());
   return out;
 }
@@ -125,9 +124,9 @@ XyPlot ModeLoop(const std::vector<json>& bogies, const Mode& mode) {
         .label = bogie.value("bogie", "bogie"),
         .colour = number % 8,
         .dash = number % 4,
-        .x = Scaled(
+        .x = ClosedLoop(
             loop.value(mode.rotation ? "displacement_rad" : "displacement_m", json::array()), 1e3),
-        .y = Scaled(loop.value(mode.rotation ? "moment_Nm" : "force_N", json::array()), 1e-3)});
+        .y = ClosedLoop(loop.value(mode.rotation ? "moment_Nm" : "force_N", json::array()), 1e-3)});
   }
   return plot;
 }

@@ -40,7 +40,7 @@ std::string Inclination(double rad) {
   return fmt::format("inclined 1:{:.0f} against its file", 1 / std::tan(std::abs(rad)));
 }
 
-std::string PairWords(const json& pair) {
+std::string ConicityWords(const json& pair) {
   const double worn = 1e3 * NumberOf(pair, "worn_depth_m");
   return fmt::format(
       "Wheel {}{}, radius {:.1f} mm, flange backs {:.1f} mm apart; rail {}, {}; gauge {:.1f} mm, "
@@ -91,7 +91,7 @@ void Say(const std::string& text, const std::string& bogie, std::vector<Said>* s
   }
 }
 
-std::string CurveName(const Shared& one, size_t all) {
+std::string LoadedName(const Shared& one, size_t all) {
   const std::string who = Joined(one.bogies, all);
   const std::string load =
       one.load_N > 0 ? fmt::format("elastic, {} kN on each wheel", FormatNumber(1e-3 * one.load_N))
@@ -100,21 +100,21 @@ std::string CurveName(const Shared& one, size_t all) {
 }
 
 /// At an amplitude of the curve; NaN elsewhere.
-double ValueAt(const Curve& curve, double amplitude_mm) {
+double ConicityAt(const Curve& curve, double amplitude_mm) {
   for (size_t i = 0; i < curve.x.size(); ++i) {
     if (std::abs(curve.x[i] - amplitude_mm) < kSame_mm) return curve.y[i];
   }
   return std::nan("");
 }
 
-void AddPlot(const std::vector<Shared>& curves, ReportPage* page) {
+void AddConicityPlot(const std::vector<Shared>& curves, ReportPage* page) {
   XyPlot plot{.title = "Equivalent conicity over the amplitude of the lateral motion",
               .x_label = "amplitude [mm]",
               .y_label = "equivalent conicity tan γe [–]"};
   for (const Shared& one : curves) plot.curves.push_back(one.curve);
   Curve named{.label = fmt::format("at {:g} mm", kNamed_mm), .colour = 3, .points = true};
   for (const Shared& one : curves) {
-    const double value = ValueAt(one.curve, kNamed_mm);
+    const double value = ConicityAt(one.curve, kNamed_mm);
     if (!std::isfinite(value)) continue;
     named.x.push_back(kNamed_mm);
     named.y.push_back(value);
@@ -123,7 +123,7 @@ void AddPlot(const std::vector<Shared>& curves, ReportPage* page) {
   page->Add(plot);
 }
 
-void AddTable(const std::vector<Shared>& curves, ReportPage* page) {
+void AddConicityTable(const std::vector<Shared>& curves, ReportPage* page) {
   DataTable table{.caption = "Equivalent conicity tan γe [–]", .head = {"Amplitude [mm]"}};
   double most = 0;
   for (const Shared& one : curves) {
@@ -134,7 +134,7 @@ void AddTable(const std::vector<Shared>& curves, ReportPage* page) {
     const bool named = amplitude == kNamed_mm;
     std::vector<TableCell> row = {TableCell(fmt::format("{:g}", amplitude))};
     for (const Shared& one : curves) {
-      row.emplace_back(FormatNumber(ValueAt(one.curve, amplitude)), named);
+      row.emplace_back(FormatNumber(ConicityAt(one.curve, amplitude)), named);
     }
     table.rows.push_back(std::move(row));
   }
@@ -166,7 +166,7 @@ void AddConicity(const std::vector<ConicityOf>& bogies, ReportPage* page) {
       Say(found.value("missing", "the results give no reason"), bogie.label, &missing);
     } else {
       Collect(bogie, &curves);
-      Say(PairWords(found), bogie.label, &pairs);
+      Say(ConicityWords(found), bogie.label, &pairs);
     }
   }
   for (const Said& one : missing) {
@@ -175,7 +175,7 @@ void AddConicity(const std::vector<ConicityOf>& bogies, ReportPage* page) {
                            one.text));
   }
   if (curves.empty()) return;
-  for (Shared& one : curves) one.curve.label = CurveName(one, bogies.size());
+  for (Shared& one : curves) one.curve.label = LoadedName(one, bogies.size());
   for (const Said& one : pairs) {
     page->Paragraph(one.text, Joined(one.bogies, bogies.size()));
   }
@@ -190,8 +190,8 @@ void AddConicity(const std::vector<ConicityOf>& bogies, ReportPage* page) {
       "steeply a flange touches (drag in the plot to zoom).",
       kNamed_mm));
   page->BeginGrid(2);
-  AddPlot(curves, page);
-  AddTable(curves, page);
+  AddConicityPlot(curves, page);
+  AddConicityTable(curves, page);
   page->EndGrid();
 }
 

@@ -4,17 +4,9 @@
 #include <cmath>
 #include <limits>
 
+#include "report/decimation.h"
+
 namespace phs::report {
-namespace {
-
-std::vector<double> Scaled(const std::vector<double>& values, double factor) {
-  std::vector<double> scaled(values);
-  for (double& value : scaled) value *= factor;
-  return scaled;
-}
-
-}  // namespace
-
 std::vector<Band> TrackBands(const CurvingResults& results) {
   std::vector<Band> bands;
   for (const Section& section : results.sections) {

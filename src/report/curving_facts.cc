@@ -5,14 +5,13 @@
 #include <cmath>
 
 #include "base/axle_words.h"
+#include "base/gravity.h"
 #include "report/curving_parts.h"
 
 namespace phs::report {
 namespace {
 
 using json = nlohmann::ordered_json;
-
-constexpr double kGravity = 9.81;  // m/s2, as in the models
 
 /// Cant of the steady part [rad], without sign; NaN if the track was not saved.
 double CantOf(const CurvingResults& results) {

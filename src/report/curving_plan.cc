@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "base/numbers.h"
 #include "report/curving_parts.h"
 #include "report/decimation.h"
 
@@ -12,7 +12,6 @@ namespace phs::report {
 namespace {
 
 using json = nlohmann::ordered_json;
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 /// Greatest magnitude of a packed-size series over all rows; 0 if there is none.
 double Greatest(const std::vector<double>& values) {
@@ -30,7 +29,7 @@ double RoundFactor(double most) {
   return power * std::min(5.0, std::floor(most / power));
 }
 
-json Packed(const std::vector<double>& values) {
+json PackedPlan(const std::vector<double>& values) {
   const PackedValues packed = Pack(values);
   return {{"least", packed.least}, {"greatest", packed.greatest}, {"packed", packed.base64}};
 }
@@ -40,7 +39,8 @@ double Wheelbase(const BogieRun& run, const std::string& prefix) {
   const auto* y1 = run.Channel(prefix + "lead_y_m");
   const auto* x2 = run.Channel(prefix + "trail_x_m");
   const auto* y2 = run.Channel(prefix + "trail_y_m");
-  if (x1 == nullptr || y1 == nullptr || x2 == nullptr || y2 == nullptr || x1->empty()) return kNone;
+  if (x1 == nullptr || y1 == nullptr || x2 == nullptr || y2 == nullptr || x1->empty())
+    return kNoNumber;
   return std::hypot(x1->front() - x2->front(), y1->front() - y2->front());
 }
 
@@ -86,7 +86,7 @@ json PlanSpec(const CurvingResults& results, const std::string& prefix) {
             std::pair{"yaw", "_yaw_rad"}}) {
         const std::vector<double>* y = run.Channel(prefix + axle + suffix);
         if (s == nullptr || y == nullptr) return nullptr;
-        bogie[axle][key] = Packed(PutOnGrid(*s, *y, grid));
+        bogie[axle][key] = PackedPlan(PutOnGrid(*s, *y, grid));
         if (std::string(key) == "attack") attack = std::max(attack, Greatest(*y));
         if (std::string(key) == "lateral") lateral = std::max(lateral, Greatest(*y));
       }
@@ -98,7 +98,7 @@ json PlanSpec(const CurvingResults& results, const std::string& prefix) {
   curvature = std::max(curvature, Greatest(*k));
   const double wheelbase = Wheelbase(results.reference(), prefix);
   if (!std::isfinite(wheelbase)) return nullptr;
-  spec["curvature"] = Packed(PutOnGrid(s0, *k, grid));
+  spec["curvature"] = PackedPlan(PutOnGrid(s0, *k, grid));
   spec["wheelbase"] = wheelbase;
   const json track = results.all.value("track", json::object());
   spec["gauge"] = track.value("gauge_m", 1.067);
@@ -149,7 +149,7 @@ BarChart BudgetChart(const CurvingResults& results, const std::string& prefix,
     if (here < 0.01 * largest) continue;
     chart.categories.push_back(name);
     for (std::size_t i = 0; i < budgets.size(); ++i) {
-      chart.bars[i].values.push_back(budgets[i].known ? 1e-3 * budgets[i].*part : kNone);
+      chart.bars[i].values.push_back(budgets[i].known ? 1e-3 * budgets[i].*part : kNoNumber);
     }
   }
   return chart;

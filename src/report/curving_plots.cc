@@ -2,15 +2,13 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <limits>
 
+#include "base/numbers.h"
 #include "report/curving_channel_plots.h"
 #include "report/curving_parts.h"
 
 namespace phs::report {
 namespace {
-
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 std::vector<Curve> BogieNames(const CurvingResults& results) {
   std::vector<Curve> names;
@@ -55,7 +53,7 @@ double PrudHomme(double q0_kN) { return 10 + 2 * q0_kN / 3; }
 /// Static wheel load from the mean of Q at the start of the run [kN]; NaN if not recorded.
 double StaticWheelLoad(const BogieRun& run, const std::string& prefix) {
   const std::vector<double>* s = run.Channel("s_m");
-  if (s == nullptr || s->empty()) return kNone;
+  if (s == nullptr || s->empty()) return kNoNumber;
   double sum = 0;
   for (const char* wheel : {"lead_left", "lead_right", "trail_left", "trail_right"}) {
     sum += run.Mean(prefix + wheel + "_Q_N", s->front(), s->front() + 20);

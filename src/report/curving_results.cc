@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <limits>
 
+#include "base/numbers.h"
 #include "report/json_fields.h"
 
 namespace phs::report {
@@ -14,7 +14,6 @@ namespace {
 
 using json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 Error MissingBogie(const CurvingReportInput& input, const std::string& bogie) {
   return {.where = input.results,
@@ -44,7 +43,7 @@ void ReadTrack(CurvingResults* results) {
 /// The hand of the arc from the recorded curvature, else from the track's centre line.
 int FindHand(const CurvingResults& results) {
   if (results.radius == 0) return 0;
-  double mean = kNone;
+  double mean = kNoNumber;
   for (const BogieRun& run : results.runs) {
     mean = run.Mean("curvature_1_m", results.steady_begin, results.steady_end);
     if (std::isfinite(mean)) break;
@@ -112,7 +111,7 @@ const std::vector<double>* BogieRun::Channel(const std::string& channel) const {
 double BogieRun::Mean(const std::string& channel, double begin, double end) const {
   const std::vector<double>* s = Channel("s_m");
   const std::vector<double>* y = Channel(channel);
-  if (s == nullptr || y == nullptr) return kNone;
+  if (s == nullptr || y == nullptr) return kNoNumber;
   double sum = 0;
   long count = 0;
   for (std::size_t i = 0; i < s->size(); ++i) {
@@ -120,14 +119,14 @@ double BogieRun::Mean(const std::string& channel, double begin, double end) cons
     sum += (*y)[i];
     ++count;
   }
-  return count > 0 ? sum / static_cast<double>(count) : kNone;
+  return count > 0 ? sum / static_cast<double>(count) : kNoNumber;
 }
 
 double BogieRun::Deviation(const std::string& channel, double begin, double end) const {
   const std::vector<double>* s = Channel("s_m");
   const std::vector<double>* y = Channel(channel);
   const double mean = Mean(channel, begin, end);
-  if (!std::isfinite(mean)) return kNone;
+  if (!std::isfinite(mean)) return kNoNumber;
   double sum = 0;
   long count = 0;
   for (std::size_t i = 0; i < s->size(); ++i) {
@@ -140,24 +139,24 @@ double BogieRun::Deviation(const std::string& channel, double begin, double end)
 
 double BogieRun::Number(const std::string& pointer) const {
   const json::json_pointer at(pointer);
-  return summary.contains(at) ? AsNumber(summary.at(at)) : kNone;
+  return summary.contains(at) ? AsNumber(summary.at(at)) : kNoNumber;
 }
 
 double BogieRun::Steady(const std::string& list, const std::string& item,
                         const std::string& key) const {
   const json::json_pointer at("/steady_curve/" + list);
-  if (!summary.contains(at)) return kNone;
+  if (!summary.contains(at)) return kNoNumber;
   for (const json& entry : summary.at(at)) {
     if (entry.value("name", "") == item) return NumberOf(entry, key);
   }
-  return kNone;
+  return kNoNumber;
 }
 
 namespace {
 
 double SumOverWheels(const BogieRun& run, const std::string& prefix, const char* key) {
   const json::json_pointer at("/steady_curve/wheels");
-  if (!run.summary.contains(at)) return kNone;
+  if (!run.summary.contains(at)) return kNoNumber;
   double sum = 0;
   for (const json& wheel : run.summary.at(at)) {
     if (wheel.value("name", "").starts_with(prefix)) sum += NumberOf(wheel, key);

@@ -4,16 +4,15 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 
 #include "base/axle_words.h"
+#include "base/numbers.h"
 #include "report/curving_parts.h"
 
 namespace phs::report {
 namespace {
 
 using json = nlohmann::ordered_json;
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 /// Standard deviation of the leading angle of attack above which an arc is not steady [mrad].
 constexpr double kSteadySwing = 0.1;
@@ -49,9 +48,9 @@ double AttackOutward(const BogieRun& run, const CurvingResults& results, const s
 
 /// Greatest cylinder force of a bogie in the steady curve [N]; NaN without cylinders.
 double GreatestCylinderForce(const BogieRun& run, const std::string& prefix) {
-  double greatest = kNone;
+  double greatest = kNoNumber;
   const json::json_pointer at("/steady_curve/cylinders");
-  if (!run.summary.contains(at)) return kNone;
+  if (!run.summary.contains(at)) return kNoNumber;
   for (const json& cylinder : run.summary.at(at)) {
     if (!cylinder.value("name", "").starts_with(prefix)) continue;
     if (!cylinder.contains("force_N") || !cylinder["force_N"].is_number()) continue;
@@ -111,8 +110,9 @@ void AddSteadyMetrics(const CurvingResults& results, const std::string& prefix,
 }
 
 /// Of several bogies the value of greatest magnitude; NaN if none has one.
-double Worst(const CurvingResults& results, const std::function<double(const std::string&)>& of) {
-  double worst = kNone;
+double WorstAxle(const CurvingResults& results,
+                 const std::function<double(const std::string&)>& of) {
+  double worst = kNoNumber;
   for (const std::string& prefix : results.prefixes) {
     const double value = of(prefix);
     if (!std::isfinite(worst) || std::abs(value) > std::abs(worst)) worst = value;
@@ -153,7 +153,7 @@ void AddRows(const CurvingResults& results, const std::vector<Metric>& metrics, 
 
 double EnergyOf(const BogieRun& run, const std::string& channel) {
   const std::vector<double>* values = run.Channel(channel);
-  if (values == nullptr || values->empty()) return kNone;
+  if (values == nullptr || values->empty()) return kNoNumber;
   // Kinetic energy is recorded as such, all others since the start.
   return values->back() - (channel == "energy_kinetic_J" ? values->front() : 0);
 }
@@ -169,7 +169,7 @@ void AddStatus(const CurvingResults& results, ReportPage* page) {
         run.summary.value("reason", "no reason given")));
   }
   for (const BogieRun& run : results.runs) {
-    const double swing = Worst(results, [&](const std::string& prefix) {
+    const double swing = WorstAxle(results, [&](const std::string& prefix) {
       return 1e3 * run.Deviation(prefix + "lead_angle_of_attack_rad", results.steady_begin,
                                  results.steady_end);
     });
@@ -195,7 +195,7 @@ void AddKeyFigures(const CurvingResults& results, ReportPage* page) {
   const std::string of = results.prefixes.size() > 1 ? " of the worse bogie" : "";
   const auto worst = [&results](const BogieRun& run, const char* list, const char* name,
                                 const char* key, double scale) {
-    return Worst(results, [&](const std::string& prefix) {
+    return WorstAxle(results, [&](const std::string& prefix) {
       return scale * std::abs(run.Steady(list, prefix + name, key));
     });
   };
@@ -205,7 +205,7 @@ void AddKeyFigures(const CurvingResults& results, ReportPage* page) {
          return worst(run, "wheelsets", "lead", "angle_of_attack_rad", 1e3);
        },
        [&](const BogieRun& run) {
-         return Worst(results, [&](const std::string& prefix) {
+         return WorstAxle(results, [&](const std::string& prefix) {
            return 1e3 * AttackOutward(run, results, prefix + "lead");
          });
        }},

@@ -20,6 +20,12 @@ struct Grid {
   double At(int i) const { return begin + (i + 0.5) * (end - begin) / points; }
 };
 
+/// In another unit.
+inline std::vector<double> Scaled(std::vector<double> values, double factor) {
+  for (double& value : values) value *= factor;
+  return values;
+}
+
 /// `y` over `x` (rows whose x does not grow are left out) on `grid`; NaN outside the range of x and
 /// next to rows that are NaN. x and y have equal length.
 std::vector<double> PutOnGrid(const std::vector<double>& x, const std::vector<double>& y,

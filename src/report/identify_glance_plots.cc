@@ -11,8 +11,6 @@ namespace {
 
 using json = nlohmann::ordered_json;
 
-constexpr int kMeasured = 6, kBefore = 1, kAfter = 0;  // colours as in the other plots
-
 /// First and one past the last of the rows to show: a tenth of the scored ones, where the squares
 /// of the declared model's error (of the corrected one where there is no other) sum up to most.
 std::pair<size_t, size_t> WorstStretch(const IdentifyResults& results, const ChannelData& channel) {
@@ -62,8 +60,10 @@ void AddStepsPicture(const StepsData& steps, ReportPage* page) {
               .height_px = 260};
   const auto [least, most] =
       std::minmax_element(steps.measured_MPa.begin(), steps.measured_MPa.end());
-  plot.curves.push_back(
-      {.label = "as measured", .colour = kMeasured, .x = {*least, *most}, .y = {*least, *most}});
+  plot.curves.push_back({.label = "as measured",
+                         .colour = kMeasuredColour,
+                         .x = {*least, *most},
+                         .y = {*least, *most}});
   const auto add = [&](const std::vector<double>& y, const Model& model) {
     if (y.size() != steps.measured_MPa.size()) return;
     plot.curves.push_back({.label = model.label,
@@ -72,8 +72,8 @@ void AddStepsPicture(const StepsData& steps, ReportPage* page) {
                            .y = y,
                            .points = true});
   };
-  add(steps.before_MPa, {"declared, fitted", kBefore, 0});
-  add(steps.after_MPa, {"corrected", kAfter, 0});
+  add(steps.before_MPa, {"declared, fitted", kBeforeColour, 0});
+  add(steps.after_MPa, {"corrected", kAfterColour, 0});
   page->Add(plot);
 }
 
@@ -112,9 +112,9 @@ void AddWherePicture(const IdentifyResults& results, ReportPage* page) {
                            .x = Part(results.time, rows, 1),
                            .y = Part(values, rows, channel.factor)});
   };
-  if (!rest) add(channel.measured, {"measured", kMeasured, 0});
-  add(rest ? ResidualOf(channel, false) : channel.before, {"declared, fitted", kBefore, 0});
-  add(rest ? ResidualOf(channel, true) : channel.after, {"corrected", kAfter, 0});
+  if (!rest) add(channel.measured, {"measured", kMeasuredColour, 0});
+  add(rest ? ResidualOf(channel, false) : channel.before, {"declared, fitted", kBeforeColour, 0});
+  add(rest ? ResidualOf(channel, true) : channel.after, {"corrected", kAfterColour, 0});
   page->Add(plot);
 }
 
@@ -148,8 +148,8 @@ void AddChangePicture(const IdentifyResults& results, ReportPage* page) {
     chart.title +=
         fmt::format(" ({} of {} channels, largest first; the others under Errors)", kMost, all);
   }
-  chart.bars = {{.label = "declared, fitted", .colour = kBefore},
-                {.label = "corrected", .colour = kAfter}};
+  chart.bars = {{.label = "declared, fitted", .colour = kBeforeColour},
+                {.label = "corrected", .colour = kAfterColour}};
   for (const Row& row : rows) {
     chart.categories.push_back(Readable(row.channel).words);
     chart.bars[0].values.push_back(row.before);

@@ -3,23 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "base/numbers.h"
+#include "report/decimation.h"
 #include "report/identify_parts.h"
 
 namespace phs::report {
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr char kGroup[] = "time";
-constexpr int kMeasured = 6;
-constexpr int kBefore = 1;
-constexpr int kAfter = 0;
-
-std::vector<double> Scaled(std::vector<double> values, double factor) {
-  for (double& value : values) value *= factor;
-  return values;
-}
 
 std::string BeforeName() { return "declared, fitted"; }
 std::string AfterName(const IdentifyResults& results) {
@@ -89,7 +81,7 @@ HeatMap MapOf(const IdentifyResults& results, const ChannelData& channel, bool a
   }
   for (int j = 0; j < 16; ++j) {
     for (int i = 0; i < 24; ++i) {
-      map.values[j][i] = count[j][i] < 3 ? kNone : map.values[j][i] / count[j][i];
+      map.values[j][i] = count[j][i] < 3 ? kNoNumber : map.values[j][i] / count[j][i];
     }
   }
   return map;
@@ -110,7 +102,7 @@ Curve MeanOver(const IdentifyResults& results, const ChannelData& channel, bool 
                const std::vector<double>& variable, double factor) {
   const ReadableName name = Readable(channel.name);
   Curve curve{.label = after ? AfterName(results) : BeforeName(),
-              .colour = after ? kAfter : kBefore,
+              .colour = after ? kAfterColour : kBeforeColour,
               .dash = after ? 0 : 1};
   const std::vector<std::size_t> rows = results.ScoredRows();
   const std::vector<double> residual = ResidualOf(channel, after);
@@ -161,9 +153,10 @@ void AddTimePlots(const IdentifyResults& results, ReportPage* page) {
   page->Paragraph(
       "Drag across a plot to zoom all of them, double click for the whole record, click a name to "
       "hide its curves.");
-  std::vector<Curve> names = {{.label = "measured", .colour = kMeasured}};
-  if (results.has_before) names.push_back({.label = BeforeName(), .colour = kBefore, .dash = 1});
-  names.push_back({.label = AfterName(results), .colour = kAfter});
+  std::vector<Curve> names = {{.label = "measured", .colour = kMeasuredColour}};
+  if (results.has_before)
+    names.push_back({.label = BeforeName(), .colour = kBeforeColour, .dash = 1});
+  names.push_back({.label = AfterName(results), .colour = kAfterColour});
   page->SharedLegend(kGroup, names);
   page->ZoomButtons(kGroup, results.windows);
   if (!results.displacement.empty()) {
@@ -181,14 +174,14 @@ void AddTimePlots(const IdentifyResults& results, ReportPage* page) {
     SeriesPlot residual = TimePlot(results, "Residual (measured − predicted): " + name.words,
                                    "residual [" + name.unit + "]");
     plot.curves.push_back({.label = "measured",
-                           .colour = kMeasured,
+                           .colour = kMeasuredColour,
                            .x = results.time,
                            .y = Scaled(channel.measured, name.factor)});
     for (bool after : {false, true}) {
       const std::vector<double>& predicted = after ? channel.after : channel.before;
       if (predicted.size() != results.time.size()) continue;
       const Curve curve{.label = after ? AfterName(results) : BeforeName(),
-                        .colour = after ? kAfter : kBefore,
+                        .colour = after ? kAfterColour : kBeforeColour,
                         .dash = after ? 0 : 1,
                         .x = results.time,
                         .y = Scaled(predicted, name.factor)};
@@ -224,11 +217,11 @@ void AddLoops(const IdentifyResults& results, ReportPage* page) {
                   .x_label = "displacement [mm]",
                   .y_label = channel.label};
       plot.curves = {{.label = "measured",
-                      .colour = kMeasured,
+                      .colour = kMeasuredColour,
                       .x = x,
                       .y = Scaled(Picked(channel.measured, rows), name.factor)},
                      {.label = model,
-                      .colour = after ? kAfter : kBefore,
+                      .colour = after ? kAfterColour : kBeforeColour,
                       .x = x,
                       .y = Scaled(Picked(predicted, rows), name.factor)}};
       page->Add(plot);

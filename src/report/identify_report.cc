@@ -7,7 +7,7 @@
 namespace phs::report {
 namespace {
 
-std::string Subtitle(const IdentifyResults& results) {
+std::string IdentifySubtitle(const IdentifyResults& results) {
   std::string text = results.all.value("rig", "");
   text += text == "bogie" ? " on its track" : " rig";
   for (const char* key : {"declared", "data"}) {
@@ -27,13 +27,13 @@ void AddTop(const IdentifyResults& results, ReportPage* page) {
   AddDataFindings(results, page);
 }
 
-Status WritePage(const IdentifyReportInput& input, const std::string& path) {
+Status WriteIdentifyPage(const IdentifyReportInput& input, const std::string& path) {
   Result<IdentifyResults> read = ReadIdentifyResults(input);
   if (!read.ok()) return read.error();
   const IdentifyResults& results = read.value();
   const bool identified = results.has_before;
   ReportPage page(identified ? "What the declared model lacks" : "Rig against model",
-                  Subtitle(results));
+                  IdentifySubtitle(results));
   AddTop(results, &page);
   page.Section("Errors");
   AddErrorTable(results, &page);
@@ -65,7 +65,7 @@ Status WritePage(const IdentifyReportInput& input, const std::string& path) {
 }  // namespace
 
 Status WriteIdentifyReport(const IdentifyReportInput& input, const std::string& path) {
-  return MakeGuarded(input.result, [&] { return WritePage(input, path); });
+  return MakeGuarded(input.result, [&] { return WriteIdentifyPage(input, path); });
 }
 
 }  // namespace phs::report

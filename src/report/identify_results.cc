@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "base/numbers.h"
 #include "base/result_dir.h"
 #include "base/table.h"
 
@@ -11,7 +11,6 @@ namespace phs::report {
 namespace {
 
 using json = nlohmann::ordered_json;
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 /// First column of `names` that the table has; -1 if none.
 int FindAny(const Table& table, const std::vector<std::string>& names) {
@@ -37,7 +36,7 @@ std::vector<double> OnClock(const Table& table, const std::string& name,
   if (t < 0 || table.columns[t] == time) return table.columns[y];
   const std::vector<double>& from = table.columns[t];
   const std::vector<double>& values = table.columns[y];
-  std::vector<double> moved(time.size(), kNone);
+  std::vector<double> moved(time.size(), kNoNumber);
   std::size_t row = 0;
   for (std::size_t i = 0; i < time.size(); ++i) {
     while (row + 2 < from.size() && from[row + 1] <= time[i]) ++row;
@@ -120,7 +119,7 @@ Status ReadData(const IdentifyReportInput& input, IdentifyResults* results) {
 
 double NumberAt(const json& object, const std::string& pointer) {
   const json::json_pointer at(pointer);
-  if (!object.contains(at) || !object.at(at).is_number()) return kNone;
+  if (!object.contains(at) || !object.at(at).is_number()) return kNoNumber;
   return object.at(at).get<double>();
 }
 

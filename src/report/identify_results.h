@@ -12,6 +12,9 @@
 
 namespace phs::report {
 
+/// Colours of all plots of an identification.
+inline constexpr int kMeasuredColour = 6, kBeforeColour = 1, kAfterColour = 0;
+
 /// One measured channel with what the models say about it, on the clock of the measurement.
 struct ChannelData {
   std::string name;   ///< "load_cell_N"

@@ -12,7 +12,7 @@ namespace {
 
 using json = nlohmann::ordered_json;
 
-std::string Joined(const json& names) {
+std::string JoinedNames(const json& names) {
   std::string text;
   if (!names.is_array()) return text;
   for (std::size_t i = 0; i < names.size(); ++i) {
@@ -37,7 +37,7 @@ std::string JoinedVariables(const json& variables) {
   for (const json& variable : variables) {
     if (variable.is_string()) words.push_back(VariableWords(variable.get<std::string>()));
   }
-  return Joined(words);
+  return JoinedNames(words);
 }
 
 /// Variables of a "depends_on" list that call for a certain excitation.
@@ -100,7 +100,7 @@ std::string Spaced(std::string words) {
 std::string DescribeEffect(const json& effect) {
   const bool unlisted = effect.value("name", "") == "unlisted";
   std::string text = unlisted ? OnNoList(effect) : Spaced(effect.value("name", "?"));
-  const std::string places = Joined(effect.value("on", json::array()));
+  const std::string places = JoinedNames(effect.value("on", json::array()));
   if (!places.empty()) text += " on " + places;
   if (effect.contains("formula") && effect["formula"].is_string()) {
     text += ", " + effect["formula"].get<std::string>();
@@ -120,7 +120,7 @@ void AddDataFindings(const IdentifyResults& results, ReportPage* page) {
 
 void AddDoubt(const IdentifyResults& results, ReportPage* page) {
   for (const json& effect : results.all.value("effects", json::array())) {
-    const std::string twins = Joined(effect.value("confusable_with", json::array()));
+    const std::string twins = JoinedNames(effect.value("confusable_with", json::array()));
     if (twins.empty()) continue;
     page->Warning(
         fmt::format("With these data {} cannot be told from {}: take the name as one of these.",

@@ -11,11 +11,11 @@
 namespace phs::report {
 namespace {
 
-using nlohmann::json;
+using SceneJson = nlohmann::json;
 
-json Parts(std::complex<double> z) { return {z.real(), z.imag()}; }
+SceneJson Parts(std::complex<double> z) { return {z.real(), z.imag()}; }
 
-json PointJson(const MovingPoint& p) {
+SceneJson PointJson(const MovingPoint& p) {
   return {{"x", p.x}, {"y", p.y}, {"dx", Parts(p.dx)}, {"dy", Parts(p.dy)}};
 }
 
@@ -66,10 +66,10 @@ std::string GrowthWords(double growth_1_s, double frequency_Hz) {
 }
 
 void AddMovingShape(const MovingShape& shape, ReportPage* page) {
-  json spec = {{"keys", json::array()},
-               {"lines", json::array()},
-               {"traces_deg", shape.traces_deg},
-               {"period_s", shape.period_s}};
+  SceneJson spec = {{"keys", SceneJson::array()},
+                    {"lines", SceneJson::array()},
+                    {"traces_deg", shape.traces_deg},
+                    {"period_s", shape.period_s}};
   for (const MovingShape::Key& key : shape.keys) {
     spec["keys"].push_back({{"label", key.label}, {"colour", key.colour}, {"dash", key.dash}});
   }
@@ -78,11 +78,12 @@ void AddMovingShape(const MovingShape& shape, ReportPage* page) {
                              {"key", line.key},
                              {"width", line.width_px},
                              {"trace", line.trace},
-                             {"stroke", line.stroke ? Parts(*line.stroke) : json()},
+                             {"stroke", line.stroke ? Parts(*line.stroke) : SceneJson()},
                              {"from", PointJson(line.from)},
                              {"to", PointJson(line.to)}});
   }
-  page->AddFigure("shape", shape.title, spec.dump(-1, ' ', false, json::error_handler_t::replace));
+  page->AddFigure("shape", shape.title,
+                  spec.dump(-1, ' ', false, SceneJson::error_handler_t::replace));
 }
 
 }  // namespace phs::report

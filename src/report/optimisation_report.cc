@@ -113,7 +113,7 @@ Candidates Sort(Table table) {
   return c;
 }
 
-void AddScatter(const Candidates& c, int parameter, ReportPage* page) {
+void AddCandidateScatter(const Candidates& c, int parameter, ReportPage* page) {
   const ReadableName name = parameter < 0
                                 ? ReadableName{"candidate", "", 1}
                                 : Readable(c.table.names[static_cast<std::size_t>(parameter)]);
@@ -163,8 +163,8 @@ Status WriteOptimisationReport(const std::string& folder, const std::string& pat
   AddCombinations(json, &page);
   page.Section("Search");
   page.BeginGrid(2);
-  AddScatter(candidates, -1, &page);
-  for (int parameter : candidates.parameters) AddScatter(candidates, parameter, &page);
+  AddCandidateScatter(candidates, -1, &page);
+  for (int parameter : candidates.parameters) AddCandidateScatter(candidates, parameter, &page);
   page.EndGrid();
   page.Paragraph(
       "best/CASE/scenario.yaml repeats a case of the best candidate: phs simulate "

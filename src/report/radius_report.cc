@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "base/axle_words.h"
+#include "base/numbers.h"
 #include "base/result_dir.h"
 #include "report/conicity.h"
 #include "report/curving_results.h"
@@ -18,7 +18,6 @@ namespace phs::report {
 namespace {
 
 using json = nlohmann::ordered_json;
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 /// A quantity of a row as it is shown.
 struct Quantity {
@@ -36,7 +35,7 @@ int HandOf(const json& row) {
 }
 
 /// "4.61 outer".
-std::string AttackText(const json& row, const char* key) {
+std::string AttackOf(const json& row, const char* key) {
   const double angle = NumberOf(row, key);
   if (!std::isfinite(angle)) return FormatNumber(angle);
   return FormatNumber(1e3 * std::abs(angle)) + " " + RailPointedTo(angle, HandOf(row));
@@ -52,7 +51,7 @@ constexpr Quantity kQuantities[] = {
 
 /// Value of a row; NaN for a run that did not end well, since its means do not hold.
 double ValueOf(const json& row, const Quantity& q) {
-  if (row.value("status", "") != "ok") return kNone;
+  if (row.value("status", "") != "ok") return kNoNumber;
   const double value = q.factor * NumberOf(row, q.key);
   return q.attack ? -HandOf(row) * value : value;
 }
@@ -83,8 +82,8 @@ void AddTable(const json& rows, ReportPage* page) {
       continue;
     }
     std::vector<TableCell> cells = {TableCell(BogieLabel(row.value("bogie", "")))};
-    cells.emplace_back(AttackText(row, "angle_of_attack_lead_rad"));
-    cells.emplace_back(AttackText(row, "angle_of_attack_trail_rad"));
+    cells.emplace_back(AttackOf(row, "angle_of_attack_lead_rad"));
+    cells.emplace_back(AttackOf(row, "angle_of_attack_trail_rad"));
     for (const auto& [key, factor] : {std::pair{"T_gamma_N", 1.0},
                                       {"T_gamma_total_J", 1e-3},
                                       {"wear_yardstick_over_own_run", 1.0},
@@ -139,7 +138,7 @@ void AddCriticalSpeeds(const json& all, ReportPage* page) {
   page->Add(chart);
 }
 
-Status WritePage(const std::string& bogies_file, const std::string& path) {
+Status WriteRadiusPage(const std::string& bogies_file, const std::string& path) {
   Result<std::string> text = ReadFile(bogies_file);
   if (!text.ok()) return text.error();
   const json all = json::parse(text.value(), nullptr, false);
@@ -175,7 +174,7 @@ Status WritePage(const std::string& bogies_file, const std::string& path) {
 }  // namespace
 
 Status WriteRadiusReport(const std::string& bogies_file, const std::string& path) {
-  return MakeGuarded(bogies_file, [&] { return WritePage(bogies_file, path); });
+  return MakeGuarded(bogies_file, [&] { return WriteRadiusPage(bogies_file, path); });
 }
 
 }  // namespace phs::report

@@ -15,7 +15,7 @@
 namespace phs::report {
 namespace {
 
-using nlohmann::json;
+using SceneJson = nlohmann::json;
 
 /// Five digits are more than the eye sees.
 double Short(double value) {
@@ -24,13 +24,13 @@ double Short(double value) {
   return std::round(value / unit) * unit;
 }
 
-json Packed(const std::vector<double>& values) {
+SceneJson Packed(const std::vector<double>& values) {
   const PackedValues packed = Pack(values);
   return {{"least", packed.least}, {"greatest", packed.greatest}, {"packed", packed.base64}};
 }
 
 /// A number where nothing changes by more than `grain`.
-json CourseJson(const Course& course, double grain = 1e-5) {
+SceneJson CourseJson(const Course& course, double grain = 1e-5) {
   if (course.empty()) return nullptr;
   const auto [least, most] = std::minmax_element(course.begin(), course.end());
   bool known = true;
@@ -40,8 +40,8 @@ json CourseJson(const Course& course, double grain = 1e-5) {
 }
 
 template <typename Courses>
-json CoursesJson(const Courses& courses, double grain = 1e-5) {
-  json list = json::array();
+SceneJson CoursesJson(const Courses& courses, double grain = 1e-5) {
+  SceneJson list = SceneJson::array();
   for (const Course& course : courses) list.push_back(CourseJson(course, grain));
   return list;
 }
@@ -54,9 +54,9 @@ std::string Bytes(const std::vector<T>& values) {
 }
 
 /// Places in 16-bit steps of the mesh's own box, normals in 8 bits, corners in 16 bits.
-json MeshJson(const ReplayMesh& mesh) {
+SceneJson MeshJson(const ReplayMesh& mesh) {
   PHS_CHECK(mesh.vertex.size() == mesh.normal.size() && mesh.vertex.size() < 65536);
-  json vertices = json::array();
+  SceneJson vertices = SceneJson::array();
   for (size_t k = 0; k < 3; ++k) {
     std::vector<double> values;
     for (const auto& v : mesh.vertex) values.push_back(v[k]);
@@ -75,8 +75,8 @@ json MeshJson(const ReplayMesh& mesh) {
   return {{"vertices", vertices}, {"normals", Bytes(normals)}, {"faces", Bytes(corners)}};
 }
 
-json PartJson(const ReplayPart& part) {
-  json one = {{"kind", part.kind}, {"colour", part.colour}, {"place", json::array()}};
+SceneJson PartJson(const ReplayPart& part) {
+  SceneJson one = {{"kind", part.kind}, {"colour", part.colour}, {"place", SceneJson::array()}};
   one["size"] = {Short(part.size[0]), Short(part.size[1]), Short(part.size[2])};
   if (part.mesh >= 0) one["mesh"] = part.mesh;
   if (part.mirrored) one["mirrored"] = true;
@@ -86,12 +86,12 @@ json PartJson(const ReplayPart& part) {
   return one;
 }
 
-json WheelJson(const ReplayWheel& wheel) {
-  json one = {{"name", wheel.name},
-              {"y", CourseJson(wheel.offset_y, 0)},
-              {"z", CourseJson(wheel.offset_z, 0)},
-              {"roll", CourseJson(wheel.roll, 0)},
-              {"patches", json::array()}};
+SceneJson WheelJson(const ReplayWheel& wheel) {
+  SceneJson one = {{"name", wheel.name},
+                   {"y", CourseJson(wheel.offset_y, 0)},
+                   {"z", CourseJson(wheel.offset_z, 0)},
+                   {"roll", CourseJson(wheel.roll, 0)},
+                   {"patches", SceneJson::array()}};
   for (const ReplayWheel::Patch& patch : wheel.patches) {
     one["patches"].push_back(
         CoursesJson(std::vector<Course>{patch.y, patch.z, patch.angle, patch.a, patch.b,
@@ -101,16 +101,16 @@ json WheelJson(const ReplayWheel& wheel) {
   return one;
 }
 
-json OutlineJson(const std::vector<std::array<double, 2>>& outline) {
-  json points = json::array();
+SceneJson OutlineJson(const std::vector<std::array<double, 2>>& outline) {
+  SceneJson points = SceneJson::array();
   for (const auto& p : outline) points.push_back({Short(p[0]), Short(p[1])});
   return points;
 }
 
 /// Every text once, and which of them stands at each instant.
-json CaptionJson(const std::string& name, const std::vector<std::string>& values) {
-  json texts = json::array();
-  json which = json::array();
+SceneJson CaptionJson(const std::string& name, const std::vector<std::string>& values) {
+  SceneJson texts = SceneJson::array();
+  SceneJson which = SceneJson::array();
   for (const std::string& value : values) {
     if (texts.empty() || texts.back() != value) texts.push_back(value);
     which.push_back(texts.size() - 1);
@@ -118,18 +118,18 @@ json CaptionJson(const std::string& name, const std::vector<std::string>& values
   return {{"name", name}, {"texts", texts}, {"which", which}};
 }
 
-json BogieJson(const ReplayBogie& bogie) {
-  json one = {{"title", bogie.title},
-              {"last_s", bogie.last_s},
-              {"middle", Packed(bogie.middle_s)},
-              {"bodies", json::array()},
-              {"parts", json::array()},
-              {"captions", json::array()},
-              {"wheel", OutlineJson(bogie.wheel_outline)},
-              {"rail", OutlineJson(bogie.rail_outline)},
-              {"wheels", json::array()}};
+SceneJson BogieJson(const ReplayBogie& bogie) {
+  SceneJson one = {{"title", bogie.title},
+                   {"last_s", bogie.last_s},
+                   {"middle", Packed(bogie.middle_s)},
+                   {"bodies", SceneJson::array()},
+                   {"parts", SceneJson::array()},
+                   {"captions", SceneJson::array()},
+                   {"wheel", OutlineJson(bogie.wheel_outline)},
+                   {"rail", OutlineJson(bogie.rail_outline)},
+                   {"wheels", SceneJson::array()}};
   for (const auto& look : bogie.bodies) {
-    json bodies = json::array();
+    SceneJson bodies = SceneJson::array();
     // Turns are small numbers that are seen at the ends of long bodies.
     for (const auto& body : look) bodies.push_back(CoursesJson(body, 1e-6));
     one["bodies"].push_back(std::move(bodies));
@@ -142,8 +142,8 @@ json BogieJson(const ReplayBogie& bogie) {
   return one;
 }
 
-json ViewsJson(const std::vector<ReplayView>& views) {
-  json list = json::array();
+SceneJson ViewsJson(const std::vector<ReplayView>& views) {
+  SceneJson list = SceneJson::array();
   for (const ReplayView& view : views) {
     list.push_back(
         {{"name", view.name},
@@ -156,30 +156,30 @@ json ViewsJson(const std::vector<ReplayView>& views) {
   return list;
 }
 
-json WholeJson(const Replay& replay) {
-  json all = {{"begin", replay.begin_s},
-              {"end", replay.end_s},
-              {"points", replay.time.size()},
-              {"time", Packed(replay.time)},
-              {"looks", replay.looks},
-              {"views", ViewsJson(replay.views)},
-              {"colours", json::array()},
-              {"meshes", json::array()},
-              {"bogies", json::array()},
-              {"track",
-               {{"begin", replay.stations_begin_s},
-                {"step", replay.stations_step_m},
-                {"stations", Bytes(replay.stations)},
-                {"rail", replay.rail_mesh},
-                {"bed", replay.bed_mesh},
-                {"sleeper", replay.sleeper},
-                {"sleeper_height", replay.sleeper_height},
-                {"colours", replay.track_colours}}},
-              {"pressures",
-               {{"low", replay.pressure_low_Pa},
-                {"high", replay.pressure_high_Pa},
-                {"colours", replay.pressure_colours}}},
-              {"arrows", replay.arrows}};
+SceneJson WholeJson(const Replay& replay) {
+  SceneJson all = {{"begin", replay.begin_s},
+                   {"end", replay.end_s},
+                   {"points", replay.time.size()},
+                   {"time", Packed(replay.time)},
+                   {"looks", replay.looks},
+                   {"views", ViewsJson(replay.views)},
+                   {"colours", SceneJson::array()},
+                   {"meshes", SceneJson::array()},
+                   {"bogies", SceneJson::array()},
+                   {"track",
+                    {{"begin", replay.stations_begin_s},
+                     {"step", replay.stations_step_m},
+                     {"stations", Bytes(replay.stations)},
+                     {"rail", replay.rail_mesh},
+                     {"bed", replay.bed_mesh},
+                     {"sleeper", replay.sleeper},
+                     {"sleeper_height", replay.sleeper_height},
+                     {"colours", replay.track_colours}}},
+                   {"pressures",
+                    {{"low", replay.pressure_low_Pa},
+                     {"high", replay.pressure_high_Pa},
+                     {"colours", replay.pressure_colours}}},
+                   {"arrows", replay.arrows}};
   for (const auto& colour : replay.colours) all["colours"].push_back(CoursesJson(colour, 1e-3));
   for (const ReplayMesh& mesh : replay.meshes) all["meshes"].push_back(MeshJson(mesh));
   for (const ReplayBogie& bogie : replay.bogies) all["bogies"].push_back(BogieJson(bogie));
@@ -189,7 +189,7 @@ json WholeJson(const Replay& replay) {
 }  // namespace
 
 std::string ReplayJson(const Replay& replay) {
-  return WholeJson(replay).dump(-1, ' ', false, json::error_handler_t::replace);
+  return WholeJson(replay).dump(-1, ' ', false, SceneJson::error_handler_t::replace);
 }
 
 void AddReplay(const Replay& replay, const CurvingResults& results, ReportPage* page) {
@@ -198,19 +198,19 @@ void AddReplay(const Replay& replay, const CurvingResults& results, ReportPage* 
     page->Note("There is no replay: " + replay.missing);
     return;
   }
-  json all = WholeJson(replay);
+  SceneJson all = WholeJson(replay);
   const double middle = 0.5 * (results.steady_begin + results.steady_end);
   all["start"] = results.radius > 0 ? std::clamp(middle, replay.begin_s, replay.end_s)
                                     : 0.5 * (replay.begin_s + replay.end_s);
   for (size_t i = 0; i < replay.bogies.size(); ++i) {
-    json& bogie = all["bogies"][i];
+    SceneJson& bogie = all["bogies"][i];
     for (const BogieRun& run : results.runs) {
       if (run.name != replay.bogies[i].name) continue;
       bogie["title"] = run.label;
       bogie["colour"] = run.colour;
     }
   }
-  page->SetFilm(all.dump(-1, ' ', false, json::error_handler_t::replace));
+  page->SetFilm(all.dump(-1, ' ', false, SceneJson::error_handler_t::replace));
   page->AddFigure("replay", "The run again: drag to turn, plots and replay share their place",
                   "{}");
   const bool profiles = std::any_of(replay.bogies.begin(), replay.bogies.end(),

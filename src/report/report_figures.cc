@@ -13,11 +13,9 @@
 namespace phs::report {
 namespace {
 
-using nlohmann::json;
-
 /// Numbers that are not finite become null.
-std::string Dump(const json& value) {
-  return value.dump(-1, ' ', false, json::error_handler_t::replace);
+std::string Dump(const nlohmann::json& value) {
+  return value.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
 /// JSON that may stand inside an HTML script element: '<', '>', '&' and the line ends U+2028,
@@ -42,27 +40,27 @@ std::string ScriptSafe(const std::string& text) {
   return safe;
 }
 
-json PackedJson(const std::vector<double>& values) {
+nlohmann::json PackedJson(const std::vector<double>& values) {
   const PackedValues packed = Pack(values);
   return {{"least", packed.least}, {"greatest", packed.greatest}, {"packed", packed.base64}};
 }
 
-json CurveJson(const Curve& curve) {
+nlohmann::json CurveJson(const Curve& curve) {
   return {{"label", curve.label},
           {"colour", curve.colour},
           {"dash", curve.dash},
           {"points", curve.points}};
 }
 
-json LevelsJson(const std::vector<Level>& levels) {
-  json list = json::array();
+nlohmann::json LevelsJson(const std::vector<Level>& levels) {
+  nlohmann::json list = nlohmann::json::array();
   for (const Level& level : levels)
     list.push_back({{"value", level.value}, {"label", level.label}});
   return list;
 }
 
-json BandsJson(const std::vector<Band>& bands) {
-  json list = json::array();
+nlohmann::json BandsJson(const std::vector<Band>& bands) {
+  nlohmann::json list = nlohmann::json::array();
   for (const Band& band : bands) {
     list.push_back({{"begin", band.begin},
                     {"end", band.end},
@@ -101,19 +99,20 @@ bool KeepsRows(const SeriesPlot& plot) {
 }  // namespace
 
 void ReportPage::Add(const SeriesPlot& plot) {
-  json spec = {{"x_label", plot.x_label},
-               {"y_label", plot.y_label},
-               {"group", plot.group},
-               {"least_span", plot.least_span},
-               {"from_zero", plot.from_zero},
-               {"steps", plot.steps},
-               {"ordinate", plot.ordinate_greatest > plot.ordinate_least
-                                ? json{plot.ordinate_least, plot.ordinate_greatest}
-                                : json()},
-               {"height", plot.height_px},
-               {"bands", BandsJson(plot.bands)},
-               {"levels", LevelsJson(plot.levels)},
-               {"curves", json::array()}};
+  nlohmann::json spec = {
+      {"x_label", plot.x_label},
+      {"y_label", plot.y_label},
+      {"group", plot.group},
+      {"least_span", plot.least_span},
+      {"from_zero", plot.from_zero},
+      {"steps", plot.steps},
+      {"ordinate", plot.ordinate_greatest > plot.ordinate_least
+                       ? nlohmann::json{plot.ordinate_least, plot.ordinate_greatest}
+                       : nlohmann::json()},
+      {"height", plot.height_px},
+      {"bands", BandsJson(plot.bands)},
+      {"levels", LevelsJson(plot.levels)},
+      {"curves", nlohmann::json::array()}};
   const bool keep = KeepsRows(plot);
   const Grid grid = CommonGrid(plot);
   if (keep) {
@@ -123,7 +122,7 @@ void ReportPage::Add(const SeriesPlot& plot) {
   }
   for (const Curve& curve : plot.curves) {
     PHS_CHECK(curve.x.size() == curve.y.size());
-    json one = CurveJson(curve);
+    nlohmann::json one = CurveJson(curve);
     one["y"] = PackedJson(keep ? curve.y : PutOnGrid(curve.x, curve.y, grid));
     spec["curves"].push_back(std::move(one));
   }
@@ -131,14 +130,14 @@ void ReportPage::Add(const SeriesPlot& plot) {
 }
 
 void ReportPage::Add(const XyPlot& plot) {
-  json spec = {{"x_label", plot.x_label},
-               {"y_label", plot.y_label},
-               {"height", plot.height_px},
-               {"levels", LevelsJson(plot.levels)},
-               {"curves", json::array()}};
+  nlohmann::json spec = {{"x_label", plot.x_label},
+                         {"y_label", plot.y_label},
+                         {"height", plot.height_px},
+                         {"levels", LevelsJson(plot.levels)},
+                         {"curves", nlohmann::json::array()}};
   for (const Curve& curve : plot.curves) {
     PHS_CHECK(curve.x.size() == curve.y.size());
-    json one = CurveJson(curve);
+    nlohmann::json one = CurveJson(curve);
     one["x"] = PackedJson(curve.x);
     one["y"] = PackedJson(curve.y);
     spec["curves"].push_back(std::move(one));
@@ -148,10 +147,10 @@ void ReportPage::Add(const XyPlot& plot) {
 
 void ReportPage::Add(const HeatMap& map) {
   PHS_CHECK(map.y_edges.size() == map.values.size() + 1);
-  const json spec = {{"x_label", map.x_label},         {"y_label", map.y_label},
-                     {"value_label", map.value_label}, {"x_edges", map.x_edges},
-                     {"y_edges", map.y_edges},         {"values", map.values},
-                     {"diverging", map.diverging},     {"full_scale", map.full_scale}};
+  const nlohmann::json spec = {{"x_label", map.x_label},         {"y_label", map.y_label},
+                               {"value_label", map.value_label}, {"x_edges", map.x_edges},
+                               {"y_edges", map.y_edges},         {"values", map.values},
+                               {"diverging", map.diverging},     {"full_scale", map.full_scale}};
   AddFigure("heat", map.title, Dump(spec));
 }
 

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/table.h"
+#include "report/decimation.h"
 #include "report/json_fields.h"
 #include "report/readable_name.h"
 #include "report/report_page.h"
@@ -12,12 +13,6 @@ namespace phs::report {
 namespace {
 
 using json = nlohmann::ordered_json;
-
-std::vector<double> Scaled(const std::vector<double>& y, double factor) {
-  std::vector<double> out(y);
-  for (double& value : out) value *= factor;
-  return out;
-}
 
 bool IsInput(const std::string& name) {
   return name.starts_with("actuator") || name == "x_m" || name == "force_N";
@@ -60,7 +55,7 @@ void AddSteps(const json& result, ReportPage* page) {
   page->Add(bars);
 }
 
-void AddKeyFigures(const json& result, ReportPage* page) {
+void AddRigFigures(const json& result, ReportPage* page) {
   std::vector<KeyFigure> figures;
   const json channels = result.value("channels", json::object());
   for (const auto& [name, scores] : channels.items()) {
@@ -135,7 +130,7 @@ Status WriteRigReport(const RigReportInput& input, const std::string& path) {
                              result.value("declared", "") + ", data " + result.value("data", ""));
   page.Section("At a glance");
   if (result.contains("rows")) {
-    AddKeyFigures(result, &page);
+    AddRigFigures(result, &page);
     AddSteps(result, &page);
     return page.Write(path);
   }

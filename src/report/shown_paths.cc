@@ -8,7 +8,7 @@ namespace phs::report {
 namespace {
 
 constexpr std::string_view kBefore = " \t\n\"'=([:,";
-constexpr std::string_view kAfter = " \t\n\"'<>:;,)]";
+constexpr std::string_view kEndsPath = " \t\n\"'<>:;,)]";
 
 bool BeginsPath(const std::string& text, size_t at) {
   if (text[at] != '/' || at + 1 >= text.size()) return false;
@@ -38,7 +38,7 @@ std::string WithoutFolders(const std::string& text) {
       shown += text[at++];
       continue;
     }
-    const size_t end = std::min(text.find_first_of(kAfter, at), text.size());
+    const size_t end = std::min(text.find_first_of(kEndsPath, at), text.size());
     shown += Shortened(text.substr(at, end - at));
     at = end;
   }

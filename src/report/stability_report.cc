@@ -168,7 +168,7 @@ Curve RampCurve(const json& ramp, const std::string& label, int colour) {
   return curve;
 }
 
-void AddGlance(const json& result, ReportPage* page) {
+void AddStabilityGlance(const json& result, ReportPage* page) {
   std::vector<KeyFigure> figures;
   const double critical = 3.6 * NumberOf(result, "critical_speed_m_s");
   const json mode = result.value("critical_mode", json::object());
@@ -206,7 +206,7 @@ Status WriteStabilityReport(const std::string& stability_file, const std::string
   const json eigenvalues = result.value("eigenvalues", json::array());
   ReportPage page("Stability over speed", result.value("bogie", ""));
   page.Section("At a glance");
-  AddGlance(result, &page);
+  AddStabilityGlance(result, &page);
   page.Section("Over speed");
   page.BeginGrid(2);
   const std::string speed = "speed [km/h]";

@@ -18,7 +18,6 @@ namespace phs::sweep {
 namespace {
 
 constexpr double kKept = 1e-6;  ///< violation that rounding of the values may leave
-constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 
 std::string SixDigits(double value) { return fmt::format("{:.6g}", value); }
 

@@ -10,7 +10,7 @@
 namespace phs::sweep {
 namespace {
 
-std::vector<std::string> Parts(const std::string& path) {
+std::vector<std::string> PathParts(const std::string& path) {
   std::vector<std::string> parts;
   std::istringstream stream(path);
   for (std::string part; std::getline(stream, part, '.');) parts.push_back(part);
@@ -49,7 +49,7 @@ std::string Joined(const std::vector<std::string>& parts, std::size_t first) {
 }  // namespace
 
 std::string OutputColumn(const std::string& path) {
-  const auto parts = Parts(path);
+  const auto parts = PathParts(path);
   return Joined(parts, parts.size() > 1 ? 1 : 0);
 }
 
@@ -59,7 +59,7 @@ std::vector<std::string> OutputColumns(const std::vector<std::string>& paths) {
   std::vector<std::string> columns;
   for (const std::string& path : paths) {
     const std::string column = OutputColumn(path);
-    columns.push_back(count[column] > 1 ? Joined(Parts(path), 0) : column);
+    columns.push_back(count[column] > 1 ? Joined(PathParts(path), 0) : column);
   }
   return columns;
 }

@@ -6,10 +6,10 @@
 #include <cerrno>
 #include <cmath>
 #include <filesystem>
-#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "base/json_path.h"
+#include "base/numbers.h"
 #include "base/result_dir.h"
 #include "sweep/case_files.h"
 
@@ -18,7 +18,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
-constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 
 /// Messages without the place where the run happened: they must not depend on the worker.
 std::string Without(std::string text, const std::string& place) {

@@ -14,16 +14,16 @@
 namespace phs::sweep {
 namespace {
 
-struct Answer {
+struct Printed {
   int code = -1;
   std::string text;
 };
 
-Answer Ask(const std::string& command) {
+Printed Ask(const std::string& command) {
   std::fflush(nullptr);
   std::FILE* pipe = popen((command + " 2>&1 </dev/null").c_str(), "r");
   if (pipe == nullptr) return {};
-  Answer answer;
+  Printed answer;
   std::array<char, 4096> buffer{};
   while (const std::size_t n = std::fread(buffer.data(), 1, buffer.size(), pipe)) {
     answer.text.append(buffer.data(), n);
@@ -34,7 +34,7 @@ Answer Ask(const std::string& command) {
   return answer;
 }
 
-Error SaysNo(const std::string& command, const Answer& answer) {
+Error SaysNo(const std::string& command, const Printed& answer) {
   constexpr int kNotFound = 127;
   if (answer.code == kNotFound) {
     return {command, "was not found", "a machine from which Slurm jobs are submitted",
@@ -64,7 +64,7 @@ std::string ShellWord(const std::string& text) {
 }
 
 Result<int> MostTasksPerArray() {
-  const Answer answer = Ask("scontrol show config");
+  const Printed answer = Ask("scontrol show config");
   if (answer.code != 0) return SaysNo("scontrol", answer);
   const int size = Setting(answer.text, "MaxArraySize");
   if (size < 2) {
@@ -76,7 +76,7 @@ Result<int> MostTasksPerArray() {
 
 int SlurmProcessors(const std::string& partition) {
   const std::string of = partition.empty() ? "" : " --partition=" + ShellWord(partition);
-  const Answer answer = Ask("sinfo --noheader --format=%C" + of);  // allocated/idle/other/total
+  const Printed answer = Ask("sinfo --noheader --format=%C" + of);  // allocated/idle/other/total
   const auto total = ParseNumber(answer.text.substr(answer.text.rfind('/') + 1));
   return answer.code == 0 && total && *total >= 1 ? static_cast<int>(*total) : 1;
 }
@@ -92,7 +92,7 @@ std::string SubmitCommand(const ArrayRequest& request) {
 }
 
 Result<std::string> Submit(const ArrayRequest& request) {
-  const Answer answer = Ask(SubmitCommand(request));
+  const Printed answer = Ask(SubmitCommand(request));
   if (answer.code != 0) return SaysNo("sbatch", answer);
   // Warnings may stand above; the answer is JOB or JOB;CLUSTER.
   const std::string last = answer.text.substr(answer.text.rfind('\n') + 1);
@@ -104,7 +104,7 @@ Result<std::string> Submit(const ArrayRequest& request) {
 }
 
 Result<std::map<SlurmTask, std::string>> TaskStates() {
-  const Answer answer = Ask(fmt::format(
+  const Printed answer = Ask(fmt::format(
       "squeue --noheader --array --states=all --user={} --format='%F %K %T'", getuid()));
   if (answer.code != 0) return SaysNo("squeue", answer);
   std::map<SlurmTask, std::string> states;

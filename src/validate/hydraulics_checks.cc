@@ -13,9 +13,7 @@ namespace {
 
 using hydraulics::PhsParams;
 using rigs::StepRow;
-using Rows = std::vector<StepRow>;
-
-constexpr char kThesis[] = "Löwe, M.Eng. thesis, Univ. of Pretoria, ";
+using TableRows = std::vector<StepRow>;
 
 std::string Thesis(const std::string& place) { return kThesis + place; }
 
@@ -95,7 +93,7 @@ Status AddBulkModulus(Checks* checks) {
   return {};
 }
 
-Result<double> Settled(const PhsParams& params, const Rows& rows, int row) {
+Result<double> Settled(const PhsParams& params, const TableRows& rows, int row) {
   for (const StepRow& r : rows) {
     if (r.row != row) continue;
     Result<std::vector<double>> p = rigs::PredictSettled(params, {r});
@@ -105,7 +103,7 @@ Result<double> Settled(const PhsParams& params, const Rows& rows, int row) {
   return Error{"step table", "has no row " + std::to_string(row), "", ""};
 }
 
-Status AddBlowOff(const PhsParams& p, const Rows& rows, Checks* checks) {
+Status AddBlowOff(const PhsParams& p, const TableRows& rows, Checks* checks) {
   Result<double> plateau = Settled(p, rows, 13);
   if (!plateau.ok()) return plateau.error();
   checks->push_back({{},
@@ -122,7 +120,7 @@ Status AddBlowOff(const PhsParams& p, const Rows& rows, Checks* checks) {
 
 /// Pressure rise of the rod side per step, held: how much stiffer each setup is than the next. The
 /// ratio of two measured slopes is good to about a fifth (steps of 1 to 3 mm read by laser).
-Status AddStiffnessOrder(const Rows& rows, Checks* checks) {
+Status AddStiffnessOrder(const TableRows& rows, Checks* checks) {
   const int row_of[] = {1, 9, 19, 29};
   double slope[4], measured[4];
   for (int k = 0; k < 4; ++k) {
@@ -186,7 +184,7 @@ Status AddHydraulicsChecks(Checks* checks) {
   if (!setup2.ok()) return setup2.error();
   Result<std::string> path = FindData("step table", "models/rigs", "lowe_table_b1", {".csv"});
   if (!path.ok()) return path.error();
-  Result<Rows> rows = rigs::ReadStepTable(path.value());
+  Result<TableRows> rows = rigs::ReadStepTable(path.value());
   if (!rows.ok()) return rows.error();
   AddVolumes(setup2.value(), checks);
   AddPrecharge(setup2.value(), checks);

@@ -14,8 +14,6 @@ using hydraulics::PhsParams;
 using identify::StepSearch;
 using rigs::StepRow;
 
-constexpr char kThesis[] = "Löwe, M.Eng. thesis, Univ. of Pretoria, ";
-
 class Rows {
  public:
   Rows(const StepSearch& s, Checks* checks) : s_(s), checks_(checks) {}

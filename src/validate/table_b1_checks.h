@@ -8,6 +8,9 @@
 
 namespace phs::validate {
 
+/// Begins the source of a row; the place within follows.
+inline constexpr char kThesis[] = "Löwe, M.Eng. thesis, Univ. of Pretoria, ";
+
 /// Of models/rigs/steps_joint.yaml: the search, and the checks of what it found.
 Result<identify::StepSearch> SearchTableB1();
 Status AddTableB1Checks(Checks* checks);

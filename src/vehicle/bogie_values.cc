@@ -53,7 +53,7 @@ Result<std::string> NewValue(const std::string& own, const std::string& value) {
 }
 
 /// The words KEY=VALUE of a custom text.
-std::vector<std::pair<std::string, std::string>> WordsOf(const std::string& data) {
+std::vector<std::pair<std::string, std::string>> ValuesIn(const std::string& data) {
   std::vector<std::pair<std::string, std::string>> found;
   std::istringstream words(data);
   for (std::string word; words >> word;) {
@@ -115,7 +115,7 @@ class Setter {
   Status SetWord(XMLElement* text) {
     std::string data;
     bool found = false;
-    for (const auto& [key, own] : WordsOf(AttributeOf(*text, "data"))) {
+    for (const auto& [key, own] : ValuesIn(AttributeOf(*text, "data"))) {
       stated_.insert(key);
       std::string word = own;
       if (key == attribute_) {

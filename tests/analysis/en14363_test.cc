@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kInterval = 0.002;
 
-std::vector<double> Sine(double frequency, double amplitude, double mean, int count) {
+std::vector<double> SampledSine(double frequency, double amplitude, double mean, int count) {
   std::vector<double> signal;
   for (int i = 0; i < count; ++i) {
     signal.push_back(mean + amplitude * std::sin(2 * std::numbers::pi * frequency * i * kInterval));
@@ -34,9 +34,9 @@ std::vector<double> Places(int count, double speed) {
 // A Butterworth filter has 1/sqrt(2) at its cut-off and, of 4th order, 1/sqrt(1 + 2^8) an octave
 // beyond (bilinear: of the warped frequencies).
 TEST(Filters, ButterworthOfFourthOrder) {
-  const auto low = LowPass(Sine(20, 1, 0, 4000), kInterval, 20);
-  const auto high = HighPass(Sine(20, 1, 0, 4000), kInterval, 20);
-  const auto octave = LowPass(Sine(40, 1, 0, 4000), kInterval, 20);
+  const auto low = LowPass(SampledSine(20, 1, 0, 4000), kInterval, 20);
+  const auto high = HighPass(SampledSine(20, 1, 0, 4000), kInterval, 20);
+  const auto octave = LowPass(SampledSine(40, 1, 0, 4000), kInterval, 20);
   ASSERT_TRUE(low.ok() && high.ok() && octave.ok());
   EXPECT_NEAR(AmplitudeOfSecondHalf(low.value()), std::sqrt(0.5), 2e-3);
   EXPECT_NEAR(AmplitudeOfSecondHalf(high.value()), std::sqrt(0.5), 2e-3);
@@ -75,7 +75,7 @@ TEST(SlidingMean, ShortOrStandingRun) {
 
 TEST(SlidingRms, OfASineIsItsAmplitudeOverRootTwo) {
   const std::vector<double> places = Places(5000, 20);
-  const auto rms = SlidingRms(places, Sine(4, 3, 0, 5000), 100, 10);
+  const auto rms = SlidingRms(places, SampledSine(4, 3, 0, 5000), 100, 10);
   ASSERT_TRUE(rms.ok());
   for (double value : rms.value()) EXPECT_NEAR(value, 3 / std::sqrt(2.0), 0.02);
 }
@@ -130,7 +130,7 @@ TEST(AssessWheelset, TwoMetreMean) {
 
 TEST(AssessWheelset, HuntingShowsInTheBand) {
   WheelsetForces f = Steady(5000);
-  const std::vector<double> hunting = Sine(5, 40e3, 0, 5000);
+  const std::vector<double> hunting = SampledSine(5, 40e3, 0, 5000);
   for (int i = 0; i < 5000; ++i) f.y_left_N[i] += hunting[i];
   SectionConditions c = Conditions();
   c.hunting_Hz = 5;
@@ -153,8 +153,8 @@ TEST(AssessWheelset, RefusesWhatItCannotAssess) {
 }
 
 TEST(AssessAcceleration, BandAndRms) {
-  const auto inside = AssessAcceleration(Sine(2, 0.5, 9.81, 20000), kInterval);
-  const auto outside = AssessAcceleration(Sine(60, 5, 0, 20000), kInterval);
+  const auto inside = AssessAcceleration(SampledSine(2, 0.5, 9.81, 20000), kInterval);
+  const auto outside = AssessAcceleration(SampledSine(60, 5, 0, 20000), kInterval);
   ASSERT_TRUE(inside.ok() && outside.ok());
   EXPECT_NEAR(inside.value().rms, 0.5 / std::sqrt(2.0), 5e-3);
   EXPECT_NEAR(inside.value().high, 0.5, 0.02);  // the start of the sine rings a little

@@ -21,7 +21,7 @@ using vehicle::SteadyMeans;
 using vehicle::WheelMeans;
 using vehicle::WheelsetMeans;
 
-vehicle::Scenario Curve(const std::string& bogie, const std::string& track, double speed) {
+vehicle::Scenario CurveScenario(const std::string& bogie, const std::string& track, double speed) {
   vehicle::Scenario s;
   s.name = "steady";
   s.track = track;
@@ -44,7 +44,7 @@ TEST(SteadyCurveTest, AgreesWithTheTimeRunWithinOnePercentForATenthOfItsSteps) {
   // The seals of the PHS remember the way: in time the end of the transition shakes them, here they
   // keep the force they slid with. That is the second percent.
   for (const auto& [bogie, tolerance] : {std::pair{"rigid_link", 0.01}, {"phs", 0.02}}) {
-    auto simulation = vehicle::Simulation::Create(Curve(bogie, "curve_r300", 55 / 3.6));
+    auto simulation = vehicle::Simulation::Create(CurveScenario(bogie, "curve_r300", 55 / 3.6));
     ASSERT_TRUE(simulation.ok()) << simulation.error().Line();
     const auto solved = SolveSteadyCurve(&simulation.value());
     ASSERT_TRUE(solved.ok()) << solved.error().Line();
@@ -91,7 +91,7 @@ std::string WithDrives(bool any) {
 TEST(SteadyCurveTest, AxlesWithoutDriveSettleAtTheSpinThatLeavesThemNoMoment) {
   const std::string track = PHS_SOURCE_DIR "/tests/vehicle/bogies/standard_r400.yaml";
   for (const bool any : {true, false}) {
-    auto simulation = vehicle::Simulation::Create(Curve(WithDrives(any), track, 20));
+    auto simulation = vehicle::Simulation::Create(CurveScenario(WithDrives(any), track, 20));
     ASSERT_TRUE(simulation.ok()) << simulation.error().Line();
     const auto solved = SolveSteadyCurve(&simulation.value());
     ASSERT_TRUE(solved.ok()) << solved.error().Line();
@@ -115,12 +115,12 @@ TEST(SteadyCurveTest, AxlesWithoutDriveSettleAtTheSpinThatLeavesThemNoMoment) {
 }
 
 TEST(SteadyCurveTest, StraightTrackAndVehiclesWithoutAFreeRootAreRefused) {
-  auto straight = vehicle::Simulation::Create(Curve("phs", "straight", 20));
+  auto straight = vehicle::Simulation::Create(CurveScenario("phs", "straight", 20));
   ASSERT_TRUE(straight.ok());
   const auto no_arc = SolveSteadyCurve(&straight.value());
   ASSERT_FALSE(no_arc.ok());
   EXPECT_NE(no_arc.error().Line().find("has no circular arc"), std::string::npos);
-  vehicle::Scenario undriven = Curve("cooperrider", "straight", 20);
+  vehicle::Scenario undriven = CurveScenario("cooperrider", "straight", 20);
   undriven.timestep_s = 1e-4;
   auto coasting = vehicle::Simulation::Create(undriven);
   ASSERT_TRUE(coasting.ok());

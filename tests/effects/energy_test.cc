@@ -26,7 +26,7 @@ double Position(int cylinder, double t) {
   return a * std::sin(w * t + 0.4 * cylinder) * std::sin(0.25 * w * t);
 }
 
-Balance Drive(const PhsSystem& s, double duration, int steps) {
+Balance DriveOver(const PhsSystem& s, double duration, int steps) {
   const int n = s.num_cylinders();
   std::vector<double> state(s.num_states(), 0.0), rate(state), x(n), v(n), before(n);
   Evaluation e(s);
@@ -96,13 +96,13 @@ bool Balances(const std::string& effect, bool whole, const Surroundings& warm) {
   const bool fast =
       effect.starts_with("line_") || effect.starts_with("check_") || effect == "throttle";
   const int steps = (whole ? 8000 : 16000) * (fast ? 10 : 1);
-  const Balance b = Drive(s, 4.0, steps);
+  const Balance b = DriveOver(s, 4.0, steps);
   EXPECT_LT(b.Error(), 2e-3) << params.name << " work " << b.work << " stored " << b.stored
                              << " lost " << b.lost << " scale " << b.scale;
   EXPECT_GE(b.least_power, -1e-9);
   EXPECT_GT(b.lost, 0);
   // A balance that the effect does not enter would hold whatever the effect does.
-  return b.work != Drive(Compile(beneath), 4.0, steps).work;
+  return b.work != DriveOver(Compile(beneath), 4.0, steps).work;
 }
 
 class EnergyOf : public ::testing::TestWithParam<std::string> {};
@@ -172,7 +172,7 @@ TEST(EnergyOfForms, WorkIsStoredPlusLost) {
       for (auto& l : params.lines) l.accumulator_precharge_Pa = 1.2 * l.static_pressure_Pa;
     }
     const PhsSystem s = Compile(params);
-    const Balance b = Drive(s, 4.0, 16000);
+    const Balance b = DriveOver(s, 4.0, 16000);
     EXPECT_LT(b.Error(), 2e-3) << form.effect << " work " << b.work << " stored " << b.stored
                                << " lost " << b.lost << " scale " << b.scale;
     EXPECT_GE(b.least_power, -1e-9) << form.effect;

@@ -37,14 +37,14 @@ PhsParams Bare() {
   return params;
 }
 
-PhsParams With(PhsParams params, const std::string& formula,
-               const std::map<std::string, double>& values,
-               const std::vector<std::string>& targets = {}) {
+PhsParams WithLaw(PhsParams params, const std::string& formula,
+                  const std::map<std::string, double>& values,
+                  const std::vector<std::string>& targets = {}) {
   params.effects.push_back({"mine", targets, values, formula});
   return params;
 }
 
-std::string Refusal(const PhsParams& params) {
+std::string LawRefusal(const PhsParams& params) {
   const auto system = phs_model::CreatePhsSystem(params);
   return system.ok() ? "" : system.error().Line();
 }
@@ -124,15 +124,15 @@ TEST(OwnLaw, ABristleFollowsItsClosedFormAndTwoStatesSeeEachOther) {
   for (int i = 0; i <= 1000; ++i) {
     ramp.position_m[0].push_back(0.01 * i * 1e-3), ramp.speed_m_s[0].push_back(0.01);
   }
-  const PhsParams part =
-      With(Bare(), "piston = k*z; dz_m/dt = v - abs(v)*z/z0", {{"k_N_per_m", 1e5}, {"z0_m", 1e-3}});
+  const PhsParams part = WithLaw(Bare(), "piston = k*z; dz_m/dt = v - abs(v)*z/z0",
+                                 {{"k_N_per_m", 1e5}, {"z0_m", 1e-3}});
   const auto force = BenchForce(part, ramp);
   for (const int i : {0, 50, 200, 1000}) {
     EXPECT_NEAR(force[static_cast<size_t>(i)], 100 * (1 - std::exp(-0.01 * i * 1e-3 / 1e-3)), 0.05);
   }
   // A pendulum: da/dt = w b, db/dt = -w a + w; a = 1 - cos wt.
-  const PhsParams swing =
-      With(Bare(), "piston = f*a; da/dt = w*b; db/dt = w - w*a", {{"f_N", 10}, {"w_1_per_s", 2}});
+  const PhsParams swing = WithLaw(Bare(), "piston = f*a; da/dt = w*b; db/dt = w - w*a",
+                                  {{"f_N", 10}, {"w_1_per_s", 2}});
   const auto swung = BenchForce(swing, ramp);
   EXPECT_NEAR(swung[1000], 10 * (1 - std::cos(2.0)), 0.02);
 }
@@ -149,8 +149,8 @@ TEST(OwnLaw, ActsOnTheRigTheSameBesideThePistonAndBesideTheCylinder) {
   };
   const auto plain = run(declared);
   const std::map<std::string, double> values = {{"k_N_per_m", 2e6}, {"z0_m", 2e-4}};
-  const auto piston = run(With(declared, "piston = k*z; dz_m/dt = v - abs(v)*z/z0", values));
-  const auto mounting = run(With(declared, "mounting = k*z; dz_m/dt = v - abs(v)*z/z0", values));
+  const auto piston = run(WithLaw(declared, "piston = k*z; dz_m/dt = v - abs(v)*z/z0", values));
+  const auto mounting = run(WithLaw(declared, "mounting = k*z; dz_m/dt = v - abs(v)*z/z0", values));
   double most = 0;
   for (size_t i = 0; i < plain[1].size(); ++i) {
     const double beside = piston[1][i] - plain[1][i];
@@ -170,12 +170,12 @@ TEST(OwnLaw, AsksForAChannelOfTheRecord) {
   const RigMotion motion = Sine(1e-3, 3, 0.1, 12);
   for (const char* where : {"piston", "mounting", "reading_N"}) {
     const PhsParams part =
-        With(Bare(), std::string(where) + " = f*coil/1[V]; given coil_V", {{"f_N", 2}});
+        WithLaw(Bare(), std::string(where) + " = f*coil/1[V]; given coil_V", {{"f_N", 2}});
     const auto force = BenchForce(part, motion, options);
     ASSERT_EQ(force.size(), 12u);
     EXPECT_NEAR(force[3], 2 * 6, 1e-9) << where << ": linear between samples";
     EXPECT_NEAR(force[11], 2 * 20, 1e-9) << where << ": held beyond the end";
-    EXPECT_THAT(Refusal(part), HasSubstr("coil_V, which this run does not have"));
+    EXPECT_THAT(LawRefusal(part), HasSubstr("coil_V, which this run does not have"));
   }
 }
 
@@ -200,8 +200,8 @@ TEST(OwnLaw, OfOilIsTheFormulaOfTheSameName) {
 
 TEST(OwnLaw, GoesThroughAFileAndStaysBehindWhereItIsOfTheRig) {
   const auto declared = phs_model::FindPhsParams("quarter_setup2").value();
-  const PhsParams with = With(declared, "piston = k*z; dz_m/dt = v - abs(v)*z/z0",
-                              {{"k_N_per_m", 2e6}, {"z0_m", 2e-4}});
+  const PhsParams with = WithLaw(declared, "piston = k*z; dz_m/dt = v - abs(v)*z/z0",
+                                 {{"k_N_per_m", 2e6}, {"z0_m", 2e-4}});
   auto map = YamlMap::Parse(phs_model::ToYaml(with), "with.yaml");
   ASSERT_TRUE(map.ok());
   const auto again = phs_model::ReadPhsParams(map.value());
@@ -217,7 +217,7 @@ TEST(OwnLaw, GoesThroughAFileAndStaysBehindWhereItIsOfTheRig) {
 TEST(OwnLaw, IsRefusedInOneLineThatSaysWhy) {
   const auto refused = [](const std::string& formula, const std::map<std::string, double>& values,
                           const std::vector<std::string>& targets = {}) {
-    return Refusal(With(Bare(), formula, values, targets));
+    return LawRefusal(WithLaw(Bare(), formula, values, targets));
   };
   EXPECT_THAT(refused("pistn = k*x", {{"k_N_per_m", 1}}), HasSubstr("did you mean 'piston'"));
   EXPECT_THAT(refused("piston = k*v", {{"k_N_per_m", 1}}), HasSubstr("no force [N]"));

@@ -85,7 +85,8 @@ Suite Identify() {
           .files = {{"seal.csv", SealRecord()},
                     {"seal.yaml",
                      "rig: element\nmodel: seal_bench\ndata: seal.csv\n"
-                     "estimation: [0, 2.5]\nvalidation: [2.5, 4]\n"}},
+                     "estimation: [0, 2.5]\nvalidation: [2.5, 4]\n"
+                     "candidates: [viscous_friction]\n"}},  // a search is not what is tried here
           .arguments = {"identify", "seal.yaml", "--quiet", "--threads", "1", "--out", "out"},
           .again = {"identify", "seal.yaml", "--quiet", "--threads", "1", "--out", "out"}};
 }

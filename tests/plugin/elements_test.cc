@@ -263,7 +263,7 @@ TEST_F(ElementsTest, ItsForceLengthAndSpeedAreOutputs) {
   EXPECT_NEAR(value.at("damper_d_length_m"), 2 - d->qpos[0], 1e-3);
 }
 
-std::string Refusal(const std::string& custom) {
+std::string ElementRefusal(const std::string& custom) {
   const ModelPtr m = LoadText(Model(
       "", "<site name='fixed'/><body><joint/><geom size='1'/><site name='end'/></body>", custom));
   const Status s = Attach(m.get(), {});
@@ -271,20 +271,22 @@ std::string Refusal(const std::string& custom) {
 }
 
 TEST_F(ElementsTest, WhatIsDeclaredWronglyIsRefusedInOneLine) {
-  EXPECT_EQ(Refusal(Custom("damping_Ns_per_m=1e3")), "taken");
-  EXPECT_THAT(Refusal(Custom("damping=1e3")), HasSubstr("did you mean 'damping_Ns_per_m'"));
-  EXPECT_THAT(Refusal(Custom("relief_N=8")), HasSubstr("lacks damping_Ns_per_m"));
-  EXPECT_THAT(Refusal(Custom("damping_Ns_per_m=-1")), HasSubstr("=0 … 1000000000"));
-  EXPECT_THAT(Refusal(Custom("damping_Ns_per_m=much")), HasSubstr("is no number"));
-  EXPECT_THAT(Refusal(Custom("damping_Ns_per_m=1 damping_Ns_per_m=2")), HasSubstr("twice"));
-  EXPECT_THAT(Refusal(Custom("damping_Ns_per_m=1 relief_damping_Ns_per_m=2")),
+  EXPECT_EQ(ElementRefusal(Custom("damping_Ns_per_m=1e3")), "taken");
+  EXPECT_THAT(ElementRefusal(Custom("damping=1e3")), HasSubstr("did you mean 'damping_Ns_per_m'"));
+  EXPECT_THAT(ElementRefusal(Custom("relief_N=8")), HasSubstr("lacks damping_Ns_per_m"));
+  EXPECT_THAT(ElementRefusal(Custom("damping_Ns_per_m=-1")), HasSubstr("=0 … 1000000000"));
+  EXPECT_THAT(ElementRefusal(Custom("damping_Ns_per_m=much")), HasSubstr("is no number"));
+  EXPECT_THAT(ElementRefusal(Custom("damping_Ns_per_m=1 damping_Ns_per_m=2")), HasSubstr("twice"));
+  EXPECT_THAT(ElementRefusal(Custom("damping_Ns_per_m=1 relief_damping_Ns_per_m=2")),
               HasSubstr("does not stiffen"));
-  EXPECT_THAT(Refusal(Custom("damping_Ns_per_m=1", "fixed")), HasSubstr("2 different sites"));
-  EXPECT_THAT(Refusal("<custom><tuple name='damper:d'><element objtype='site' objname='fixed'/>"
-                      "<element objtype='site' objname='end'/></tuple></custom>"),
-              HasSubstr("MJCF text 'damper:d': is missing"));
-  EXPECT_THAT(Refusal(Custom("damping_Ns_per_m=1") +
-                      "<custom><text name='damper:e' data='damping_Ns_per_m=1'/></custom>"),
+  EXPECT_THAT(ElementRefusal(Custom("damping_Ns_per_m=1", "fixed")),
+              HasSubstr("2 different sites"));
+  EXPECT_THAT(
+      ElementRefusal("<custom><tuple name='damper:d'><element objtype='site' objname='fixed'/>"
+                     "<element objtype='site' objname='end'/></tuple></custom>"),
+      HasSubstr("MJCF text 'damper:d': is missing"));
+  EXPECT_THAT(ElementRefusal(Custom("damping_Ns_per_m=1") +
+                             "<custom><text name='damper:e' data='damping_Ns_per_m=1'/></custom>"),
               HasSubstr("belongs to no tuple"));
 }
 

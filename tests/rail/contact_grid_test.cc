@@ -28,7 +28,7 @@ struct Force {
   double vertical = 0, lateral = 0, radius = 0;
 };
 
-Force ForceAt(const ContactSearch& search, const WheelPlacement& place) {
+Force ForcesAt(const ContactSearch& search, const WheelPlacement& place) {
   Overlaps found;
   search.Find(place, kRailY, 0, &found);
   Force f;
@@ -43,11 +43,11 @@ Force ForceAt(const ContactSearch& search, const WheelPlacement& place) {
 }
 
 /// Lowered until it carries the load.
-void Load(const ContactSearch& search, WheelPlacement* place) {
+void SinkUnderLoad(const ContactSearch& search, WheelPlacement* place) {
   double low = -0.7, high = -0.5;
   for (int i = 0; i < 45; ++i) {
     place->z = 0.5 * (low + high);
-    (ForceAt(search, *place).vertical < kLoad ? low : high) = place->z;
+    (ForcesAt(search, *place).vertical < kLoad ? low : high) = place->z;
   }
 }
 
@@ -58,8 +58,8 @@ TEST(ContactGrid, ChangesForceAndRadiusByLittle) {
   std::vector<double> vertical, lateral, radius;
   for (int i = 0; i < 3000; ++i) {
     WheelPlacement place{6.5e-3 * one(random), 0, 0.5e-3 * one(random), 3e-3 * one(random)};
-    Load(fine, &place);
-    const Force a = ForceAt(usual, place), b = ForceAt(fine, place);
+    SinkUnderLoad(fine, &place);
+    const Force a = ForcesAt(usual, place), b = ForcesAt(fine, place);
     vertical.push_back(std::abs(a.vertical / b.vertical - 1));
     lateral.push_back(std::abs(a.lateral - b.lateral) / b.vertical);
     radius.push_back(std::abs(a.radius - b.radius));
@@ -80,11 +80,11 @@ TEST(ContactGrid, MakesNoStepInTheForce) {
   for (int tenth = -70; tenth < 65; ++tenth) {
     const double from = 1e-4 * tenth;
     WheelPlacement place{from, 0, -1e-3, 0.15e-3};
-    Load(search, &place);
+    SinkUnderLoad(search, &place);
     Force before[2];
     for (int i = -2; i < 500; ++i) {
       place.y = from + i * kStep;
-      const Force now = ForceAt(search, place);
+      const Force now = ForcesAt(search, place);
       if (i >= 0) {
         const double step = std::abs(now.vertical - 2 * before[1].vertical + before[0].vertical) +
                             std::abs(now.lateral - 2 * before[1].lateral + before[0].lateral);

@@ -41,7 +41,7 @@ TEST(CreepCases, EveryReferenceRowIsTheLawItself) {
   }
 }
 
-std::string ErrorOf(const std::string& text) {
+std::string CasesError(const std::string& text) {
   const auto t = ParseCsv(text, "cases.csv");
   if (!t.ok()) return t.error().Line();
   const auto out = CalcCreepCases(t.value(), "polach");
@@ -50,15 +50,16 @@ std::string ErrorOf(const std::string& text) {
 
 TEST(CreepCases, BadCellsAreNamedWithTheirLine) {
   const std::string good = "x,6,6,1e5,0.3,82000,0.28,0,0,0\n";
-  EXPECT_EQ(ErrorOf(kHeader + good), "");
-  std::string line = ErrorOf(kHeader + good + "y,-1,6,1e5,0.3,82000,0.28,0,0,0\n");
+  EXPECT_EQ(CasesError(kHeader + good), "");
+  std::string line = CasesError(kHeader + good + "y,-1,6,1e5,0.3,82000,0.28,0,0,0\n");
   EXPECT_NE(line.find("cases.csv:3"), std::string::npos) << line;
   EXPECT_NE(line.find("a_mm"), std::string::npos) << line;
-  line = ErrorOf(kHeader + std::string("y,6,6,heavy,0.3,82000,0.28,0,0,0\n"));
+  line = CasesError(kHeader + std::string("y,6,6,heavy,0.3,82000,0.28,0,0,0\n"));
   EXPECT_NE(line.find("'heavy'"), std::string::npos) << line;
-  line = ErrorOf(kHeader + std::string("y,6,6,1e5,0.3,82e9,0.28,0,0,0\n"));
+  line = CasesError(kHeader + std::string("y,6,6,1e5,0.3,82e9,0.28,0,0,0\n"));
   EXPECT_NE(line.find("G_MPa"), std::string::npos) << line;
-  line = ErrorOf("a_mm,b_mm,FN_N,mu,G_MPa,nu,xi,eta,phi_rad_per_m\n6,6,1e5,0.3,82000,0.28,0,0,0\n");
+  line =
+      CasesError("a_mm,b_mm,FN_N,mu,G_MPa,nu,xi,eta,phi_rad_per_m\n6,6,1e5,0.3,82000,0.28,0,0,0\n");
   EXPECT_NE(line.find("phi_rad_per_mm"), std::string::npos) << line;
 }
 

@@ -10,7 +10,7 @@
 namespace phs::rail {
 namespace {
 
-const CreepTable& Built() {
+const CreepTable& Fine() {
   static const CreepTable table = CreepTable::Build({40, 40, false}, 2);
   return table;
 }
@@ -27,8 +27,8 @@ TEST(CreepSlope, OfTheTableEqualsCentredDifferences) {
                                0.5 + 0.4 * one(random)};
     NormalisedSlope s;
     CreepTable::Cell cell;
-    const NormalisedForce f = Built().At(c, &s, &cell);
-    const NormalisedForce same = Built().At(c);
+    const NormalisedForce f = Fine().At(c, &s, &cell);
+    const NormalisedForce same = Fine().At(c);
     EXPECT_EQ(f.x, same.x);
     EXPECT_EQ(f.y, same.y);
     EXPECT_EQ(f.moment, same.moment);
@@ -37,12 +37,12 @@ TEST(CreepSlope, OfTheTableEqualsCentredDifferences) {
     const double chi = i % 3 == 0 ? c.chi + 0.01 : c.chi;
     const NormalisedCreepage near{c.u * (1 + beside * one(random)),
                                   c.v + size * beside * one(random), c.w, chi};
-    const NormalisedForce with = Built().At(near, cell), without = Built().At(near);
+    const NormalisedForce with = Fine().At(near, cell), without = Fine().At(near);
     EXPECT_EQ(with.x, without.x);
     EXPECT_EQ(with.y, without.y);
     EXPECT_EQ(with.moment, without.moment);
     const auto at = [&](double du, double dv) {
-      return Built().At({c.u + du, c.v + dv, c.w, c.chi});
+      return Fine().At({c.u + du, c.v + dv, c.w, c.chi});
     };
     const NormalisedForce u1 = at(h, 0), u0 = at(-h, 0), v1 = at(0, h), v0 = at(0, -h);
     for (const double error : {s.x_u - (u1.x - u0.x) / (2 * h), s.y_u - (u1.y - u0.y) / (2 * h),

@@ -63,7 +63,7 @@ struct Distance {
   double rms = 0, max = 0;
 };
 
-Distance Compare(const CreepLaw& law, const std::string& column) {
+Distance CompareWithTable(const CreepLaw& law, const std::string& column) {
   const Table t = ReferenceTable("hertz_creep_table.csv");
   EXPECT_EQ(t.num_rows(), 141);
   Distance d;
@@ -83,28 +83,28 @@ Distance Compare(const CreepLaw& law, const std::string& column) {
 }
 
 TEST(Fastsim, RmsErrorAgainstContactOn141CasesBelow0p04) {
-  EXPECT_LT(Compare(*Law("fastsim"), "CONTACT").rms, 0.04);
+  EXPECT_LT(CompareWithTable(*Law("fastsim"), "CONTACT").rms, 0.04);
   CreepLawParams elliptic;
   elliptic.method = "fastsim";
   elliptic.elliptic_bound = true;
-  EXPECT_LT(Compare(*Law(elliptic), "CONTACT").rms, 0.045);
+  EXPECT_LT(CompareWithTable(*Law(elliptic), "CONTACT").rms, 0.045);
   CreepLawParams blended;
   blended.method = "fastsim";
   blended.blended_flexibility = true;
-  EXPECT_LT(Compare(*Law(blended), "CONTACT").rms, 0.04);
+  EXPECT_LT(CompareWithTable(*Law(blended), "CONTACT").rms, 0.04);
 }
 
 // The table's source used CONTACT's uniform grid of 40 cells; ours here is the strip grid.
 TEST(Fastsim, ClassicAlgorithmAgainstThreeFlexibilityColumnsWithin2Percent) {
   CreepLawParams p;
   p.method = "fastsim";
-  const Distance parabolic = Compare(*Law(p), "FASTSIM3L_par");
+  const Distance parabolic = CompareWithTable(*Law(p), "FASTSIM3L_par");
   EXPECT_LT(parabolic.rms, 0.015);
   p.blended_flexibility = true;
-  EXPECT_LT(Compare(*Law(p), "FASTSIMblend_par").rms, 0.015);
+  EXPECT_LT(CompareWithTable(*Law(p), "FASTSIMblend_par").rms, 0.015);
   p.blended_flexibility = false;
   p.elliptic_bound = true;
-  EXPECT_LT(Compare(*Law(p), "FASTSIM3L_ell").rms, 0.015);
+  EXPECT_LT(CompareWithTable(*Law(p), "FASTSIM3L_ell").rms, 0.015);
 }
 
 // On CONTACT's kind of grid; the columns agree with 100 cells along an axis.

@@ -18,14 +18,14 @@ namespace {
 constexpr double kShear = 82e9;
 constexpr double kPoisson = 0.28;
 constexpr double kCompliance = (1 - kPoisson) / (std::numbers::pi * kShear);
-constexpr double kLoad = 127.5e3;  ///< of a 26 t axle [N]
+constexpr double kAxleLoad = 127.5e3;  ///< of a 26 t axle [N]
 
 TEST(HalfSpaceTest, TwoParabolasGiveHertzsPeakPressure) {
   const double along = 0.8;
   const double across = 1.5;
   HalfSpace space(14, 36, 0.6e-3, 0.4e-3, 0, kCompliance);
-  space.Solve([&](double x, double y) { return along * x * x + across * y * y; }, kLoad);
-  const HertzContact hertz = Hertz(kShear, kPoisson).UnderLoad(kLoad, along, across);
+  space.Solve([&](double x, double y) { return along * x * x + across * y * y; }, kAxleLoad);
+  const HertzContact hertz = Hertz(kShear, kPoisson).UnderLoad(kAxleLoad, along, across);
   EXPECT_NEAR(space.Peak() / hertz.peak_pressure, 1, 0.01);
   EXPECT_NEAR(space.Mean([](double y) { return y; }), 0, 1e-9);
 }
@@ -40,12 +40,12 @@ WheelRailParams CapeGauge() {
 }
 
 /// Of a right wheel at lateral shift y without roll.
-struct Load {
+struct PatchLoad {
   double wheel_y = 0;  ///< centre of the load on the wheel profile [m]
   double radius = 0;   ///< of the wheel, mean over the load [m]
 };
 
-Load ByHalfSpace(const WheelRailParams& p, double y, double load = kLoad) {
+PatchLoad ByHalfSpace(const WheelRailParams& p, double y, double load = kAxleLoad) {
   auto wheel = LoadProfile(p.wheel_profile, ProfileKind::kWheel).value();
   auto rail = LoadProfile(p.rail_profile, ProfileKind::kRail).value();
   rail.PutTopAtZero();
@@ -62,7 +62,7 @@ Load ByHalfSpace(const WheelRailParams& p, double y, double load = kLoad) {
   return {centre, p.wheel_radius + height};
 }
 
-Load Own(const WheelRail& pair, double y, double load = kLoad) {
+PatchLoad Own(const WheelRail& pair, double y, double load = kAxleLoad) {
   WheelsetMotion motion;
   motion.lateral = y;
   motion.speed = 20;
@@ -75,7 +75,7 @@ Load Own(const WheelRail& pair, double y, double load = kLoad) {
     pair.Calc(motion, Side::kRight, {}, {}, &f);
     (-f.force[2] < load ? low : high) = motion.vertical;
   }
-  Load centre;
+  PatchLoad centre;
   double sum = 0;
   for (int i = 0; i < f.count; ++i) {
     const ContactPatch& patch = f.patch[static_cast<size_t>(i)];
@@ -91,10 +91,10 @@ TEST(HalfSpaceTest, LoadWandersAcrossTheWheelAsOnElasticBodies) {
   // bear and the load's centre wanders over 27 mm of the wheel. Independent springs would have it
   // up to 1.4 mm and the radius 0.14 mm off.
   const WheelRail pair = Create(CapeGauge());
-  for (const double load : {60e3, kLoad, 150e3}) {
+  for (const double load : {60e3, kAxleLoad, 150e3}) {
     for (const double y : {-4e-3, -2e-3, -1e-3, -0.25e-3, 0.0, 0.25e-3, 1e-3, 2e-3, 4e-3}) {
-      const Load reference = ByHalfSpace(CapeGauge(), y, load);
-      const Load own = Own(pair, y, load);
+      const PatchLoad reference = ByHalfSpace(CapeGauge(), y, load);
+      const PatchLoad own = Own(pair, y, load);
       EXPECT_NEAR(own.wheel_y, reference.wheel_y, 0.4e-3) << "y = " << y << ", " << load;
       EXPECT_NEAR(own.radius, reference.radius, 0.045e-3) << "y = " << y << ", " << load;
     }
@@ -117,7 +117,7 @@ TEST(HalfSpaceTest, EquivalentConicityUnderLoadIsThatOfElasticBodies) {
   // Rigid bodies 0.37 at 1 mm, as they jump; elastic ones as in wide swings.
   const WheelRail pair = Create(CapeGauge());
   const auto rigid = CalcContactFunctions(pair, pair, 4e-3, 0.1e-3);
-  const auto loaded = CalcContactFunctions(pair, pair, 4e-3, 0.5e-3, kLoad);
+  const auto loaded = CalcContactFunctions(pair, pair, 4e-3, 0.5e-3, kAxleLoad);
   ASSERT_TRUE(rigid.ok() && loaded.ok());
   EXPECT_GT(rigid.value().conicity[0].value, 0.3);
   const double reference =

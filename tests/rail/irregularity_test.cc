@@ -274,14 +274,15 @@ TEST(IrregularityPsd, WavesGoDownToTwentyHertzOfTheRunUnlessTheFileSaysOtherwise
   EXPECT_NEAR(power(fast, 8, 50) / power(usual, 8, 50), 1, 0.01) << "the long waves are the same";
 }
 
-std::string Written(const std::string& text) {
+std::string WrittenWave(const std::string& text) {
   const std::string path = ScratchFile("irregularity_record.csv");
   std::ofstream(path) << text;
   return path;
 }
 
 TEST(IrregularityRecord, IsReadWithMissingChannelsAsZero) {
-  const auto read = ReadIrregularity(Written("s_m,level_m\n0,0.001\n0.5,0.002\n1.2,-0.001\n2,0\n"));
+  const auto read =
+      ReadIrregularity(WrittenWave("s_m,level_m\n0,0.001\n0.5,0.002\n1.2,-0.001\n2,0\n"));
   ASSERT_TRUE(read.ok()) << read.error().Line();
   EXPECT_EQ(read.value().s, (std::vector<double>{0, 0.5, 1.2, 2}));
   EXPECT_EQ(read.value().channel[kLevel][2], -0.001);
@@ -290,7 +291,7 @@ TEST(IrregularityRecord, IsReadWithMissingChannelsAsZero) {
 
 TEST(IrregularityRecord, ErrorsNameFileLineAndMend) {
   auto failure = [](const std::string& text) {
-    const auto read = ReadIrregularity(Written(text));
+    const auto read = ReadIrregularity(WrittenWave(text));
     return read.ok() ? std::string("ok") : read.error().Line();
   };
   EXPECT_THAT(failure("s_m,level_mm\n0,1\n1,1\n2,1\n3,1\n"),

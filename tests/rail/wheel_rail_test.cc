@@ -14,8 +14,6 @@
 namespace phs::rail {
 namespace {
 
-double Dot(const Vec3& a, const Vec3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
 TEST(WheelRail, StaticLoadOfAConeOnAnArcIsHertz) {
   const WheelRail pair = Create(ConeOnArc("0.05", "0.3"));
   WheelsetMotion m = Rolling(pair, 0, 0, 0, 0);

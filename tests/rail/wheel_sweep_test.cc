@@ -12,8 +12,6 @@
 namespace phs::rail {
 namespace {
 
-double Dot(const Vec3& a, const Vec3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
 struct Sweep {
   double jump = 0;      ///< largest change of a force per step over the load
   double wander = 0;    ///< largest step of the load's centre on the rail [m]

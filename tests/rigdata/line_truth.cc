@@ -6,7 +6,6 @@
 namespace rigdata {
 namespace {
 
-constexpr double kT0 = 293.15;         // K
 constexpr double kAtmosphere = 1.0e5;  // Pa
 constexpr double kLowest = 1.0e3;      // Pa, the solver's floor
 

@@ -16,6 +16,8 @@
 
 namespace rigdata {
 
+inline constexpr double kT0 = 293.15;  // of the filling, K
+
 enum class AirForm { kDissolving, kPolytropicDissolving, kLaggingDissolution };
 enum class HoseForm { kStiffening, kViscoelastic };
 enum class VapourForm { kRelease, kPlateau };

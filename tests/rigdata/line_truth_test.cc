@@ -2,14 +2,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "set_writer.h"
 
 namespace rigdata {
 namespace {
-
-constexpr double kTwoPi = 2.0 * std::numbers::pi;
 
 // Positive root of C p² + b p − c = 0.
 double PositiveRoot(double a, double b, double c) {

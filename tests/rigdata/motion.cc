@@ -3,13 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 namespace rigdata {
 namespace {
-
-constexpr double kTwoPi = 2.0 * std::numbers::pi;
 
 double RoundedTriangle(double phase, double roundness) {
   return std::asin(roundness * std::sin(phase)) / std::asin(roundness);

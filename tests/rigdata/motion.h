@@ -7,11 +7,14 @@
 // kind, in another order and with other numbers.
 #pragma once
 
+#include <numbers>
 #include <vector>
 
 #include "random_source.h"
 
 namespace rigdata {
+
+inline constexpr double kTwoPi = 2.0 * std::numbers::pi;
 
 // Where the actuator may go and how long it does so.
 struct MotionRange {

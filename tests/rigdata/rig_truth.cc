@@ -1,15 +1,12 @@
 #include "rig_truth.h"
 
 #include <cmath>
-#include <numbers>
 
 namespace rigdata {
 namespace {
 
-constexpr double kTwoPi = 2.0 * std::numbers::pi;
 constexpr double kOilExpansion = 6.6e-4;      // 1/K, oil less steel
 constexpr double kComplianceGrowth = 4.0e-3;  // 1/K
-constexpr double kT0 = 293.15;                // K
 
 class RigRun {
  public:

@@ -2,15 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 #include <string>
 
 #include "set_writer.h"
 
 namespace rigdata {
 namespace {
-
-constexpr double kTwoPi = 2.0 * std::numbers::pi;
 
 // Loop of a triangle of half amplitude a at constant speed: ∮F dx = 2a (F(v) − F(−v)); the
 // hydraulics gives its work back.

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "motion.h"
 
 namespace rigdata {
 namespace {
 
-constexpr double kTwoPi = 2.0 * std::numbers::pi;
 constexpr double kOutputRate = 200.0;  // Hz
 constexpr double kHumFrequency = 50.0;
 

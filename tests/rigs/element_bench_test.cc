@@ -28,8 +28,8 @@ hydraulics::PhsParams Part() {
   return p;
 }
 
-hydraulics::PhsParams With(hydraulics::PhsParams p, const std::string& effect,
-                           const std::map<std::string, double>& values) {
+hydraulics::PhsParams WithEffect(hydraulics::PhsParams p, const std::string& effect,
+                                 const std::map<std::string, double>& values) {
   EXPECT_TRUE(AddEffect(&p, effect).ok());
   for (const auto& [key, value] : values) p.effects.back().values[key] = value;
   return p;
@@ -58,7 +58,8 @@ RigMotion Sine(double amplitude, double hertz, double step, int n) {
 TEST(ElementBench, MassSpringAreaAndOffsetAddUp) {
   hydraulics::PhsParams p = Part();
   p.element = {.mass_kg = 2, .stiffness_N_per_m = 300, .pressure_area_m2 = 1e-4, .offset_N = 5};
-  p = With(With(p, "moving_mass", {{"mass_kg", 1}}), "pressure_area", {{"area_m2", 4e-4}});
+  p = WithEffect(WithEffect(p, "moving_mass", {{"mass_kg", 1}}), "pressure_area",
+                 {{"area_m2", 4e-4}});
   RigMotion m = Sine(0.01, 1.5, 1e-4, 20000);
   m.pressure_Pa.assign(20000, 2e5);
   const std::vector<double> f = Force(p, m);
@@ -101,7 +102,8 @@ TEST(ElementBench, FlexibleLoadFollowsItsTransferFunctionBelowAtAndAboveResonanc
   const double m = 10, mf = 3, f0 = 20, zeta = 0.07;
   hydraulics::PhsParams p = Part();
   p.element.mass_kg = m;
-  p = With(p, "load_flexibility", {{"mass_kg", mf}, {"frequency_Hz", f0}, {"damping_ratio", zeta}});
+  p = WithEffect(p, "load_flexibility",
+                 {{"mass_kg", mf}, {"frequency_Hz", f0}, {"damping_ratio", zeta}});
   for (const double hertz : {2.0, 20.0, 55.0}) {
     const double step = 2e-5, w = 2 * M_PI * hertz, w0 = 2 * M_PI * f0;
     const int n = static_cast<int>(3.0 / step);
@@ -131,11 +133,11 @@ TEST(ElementBench, BehindAGapNothingRubsAndBehindASpringFrictionComesLate) {
   m.position_m.resize(1);
   for (int i = 0; i < 2000; ++i) m.position_m[0].push_back(1e-6 * i);  // 1 mm/s
   const std::vector<double> gap =
-      Force(With(p, "backlash", {{"gap_m", 4e-4}, {"contact_N_per_m", 1e7}}), m);
+      Force(WithEffect(p, "backlash", {{"gap_m", 4e-4}, {"contact_N_per_m", 1e7}}), m);
   EXPECT_NEAR(gap[150], 0, 1e-6) << "inside half the play";
   EXPECT_NEAR(gap[400], 50, 0.5) << "carried along";
   const std::vector<double> spring =
-      Force(With(p, "mount_compliance", {{"stiffness_N_per_m", 1e5}}), m);
+      Force(WithEffect(p, "mount_compliance", {{"stiffness_N_per_m", 1e5}}), m);
   EXPECT_NEAR(spring[200], 20, 2.0) << "1e5 N/m over 0.2 mm, less the creep of the ramp";
   EXPECT_NEAR(spring[1500], 50, 0.1);
 }
@@ -146,10 +148,10 @@ TEST(ElementBench, WarmFrictionIsLowerByItsSlope) {
   RigMotion m = Sine(0.05, 0.1, 1e-2, 1000);
   m.temperature_K.assign(1000, p.temperature_K);
   const std::vector<double> cold =
-      Force(With(p, "temperature_friction", {{"slope_1_per_K", 0.02}}), m);
+      Force(WithEffect(p, "temperature_friction", {{"slope_1_per_K", 0.02}}), m);
   m.temperature_K.assign(1000, p.temperature_K + 10);
   const std::vector<double> warm =
-      Force(With(p, "temperature_friction", {{"slope_1_per_K", 0.02}}), m);
+      Force(WithEffect(p, "temperature_friction", {{"slope_1_per_K", 0.02}}), m);
   EXPECT_NEAR(warm[10] / cold[10], 0.8, 1e-12);
 }
 
@@ -158,8 +160,8 @@ TEST(ElementBench, MassBehindTheLoadCellOfARigAddsItsInertia) {
   const double w = 2 * M_PI * 5, a = 1e-3, step = 1e-3;
   const RigMotion motion = Sine(a, 5, step, 1000);
   RigPrediction plain, heavy;
-  for (auto [params, out] :
-       {std::pair{p, &plain}, std::pair{With(p, "moving_mass", {{"mass_kg", 200}}), &heavy}}) {
+  for (auto [params, out] : {std::pair{p, &plain},
+                             std::pair{WithEffect(p, "moving_mass", {{"mass_kg", 200}}), &heavy}}) {
     const auto rig = RigModel::Create(RigKind::kQuarter, params);
     ASSERT_TRUE(rig.ok()) << rig.error().Line();
     ASSERT_TRUE(rig.value().Run(motion, out).ok());

@@ -128,7 +128,7 @@ TEST(BogieNeedsTest, PathsOfAScenarioBeginInItsFolder) {
   EXPECT_EQ(lost.value().track, "none.yaml") << "looked up from the current folder next";
 }
 
-RunOutcome Finished(const Scenario& s) {
+RunOutcome RunFinished(const Scenario& s) {
   auto simulation = Simulation::Create(s);
   EXPECT_TRUE(simulation.ok()) << simulation.error().Line();
   if (!simulation.ok()) return {};
@@ -165,7 +165,7 @@ TEST(SlideCylindersTest, TheSameBogieInACurveHasTheSameForces) {
     Scenario s = On(bogie, "curve_r300", 15);
     s.start_s_m = 60;
     s.duration_s = 8;
-    return Finished(s);
+    return RunFinished(s);
   };
   const RunOutcome tendons = curve("phs");
   const RunOutcome slides = curve(std::string(kBogies) + "phs_on_slides.xml");
@@ -212,7 +212,7 @@ TEST(SlideCylindersTest, ModesLoadsFailuresAndTheLocomotiveReadThem) {
   s.duration_s = 0.6;
   s.phs_changes.failures = {
       {.kind = "line_burst", .line = "L1", .system = "rear_bogie", .at_s = 0.1}};
-  const RunOutcome run = Finished(s);
+  const RunOutcome run = RunFinished(s);
   EXPECT_LT(Column(run, "rear_bogie_line_L1_pressure_Pa").back(), 5e5);
   EXPECT_GT(Column(run, "front_bogie_line_L1_pressure_Pa").back(), 1.9e6);
 }

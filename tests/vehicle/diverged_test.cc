@@ -10,7 +10,7 @@
 namespace phs::vehicle {
 namespace {
 
-Scenario Straight() {
+Scenario Diverging() {
   Scenario s;
   s.name = "diverged";
   s.track = "straight";
@@ -22,7 +22,7 @@ Scenario Straight() {
 
 TEST(DivergedTest, AStepThatMuJoCoCannotFollowIsNotTakenForStable) {
   for (const double step : {0.01, 0.1, 1.0, 10.0}) {
-    Scenario s = Straight();
+    Scenario s = Diverging();
     s.timestep_s = step;
     auto sim = Simulation::Create(s);
     ASSERT_FALSE(sim.ok()) << step;
@@ -31,7 +31,7 @@ TEST(DivergedTest, AStepThatMuJoCoCannotFollowIsNotTakenForStable) {
 }
 
 TEST(DivergedTest, ASilentResetEndsTheRun) {
-  auto sim = Simulation::Create(Straight());
+  auto sim = Simulation::Create(Diverging());
   ASSERT_TRUE(sim.ok()) << sim.error().Line();
   auto run = sim.value().Run([&](double) {
     sim.value().data()->qvel[2] = 1e11;  // more than MuJoCo goes on with
@@ -44,7 +44,7 @@ TEST(DivergedTest, ASilentResetEndsTheRun) {
 }
 
 TEST(DivergedTest, AStepFarTooLargeDoesNotEndWell) {
-  auto sim = Simulation::Create(Straight());
+  auto sim = Simulation::Create(Diverging());
   ASSERT_TRUE(sim.ok()) << sim.error().Line();
   sim.value().mutable_model()->opt.timestep = 0.05;
   EXPECT_NE(sim.value().Run().value().status, "ok");

@@ -18,7 +18,7 @@ namespace {
 
 using testing::HasSubstr;
 
-Scenario Straight(std::vector<phs_model::Failure> failures) {
+Scenario FailingStraight(std::vector<phs_model::Failure> failures) {
   Scenario s;
   s.name = "failure";
   s.track = "straight";
@@ -48,11 +48,11 @@ Pressures PressuresOf(const Scenario& scenario, const std::string& line) {
 
 TEST(FailuresTest, ABurstLineFallsToAtmosphericPressureAtItsTime) {
   const Pressures burst =
-      PressuresOf(Straight({{.kind = "line_burst", .line = "L2", .at_s = 1}}), "L2");
+      PressuresOf(FailingStraight({{.kind = "line_burst", .line = "L2", .at_s = 1}}), "L2");
   EXPECT_NEAR(burst.before, 1.8e6, 1e4);
   EXPECT_NEAR(burst.after, 101325, 500);
   const Pressures later =
-      PressuresOf(Straight({{.kind = "line_burst", .line = "L2", .at_s = 5}}), "L2");
+      PressuresOf(FailingStraight({{.kind = "line_burst", .line = "L2", .at_s = 5}}), "L2");
   EXPECT_NEAR(later.after, 1.8e6, 1e4);
 }
 
@@ -114,7 +114,7 @@ TEST(FailuresTest, LostGasIsNotFilledUpByAnIdentifiedPrecharge) {
 
 TEST(FailuresTest, OneBogieOfALocomotiveMayFailAlone) {
   Scenario s =
-      Straight({{.kind = "line_burst", .line = "L1", .system = "rear_bogie", .at_s = 0.2}});
+      FailingStraight({{.kind = "line_burst", .line = "L1", .system = "rear_bogie", .at_s = 0.2}});
   s.vehicle = "locomotive";
   s.duration_s = 1;
   auto sim = Simulation::Create(s);
@@ -128,7 +128,7 @@ TEST(FailuresTest, OneBogieOfALocomotiveMayFailAlone) {
 }
 
 TEST(FailuresTest, TheStateOfALeakLivesInMjData) {
-  auto sim = Simulation::Create(Straight({{.kind = "line_leak", .line = "L2", .at_s = 0}}));
+  auto sim = Simulation::Create(FailingStraight({{.kind = "line_leak", .line = "L2", .at_s = 0}}));
   ASSERT_TRUE(sim.ok());
   const mjModel* m = sim.value().model();
   const DataPtr a(mj_makeData(m));
@@ -145,10 +145,10 @@ TEST(FailuresTest, TheStateOfALeakLivesInMjData) {
 }
 
 TEST(FailuresTest, WrongEntriesAreNamed) {
-  auto unknown = Simulation::Create(Straight({{.kind = "line_burst", .line = "L9"}}));
+  auto unknown = Simulation::Create(FailingStraight({{.kind = "line_burst", .line = "L9"}}));
   ASSERT_FALSE(unknown.ok());
   EXPECT_THAT(unknown.error().Line(), HasSubstr("line 'L9': is not in PHS model bo_bo"));
-  auto none = Simulation::Create(Straight({{.kind = "accumulator_gas_lost", .line = "L2"}}));
+  auto none = Simulation::Create(FailingStraight({{.kind = "accumulator_gas_lost", .line = "L2"}}));
   ASSERT_FALSE(none.ok());
   EXPECT_THAT(none.error().Line(), HasSubstr("has no accumulator"));
   auto map = YamlMap::Parse("failures:\n  - {kind: line_brust, line: L1}\n", "s.yaml");
@@ -170,7 +170,7 @@ TEST(FailuresTest, APlaceBecomesATime) {
 TEST(FailuresTest, APlaceBeyondTheTrackIsNoPlace) {
   phs_model::Failure burst{.kind = "line_burst", .line = "L1"};
   burst.at_m = 1e6;
-  const auto beyond = Simulation::Create(Straight({burst}));
+  const auto beyond = Simulation::Create(FailingStraight({burst}));
   ASSERT_FALSE(beyond.ok());
   EXPECT_THAT(beyond.error().Line(), HasSubstr("at_m: 1000000 m lies beyond the track straight"));
   auto map = YamlMap::Parse("failures:\n  - {kind: line_burst, line: L1, at_m: -5}\n", "s.yaml");
@@ -179,7 +179,7 @@ TEST(FailuresTest, APlaceBeyondTheTrackIsNoPlace) {
 }
 
 TEST(StableStep, NoStepIsTooLongToBeJudged) {
-  Scenario scenario = Straight({});
+  Scenario scenario = FailingStraight({});
   for (const double step : {1.0, 0.06, -1e-3}) {
     scenario.timestep_s = step;
     const auto simulation = Simulation::Create(scenario);

@@ -29,7 +29,7 @@ RunOutcome RunOf(const Scenario& scenario, const OwnInputs& own) {
   return std::move(run).value();
 }
 
-const std::vector<double>& Column(const RunOutcome& run, const std::string& name) {
+const std::vector<double>& ColumnOf(const RunOutcome& run, const std::string& name) {
   return run.columns.at(static_cast<size_t>(run.Find(name)));
 }
 
@@ -60,7 +60,7 @@ TEST(OwnInputs, AForceOnTheFrameIsCarriedByTheRails) {
     });
     double change = 0;
     for (const char* wheel : {"lead_left", "lead_right", "trail_left", "trail_right"}) {
-      const std::vector<double>& load = Column(run, wheel + std::string("_Q_N"));
+      const std::vector<double>& load = ColumnOf(run, wheel + std::string("_Q_N"));
       change += load.back() - load.front();
     }
     EXPECT_NEAR(change, -force, 0.01 * std::abs(force)) << force;
@@ -77,11 +77,11 @@ TEST(OwnInputs, TheirWorkIsInTheBookOfEnergy) {
     }
     return true;
   });
-  const std::vector<double>& way = Column(run, "s_m");
+  const std::vector<double>& way = ColumnOf(run, "s_m");
   const double work = force * (way.back() - way.front());
   EXPECT_NEAR(run.energy.work_in, work, 1e-3 * work);
   EXPECT_LT(std::abs(run.energy.RelativeError()), 1e-3);
-  EXPECT_GT(Column(run, "speed_m_s").back(), 20.1);  // pulled, nobody holds the speed
+  EXPECT_GT(ColumnOf(run, "speed_m_s").back(), 20.1);  // pulled, nobody holds the speed
 }
 
 TEST(OwnInputs, WhatTheyDoNotNameStaysWithTheSpeedHold) {
@@ -89,7 +89,7 @@ TEST(OwnInputs, WhatTheyDoNotNameStaysWithTheSpeedHold) {
     values->wrenches.push_back({.body = Body(view, "frame"), .force = {-8e3, 0, 0}});
     return true;
   });
-  EXPECT_NEAR(Column(run, "speed_m_s").back(), 20, 0.1);
+  EXPECT_NEAR(ColumnOf(run, "speed_m_s").back(), 20, 0.1);
 }
 
 TEST(OwnInputs, ChannelsAreThoseOfTheInstantBefore) {
@@ -106,7 +106,7 @@ TEST(OwnInputs, ChannelsAreThoseOfTheInstantBefore) {
     seen.push_back(view.channels[at]);
     return true;
   });
-  const std::vector<double>& recorded = Column(run, "s_m");
+  const std::vector<double>& recorded = ColumnOf(run, "s_m");
   ASSERT_EQ(seen.size(), recorded.size());
   EXPECT_EQ(std::vector<double>(seen.begin() + 1, seen.end()),
             std::vector<double>(recorded.begin(), recorded.end() - 1));

@@ -15,13 +15,13 @@ namespace {
 
 using testing::HasSubstr;
 
-const std::string kFolder = std::string(PHS_SOURCE_DIR) + "/models/urdf/";
+const std::string kBogieFolder = std::string(PHS_SOURCE_DIR) + "/models/urdf/";
 
 class UrdfImportTest : public testing::Test {
  protected:
   void SetUp() override {
-    urdf_ = ReadFile(kFolder + "bogie_19e.urdf").value();
-    mapping_ = ReadFile(kFolder + "bogie_19e_phs.yaml").value();
+    urdf_ = ReadFile(kBogieFolder + "bogie_19e.urdf").value();
+    mapping_ = ReadFile(kBogieFolder + "bogie_19e_phs.yaml").value();
   }
   std::string Write(const std::string& name, const std::string& text) const {
     return folder_.Write(name, text);
@@ -124,7 +124,7 @@ TEST_F(UrdfImportTest, ANameCannotLeadOutOfTheResult) {
 
 TEST_F(UrdfImportTest, TheImportedBogieRunsAsTheOneInMjcf) {
   for (const char* name : {"phs", "rigid_link"}) {
-    mapping_ = ReadFile(kFolder + "bogie_19e_" + name + ".yaml").value();
+    mapping_ = ReadFile(kBogieFolder + "bogie_19e_" + name + ".yaml").value();
     auto text = Import();
     ASSERT_TRUE(text.ok()) << text.error().Line();
     const RunOutcome imported = RunBogie(Write(std::string(name) + "_imported.xml", text.value()));
