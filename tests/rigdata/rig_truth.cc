@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "motion.h"
+
 namespace rigdata {
 namespace {
 
