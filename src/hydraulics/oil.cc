@@ -22,13 +22,13 @@ double CalcKinematicViscosity(double temperature_K, const OilParams& oil) {
   return (std::pow(10.0, std::pow(10.0, y)) - 0.7) * 1e-6;
 }
 
-double CalcOilDensity(double temperature_K, const OilParams& oil) {
+double CalcDensity(double temperature_K, const OilParams& oil) {
   const double T = std::clamp(temperature_K, kColdestOil, kWarmestOil);
   return oil.density_15C_kg_m3 / (1 + oil.expansion_1_per_K * (T - 288.15));
 }
 
 double CalcDynamicViscosity(double temperature_K, const OilParams& oil) {
-  return CalcKinematicViscosity(temperature_K, oil) * CalcOilDensity(temperature_K, oil);
+  return CalcKinematicViscosity(temperature_K, oil) * CalcDensity(temperature_K, oil);
 }
 
 double CalcViscosityRatio(double temperature_K, const OilParams& oil) {

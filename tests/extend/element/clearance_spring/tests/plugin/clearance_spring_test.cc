@@ -10,7 +10,7 @@ namespace phs::plugin {
 namespace {
 
 /// A mass of 100 kg on a vertical slide, 2 m under a fixed point, held by one element.
-ModelPtr Hanging(const std::string& kind, const std::string& data) {
+ModelPtr HangingOnSpring(const std::string& kind, const std::string& data) {
   const std::string name = kind + ":e";
   return LoadText(
       "<mujoco><size nuserdata='96'/><option timestep='0.0005' gravity='0 0 -10'/><worldbody>"
@@ -23,19 +23,20 @@ ModelPtr Hanging(const std::string& kind, const std::string& data) {
       name + "' data='" + data + "'/></custom></mujoco>");
 }
 
-ElementState StateOf(const mjModel* m, const mjData* d) {
+ElementState SpringStateOf(const mjModel* m, const mjData* d) {
   const Binding& binding = *Find(m);
   return binding.elements().back()->StateOf(m, d, binding.Speed(d), 0);
 }
 
 TEST(ClearanceSpring, FallsFreelyThroughTheClearanceAndComesBack) {
   const EngineGuard guard;
-  const ModelPtr m = Hanging("clearance", "stiffness_N_per_m=1e5 length_m=2 clearance_m=0.05");
+  const ModelPtr m =
+      HangingOnSpring("clearance", "stiffness_N_per_m=1e5 length_m=2 clearance_m=0.05");
   ASSERT_TRUE(Attach(m.get(), {}).ok());
   const DataPtr d(mj_makeData(m.get()));
   while (d->time < 0.099) {
     mj_step(m.get(), d.get());
-    EXPECT_EQ(StateOf(m.get(), d.get()).force, 0);
+    EXPECT_EQ(SpringStateOf(m.get(), d.get()).force, 0);
   }
   // Lowest point: k x²/2 = m g (c + x).
   double lowest = 0, highest_after = -1, stored = 0;
@@ -57,13 +58,14 @@ TEST(ClearanceSpring, FallsFreelyThroughTheClearanceAndComesBack) {
 
 TEST(ClearanceSpring, PushesToBothSidesAndKnowsItsStiffness) {
   const EngineGuard guard;
-  const ModelPtr m = Hanging("clearance", "stiffness_N_per_m=1e5 length_m=2 clearance_m=0.05");
+  const ModelPtr m =
+      HangingOnSpring("clearance", "stiffness_N_per_m=1e5 length_m=2 clearance_m=0.05");
   ASSERT_TRUE(Attach(m.get(), {}).ok());
   const DataPtr d(mj_makeData(m.get()));
   for (const auto& [z, force] : {std::pair{0.07, 2e3}, {0.03, 0.0}, {-0.06, -1e3}}) {
     d->qpos[0] = z;
     mj_forward(m.get(), d.get());
-    EXPECT_NEAR(StateOf(m.get(), d.get()).force, force, 1e-6);
+    EXPECT_NEAR(SpringStateOf(m.get(), d.get()).force, force, 1e-6);
     const double along = 1;
     double stiffness = 0;
     Find(m.get())->elements().back()->AddStiffness(m.get(), d.get(), &along, &stiffness);

@@ -10,7 +10,7 @@ namespace phs::plugin {
 namespace {
 
 /// A mass of 100 kg on a vertical slide, 2 m under a fixed point, held by one element.
-ModelPtr Hanging(const std::string& kind, const std::string& data) {
+ModelPtr HangingOnStrut(const std::string& kind, const std::string& data) {
   const std::string name = kind + ":e";
   return LoadText(
       "<mujoco><size nuserdata='96'/><option timestep='0.0005' gravity='0 0 -10'/><worldbody>"
@@ -23,7 +23,7 @@ ModelPtr Hanging(const std::string& kind, const std::string& data) {
       name + "' data='" + data + "'/></custom></mujoco>");
 }
 
-ElementState StateOf(const mjModel* m, const mjData* d) {
+ElementState StrutStateOf(const mjModel* m, const mjData* d) {
   const Binding& binding = *Find(m);
   return binding.elements().back()->StateOf(m, d, binding.Speed(d), 0);
 }
@@ -31,20 +31,20 @@ ElementState StateOf(const mjModel* m, const mjData* d) {
 TEST(FrictionStrut, CreepsUnderALoadBelowItsLevelAndSlidesAboveIt) {
   const EngineGuard guard;
   for (const auto& [data, level] : {std::pair{"level_N=2000", 2000.0}, {"level_N=600", 600.0}}) {
-    const ModelPtr m = Hanging("friction", data);
+    const ModelPtr m = HangingOnStrut("friction", data);
     ASSERT_TRUE(Attach(m.get(), {}).ok());
     const DataPtr d(mj_makeData(m.get()));
     while (d->time < 1) mj_step(m.get(), d.get());
     // F0 tanh(v/v0) = m g, or constant acceleration g - F0/m.
     const double speed = level > 1000 ? 1e-3 * std::atanh(1000 / level) : 10 - level / 100;
     EXPECT_NEAR(-d->qvel[0], speed, 5e-3 * speed) << data;
-    EXPECT_NEAR(StateOf(m.get(), d.get()).force, -std::min(level, 1000.0), 1) << data;
+    EXPECT_NEAR(StrutStateOf(m.get(), d.get()).force, -std::min(level, 1000.0), 1) << data;
   }
 }
 
 TEST(FrictionStrut, SlopeIsThatOfItsForce) {
   const EngineGuard guard;
-  const ModelPtr m = Hanging("friction", "level_N=2000 turn_m_s=0.01");
+  const ModelPtr m = HangingOnStrut("friction", "level_N=2000 turn_m_s=0.01");
   ASSERT_TRUE(Attach(m.get(), {}).ok());
   const DataPtr d(mj_makeData(m.get()));
   mj_forward(m.get(), d.get());

@@ -10,7 +10,7 @@ namespace phs::plugin {
 namespace {
 
 /// A mass of 100 kg on a vertical slide, 2 m under a fixed point, held by one element.
-ModelPtr Hanging(const std::string& kind, const std::string& data) {
+ModelPtr HangingOnStrap(const std::string& kind, const std::string& data) {
   const std::string name = kind + ":e";
   return LoadText(
       "<mujoco><size nuserdata='96'/><option timestep='0.0005' gravity='0 0 -10'/><worldbody>"
@@ -23,29 +23,31 @@ ModelPtr Hanging(const std::string& kind, const std::string& data) {
       name + "' data='" + data + "'/></custom></mujoco>");
 }
 
-ElementState StateOf(const mjModel* m, const mjData* d) {
+ElementState StrapStateOf(const mjModel* m, const mjData* d) {
   const Binding& binding = *Find(m);
   return binding.elements().back()->StateOf(m, d, binding.Speed(d), 0);
 }
 
 TEST(Strap, IsLooseThenCarriesTheWeight) {
   const EngineGuard guard;
-  const ModelPtr m = Hanging("strap", "stiffness_N_per_m=1e5 length_m=2.02 damping_Ns_per_m=2e3");
+  const ModelPtr m =
+      HangingOnStrap("strap", "stiffness_N_per_m=1e5 length_m=2.02 damping_Ns_per_m=2e3");
   ASSERT_TRUE(Attach(m.get(), {}).ok());
   const DataPtr d(mj_makeData(m.get()));
   while (d->time < 0.06) mj_step(m.get(), d.get());
-  EXPECT_EQ(StateOf(m.get(), d.get()).force, 0) << "0.018 m fallen";
+  EXPECT_EQ(StrapStateOf(m.get(), d.get()).force, 0) << "0.018 m fallen";
   while (d->time < 5) {
     mj_step(m.get(), d.get());
-    EXPECT_LE(StateOf(m.get(), d.get()).force, 0) << "never pushes";
+    EXPECT_LE(StrapStateOf(m.get(), d.get()).force, 0) << "never pushes";
   }
   EXPECT_NEAR(d->qpos[0], -0.02 - 1000 / 1e5, 1e-6);
-  EXPECT_NEAR(StateOf(m.get(), d.get()).force, -1000, 0.1);
+  EXPECT_NEAR(StrapStateOf(m.get(), d.get()).force, -1000, 0.1);
 }
 
 TEST(Strap, LosesEnergyWhileTautOnly) {
   const EngineGuard guard;
-  const ModelPtr m = Hanging("strap", "stiffness_N_per_m=1e5 length_m=2 damping_Ns_per_m=2e3");
+  const ModelPtr m =
+      HangingOnStrap("strap", "stiffness_N_per_m=1e5 length_m=2 damping_Ns_per_m=2e3");
   ASSERT_TRUE(Attach(m.get(), {}).ok());
   const DataPtr d(mj_makeData(m.get()));
   const Elements& strap = *Find(m.get())->elements().back();

@@ -10,7 +10,7 @@ namespace phs::plugin {
 namespace {
 
 /// A mass of 100 kg on a vertical slide, 2 m under a fixed point, held by one element.
-ModelPtr Hanging(const std::string& kind, const std::string& data) {
+ModelPtr HangingForPower(const std::string& kind, const std::string& data) {
   const std::string name = kind + ":e";
   return LoadText(
       "<mujoco><size nuserdata='96'/><option timestep='0.0005' gravity='0 0 -10'/><worldbody>"
@@ -25,7 +25,7 @@ ModelPtr Hanging(const std::string& kind, const std::string& data) {
 
 TEST(ElementPower, IsWhatTheDamperLosesOfAFallingMass) {
   const EngineGuard guard;
-  const ModelPtr m = Hanging("damper", "damping_Ns_per_m=2000");
+  const ModelPtr m = HangingForPower("damper", "damping_Ns_per_m=2000");
   ASSERT_TRUE(Attach(m.get(), {}).ok());
   const DataPtr d(mj_makeData(m.get()));
   while (d->time < 1) mj_step(m.get(), d.get());

@@ -12,7 +12,7 @@ namespace phs::plugin {
 namespace {
 
 /// Channels of the PHS bogie in a curve, some time after the start.
-std::map<std::string, double> ChannelsInACurve(double until) {
+std::map<std::string, double> PowerInACurve(double until) {
   const EngineGuard guard;
   const ModelPtr m = LoadFile(BogiePath("phs"));
   AttachOptions options;
@@ -34,7 +34,7 @@ std::map<std::string, double> ChannelsInACurve(double until) {
 }
 
 TEST(FrictionPower, IsFrictionTimesTheSpeedOfThePiston) {
-  const auto before = ChannelsInACurve(0.4995), at = ChannelsInACurve(0.5095);
+  const auto before = PowerInACurve(0.4995), at = PowerInACurve(0.5095);
   for (const std::string cylinder : {"cylinder_1", "cylinder_2", "cylinder_3", "cylinder_4"}) {
     const double way = at.at(cylinder + "_piston_m") - before.at(cylinder + "_piston_m");
     const double speed = way / (at.at("t_s") - before.at("t_s"));

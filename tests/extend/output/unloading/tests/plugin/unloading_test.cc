@@ -12,7 +12,7 @@ namespace phs::plugin {
 namespace {
 
 /// Channels of the PHS bogie in a curve, half a second after the start.
-std::map<std::string, double> ChannelsInACurve() {
+std::map<std::string, double> UnloadingInACurve() {
   const EngineGuard guard;
   const ModelPtr m = LoadFile(BogiePath("phs"));
   AttachOptions options;
@@ -34,7 +34,7 @@ std::map<std::string, double> ChannelsInACurve() {
 }
 
 TEST(Unloading, IsTheShareThatTheWheelIsLighterThanTheMeanOfItsAxle) {
-  const auto at = ChannelsInACurve();
+  const auto at = UnloadingInACurve();
   for (const std::string axle : {"lead", "trail"}) {
     const double left = at.at(axle + "_left_Q_N"), right = at.at(axle + "_right_Q_N");
     EXPECT_GT(std::abs(at.at(axle + "_left_unloading")), 1e-4);
