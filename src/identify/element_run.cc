@@ -16,6 +16,7 @@
 #include "identify/own_candidates.h"
 #include "identify/passivity.h"
 #include "identify/result_json.h"
+#include "identify/validation_asks.h"
 #include "phs_model/phs_model.h"
 
 namespace phs::identify::element {
@@ -52,65 +53,6 @@ json BenchHead(const Manifest& manifest, const ElementData& data) {
   return head;
 }
 
-/// What the validation windows would ask for beyond the corrected model. Not part of the model.
-struct Asked {
-  Identification found;
-  std::vector<double> estimated;  ///< the same numbers as the estimation windows have them
-  std::optional<double> relative_percent_refitted, relative_percent_with_effects;
-};
-
-std::optional<Asked> AskValidation(const ElementData& data, const FreeModel& corrected,
-                                   const FitResult& fit, const PhsParams& params,
-                                   const SearchOptions& options) {
-  ElementData turned = data;
-  for (ElementRecord& r : turned.records) {
-    std::swap(r.fitted, r.scored), std::swap(r.estimation, r.validation);
-  }
-  std::vector<std::string> names;
-  for (const FreeParameter& p : corrected.free) names.push_back(p.name);
-  auto bench = BenchForward::Create(turned, params, names);
-  if (!bench.ok()) return {};
-  Result<FitProblem> problem = FitProblem::Create(bench.value(), params);
-  if (!problem.ok()) return {};
-  SearchOptions few = options;
-  few.effort.max_effects = 2;
-  Result<Identification> found = Identify(&problem.value(), params, few, nullptr);
-  if (!found.ok()) return {};
-  Asked out{std::move(found).value(), {}, {}, {}};
-  const Identification& f = out.found;
-  out.estimated.assign(fit.values.begin(), fit.values.begin() + static_cast<long>(names.size()));
-  const auto rows = bench.value()->Predict(problem.value().Params(f.declared, f.before.values));
-  const auto more = bench.value()->Predict(problem.value().Params(f.corrected, f.after.values));
-  if (rows.ok()) {
-    out.relative_percent_refitted = ScoreRows(turned, rows.value(), true).relative_percent;
-  }
-  if (more.ok()) {
-    out.relative_percent_with_effects = ScoreRows(turned, more.value(), true).relative_percent;
-  }
-  return out;
-}
-
-json OrNull(const std::string& text) { return text.empty() ? json(nullptr) : json(text); }
-
-json AskedJson(const std::optional<Asked>& asked) {
-  if (!asked) return nullptr;
-  const Identification& f = asked->found;
-  json refitted = search::Parameters(f.declared, f.before, 0, f.declared.free.size(), true);
-  for (size_t i = 0; i < asked->estimated.size(); ++i) {
-    refitted[f.declared.free[i].name]["estimation"] = asked->estimated[i];
-  }
-  json out = {{"refitted", refitted},
-              {"effects", search::EffectList(f)},
-              {"formula", OrNull(FormulaText(f))}};
-  if (asked->relative_percent_refitted) {
-    out["relative_percent_refitted"] = *asked->relative_percent_refitted;
-  }
-  if (asked->relative_percent_with_effects) {
-    out["relative_percent_with_effects"] = *asked->relative_percent_with_effects;
-  }
-  return out;
-}
-
 search::TestRig TestRigOf(const Manifest& manifest, const ElementData& data) {
   search::Channels positions, speeds;
   std::vector<double> forces;
@@ -120,16 +62,6 @@ search::TestRig TestRigOf(const Manifest& manifest, const ElementData& data) {
   }
   return search::MakeTestRig(manifest.limits, {"x_m"}, data.records.front().motion.step_s,
                              positions, speeds, forces, std::numeric_limits<double>::infinity());
-}
-
-/// What the validation record alone asks for.
-void AddAsked(const std::optional<Asked>& asked, json* tests) {
-  if (!asked) return;
-  for (const search::AcceptedEffect& effect : asked->found.effects) {
-    tests->push_back(effect.candidate.effect +
-                     ": only the validation record asks for it; take a record of that kind into "
-                     "the estimation");
-  }
 }
 
 std::string BenchSummary(const json& result) {
@@ -242,7 +174,7 @@ json Describe(const Manifest& manifest, const ElementData& data, const FitProble
   result["unexplained"] = ToJson(f.map_after);
   result["unexplained"]["nrmse"] = left.nrmse;
   result["unexplained"]["following_over_noise"] = left.following_over_noise;
-  result["unexplained"]["formula"] = OrNull(left.formula);
+  result["unexplained"]["formula"] = search::OrNull(left.formula);
   std::vector<std::string> drives;
   const VerdictFacts facts = FactsOf(f, problem, found, std::move(faults), &drives);
   result["drives"] = drives;

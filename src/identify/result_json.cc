@@ -81,6 +81,8 @@ std::vector<BeforeAfter> ScoreBoth(const FitData& data, const Channels& before,
   return out;
 }
 
+Json OrNull(const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); }
+
 Json ScoresJson(const std::vector<BeforeAfter>& scores) {
   Json out = Json::object();
   for (const BeforeAfter& s : scores) {
@@ -144,7 +146,7 @@ Json UnexplainedJson(const Unexplained& left) {
               {"following_over_noise", left.following_over_noise}};
   if (left.estimation_over_noise) out["estimation_over_noise"] = *left.estimation_over_noise;
   out["depends_on"] = left.depends_on;
-  out["formula"] = left.formula.empty() ? Json(nullptr) : Json(left.formula);
+  out["formula"] = OrNull(left.formula);
   return out;
 }
 

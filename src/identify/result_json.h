@@ -26,6 +26,8 @@ Localised Localise(const measurement::FitData& data, const Channels& predicted,
 /// `left`: by channel, in the validation window.
 Unexplained FindUnexplained(const measurement::FitData& data, const Channels& after,
                             const std::vector<LeftOver>& left, const Identification& found);
+/// Null where empty.
+Json OrNull(const std::string& text);
 Json ScoresJson(const std::vector<BeforeAfter>& scores);
 Json LocalisedJson(const Localised& found);
 Json UnexplainedJson(const Unexplained& left);
