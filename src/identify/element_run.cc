@@ -26,9 +26,6 @@ namespace {
 
 using hydraulics::PhsParams;
 using search::FitProblem;
-using search::FitResult;
-using search::FreeModel;
-using search::FreeParameter;
 using search::Identification;
 using search::SearchOptions;
 using json = nlohmann::ordered_json;
