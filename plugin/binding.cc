@@ -94,6 +94,7 @@ Result<std::unique_ptr<Binding>> Binding::Create(mjModel* m, const AttachOptions
   auto elements = FindElements(m);
   if (!elements.ok()) return elements.error();
   binding->elements_ = std::move(elements).value();
+  binding->ancestors_ = AncestorsOf(m);
   return binding;
 }
 

@@ -200,6 +200,7 @@ class Binding {
   std::vector<WheelsetBinding> wheelsets_;
   std::vector<PhsBinding> phs_;
   ElementList elements_;
+  std::vector<int> ancestors_;            ///< AncestorsOf the model
   std::vector<const PhsBinding*> owner_;  ///< [actuator]
   std::vector<int> cylinder_at_;          ///< [actuator] userdata index of its force, or -1
   std::vector<int> rate_at_;              ///< [actuator] userdata index of its state rate, or -1

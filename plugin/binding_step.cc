@@ -164,7 +164,7 @@ void Binding::HalfStep(const mjModel* m, mjData* d, Work* work) const noexcept {
   std::fill(a, a + nv, 0.0);
   std::fill(r, r + nv, 0.0);
   CalcRest(m, d, work);
-  mj_rne(m, d, 0, bias_before);
+  CalcBiasAt(m, d, d->qvel, bias_before);
   std::copy(bias_before, bias_before + nv, bias);
   work->matrix->SetMass(d);
   for (const auto& elements : elements_) {
@@ -174,7 +174,7 @@ void Binding::HalfStep(const mjModel* m, mjData* d, Work* work) const noexcept {
     CalcForces(m, d, speed, round == 0, work);
     if (round == 1) {
       CalcBiasAt(m, d, speed, bias);
-      MulMass(m, d, a, r);
+      work->matrix->MulMass(d, a, r);
     }
     for (int i = 0; i < nv; ++i) {
       r[i] = work->rest[i] + work->force[i] + work->cylinder[i] - bias[i] - r[i];
@@ -190,7 +190,7 @@ void Binding::HalfStep(const mjModel* m, mjData* d, Work* work) const noexcept {
   }
   FollowCylinders(m, d, speed, work);
   // What MuJoCo must add to the forces it knows, so that its step makes this a.
-  MulMass(m, d, a, r);
+  work->matrix->MulMass(d, a, r);
   for (int i = 0; i < nv; ++i) {
     const double smooth = r[i] + 2 * work->half * m->dof_damping[i] * a[i];
     d->qfrc_passive[i] += smooth - work->rest[i] - work->cylinder[i] + bias_before[i];
@@ -225,7 +225,7 @@ void Binding::Passive(const mjModel* m, mjData* d) const noexcept {
   work.slope = mj_stackAlloc(d, kCylinderNumbers * static_cast<int>(phs_.size()) + 1);
   work.contact = mj_stackAlloc(d, m->nM);
   work.entries = mj_stackAlloc(d, m->nM + m->nv);
-  StepMatrix matrix(m, work.entries);
+  StepMatrix matrix(m, ancestors_.data(), work.entries);
   work.matrix = &matrix;
   PressWheelsets(d, &work);
   std::copy(d->qvel, d->qvel + m->nv, d->userdata + UserData::kHeader);

@@ -6,6 +6,7 @@
 #include "base/wide.h"
 #include "plugin/binding_work.h"
 #include "plugin/kept_wheelsets.h"
+#include "plugin/spatial.h"
 
 namespace phs::plugin {
 namespace {
@@ -35,47 +36,57 @@ void PlaceOnTrack(const mjData* d, const rail::Track& track, int body, WheelsetS
   out->roll = std::asin(std::clamp(axle[2], -1.0, 1.0));
 }
 
+PHS_WITHIN_WIDE void LoadVec3(const Vec3& v, Lanes* out) { *out = Lanes{v[0], v[1], v[2], 0}; }
+
 /// Adds `scale` times the dampers of a wheel, about the point from which `arm` leads to the
 /// wheelset's centre; world axes.
 PHS_WIDE void AddDampers(const rail::WheelDamping& dampers, Side side,
                          const rail::TrackFrame& frame, const Vec3& arm, double scale,
                          SpatialMatrix* sum) {
+  Lanes forward, left, up, lever;
+  LoadVec3(frame.forward, &forward);
+  LoadVec3(frame.left, &left);
+  LoadVec3(frame.up, &up);
+  LoadVec3(arm, &lever);
   for (int k = 0; k < dampers.count; ++k) {
     const auto& damper = dampers.damper[static_cast<size_t>(k)];
-    const Vec3 force = ToWorld(frame, rail::MirrorPolar(damper.force, side));
-    Vec3 turn = ToWorld(frame, rail::MirrorAxial(damper.moment, side));
-    Add(&turn, Cross(arm, force));
-    const std::array<double, 6> g = {turn[0], turn[1], turn[2], force[0], force[1], force[2]};
-    for (size_t i = 0; i < 6; ++i) {
-      const double scaled = scale * damper.coefficient * g[i];
-      for (size_t j = 0; j < 6; ++j) (*sum)[i][j] += scaled * g[j];
+    const Vec3 moment = rail::MirrorAxial(damper.moment, side);
+    const Vec3 force = rail::MirrorPolar(damper.force, side);
+    Spatial g;
+    g.first = moment[0] * forward + moment[1] * left + moment[2] * up;
+    g.second = force[0] * forward + force[1] * left + force[2] * up;
+    AddCross(lever, g.second, &g.first);
+    const double scaled = scale * damper.coefficient;
+    for (size_t i = 0; i < 3; ++i) {
+      AddScaledSpatial(scaled * g.first[i], g, &(*sum)[i]);
+      AddScaledSpatial(scaled * g.second[i], g, &(*sum)[3 + i]);
     }
   }
 }
 
 }  // namespace
 
-BodyVelocity VelocityOf(const mjModel* m, const mjData* d, int body, const std::vector<int>& dofs,
-                        const double* speed) {
-  double v[6] = {};
+PHS_WIDE BodyVelocity VelocityOf(const mjModel* m, const mjData* d, int body,
+                                 const std::vector<int>& dofs, const double* speed) {
+  Spatial v, c;
   for (const int dof : dofs) {
-    const mjtNum* c = d->cdof + 6 * dof;
-    for (int k = 0; k < 6; ++k) v[k] += c[k] * speed[dof];
+    LoadSix(d->cdof + 6 * dof, &c);
+    AddScaledSpatial(speed[dof], c, &v);
   }
   const mjtNum* centre = d->xpos + 3 * body;
   const mjtNum* com = d->subtree_com + 3 * m->body_rootid[body];
-  BodyVelocity out{{v[0], v[1], v[2]}, {v[3], v[4], v[5]}};
-  Add(&out.centre,
-      Cross(out.rotation, {centre[0] - com[0], centre[1] - com[1], centre[2] - com[2]}));
-  return out;
+  const Lanes arm = {centre[0] - com[0], centre[1] - com[1], centre[2] - com[2], 0};
+  AddCross(v.first, arm, &v.second);
+  return {{v.first[0], v.first[1], v.first[2]}, {v.second[0], v.second[1], v.second[2]}};
 }
 
-void AddWrench(const mjData* d, const std::vector<int>& dofs, const Vec3& force, const Vec3& moment,
-               double* out) {
+PHS_WIDE void AddWrench(const mjData* d, const std::vector<int>& dofs, const Vec3& force,
+                        const Vec3& moment, double* out) {
+  const Spatial wrench{{moment[0], moment[1], moment[2], 0}, {force[0], force[1], force[2], 0}};
+  Spatial c;
   for (const int dof : dofs) {
-    const mjtNum* c = d->cdof + 6 * dof;
-    out[dof] += c[0] * moment[0] + c[1] * moment[1] + c[2] * moment[2] + c[3] * force[0] +
-                c[4] * force[1] + c[5] * force[2];
+    LoadSix(d->cdof + 6 * dof, &c);
+    out[dof] += DotSpatial(c, wrench);
   }
 }
 

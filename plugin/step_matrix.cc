@@ -15,14 +15,22 @@ PHS_WITHIN_WIDE void AddScaled(double factor, const double* __restrict from, int
 
 }  // namespace
 
+std::vector<int> AncestorsOf(const mjModel* m) {
+  std::vector<int> ancestors;
+  for (int i = 0; i < m->nv; ++i) {
+    for (int j = i; j >= 0; j = m->dof_parentid[j]) ancestors.push_back(j);
+  }
+  return ancestors;
+}
+
 void StepMatrix::SetMass(const mjData* d) { std::copy(d->qM, d->qM + m_->nM, entries_); }
 
 void StepMatrix::AddOuter(double coefficient, const double* row) {
   for (int i = 0; i < m_->nv; ++i) {
     if (row[i] == 0) continue;
     const double scaled = coefficient * row[i];
-    double* entry = entries_ + m_->dof_Madr[i];
-    for (int j = i; j >= 0; j = m_->dof_parentid[j]) *entry++ += scaled * row[j];
+    const int first = m_->dof_Madr[i], end = first + RowLength(i);
+    for (int k = first; k < end; ++k) entries_[k] += scaled * row[ancestors_[k]];
   }
 }
 
@@ -39,7 +47,10 @@ PHS_WIDE void StepMatrix::AddSpatial(const SpatialMatrix& damping, const double*
   for (int k = 0; k < 6; ++k) {
     for (int p = 0; p < padded; p += kBlock) {
       double sum[kBlock] = {};
-      for (int l = 0; l < 6; ++l) AddScaled(damping[k][l], c[l] + p, kBlock, sum);
+      for (int l = 0; l < 3; ++l) {
+        AddScaled(damping[k].first[l], c[l] + p, kBlock, sum);
+        AddScaled(damping[k].second[l], c[3 + l] + p, kBlock, sum);
+      }
       std::copy(sum, sum + kBlock, y[k] + p);
     }
   }
@@ -63,11 +74,11 @@ PHS_WIDE bool StepMatrix::Factor() {
     // The ancestors of k: each row is as long as what is left of the way up.
     int left = RowLength(k) - 1;
     double* along = own + 1;
-    for (int i = m_->dof_parentid[k]; i >= 0; i = m_->dof_parentid[i]) {
+    const int* ancestor = ancestors_ + m_->dof_Madr[k] + 1;
+    for (; left > 0; --left) {
       const double share = *along * inverse;
-      AddScaled(-share, along, left, entries_ + m_->dof_Madr[i]);
+      AddScaled(-share, along, left, entries_ + m_->dof_Madr[*ancestor++]);
       *along++ = share;
-      --left;
     }
     own[0] = inverse;
   }
@@ -76,8 +87,8 @@ PHS_WIDE bool StepMatrix::Factor() {
 
 void StepMatrix::Solve(double* x) const {
   for (int i = m_->nv - 1; i >= 0; --i) {
-    const double* entry = entries_ + m_->dof_Madr[i] + 1;
-    for (int j = m_->dof_parentid[i]; j >= 0; j = m_->dof_parentid[j]) x[j] -= *entry++ * x[i];
+    const int first = m_->dof_Madr[i], end = first + RowLength(i);
+    for (int k = first + 1; k < end; ++k) x[ancestors_[k]] -= entries_[k] * x[i];
   }
   // From the root on, so that a sum waits for its newest term alone. Dofs are numbered depth first:
   // those of smaller depth that were last seen are the ancestors.
@@ -91,14 +102,15 @@ void StepMatrix::Solve(double* x) const {
   }
 }
 
-void MulMass(const mjModel* m, const mjData* d, const double* x, double* out) {
-  for (int i = 0; i < m->nv; ++i) {
-    const double* entry = d->qM + m->dof_Madr[i];
+void StepMatrix::MulMass(const mjData* d, const double* x, double* out) const {
+  for (int i = 0; i < m_->nv; ++i) {
+    const int first = m_->dof_Madr[i], end = first + RowLength(i);
     const double own = x[i];
-    double sum = *entry++ * own;
-    for (int j = m->dof_parentid[i]; j >= 0; j = m->dof_parentid[j]) {
-      sum += *entry * x[j];
-      out[j] += *entry++ * own;
+    double sum = d->qM[first] * own;
+    for (int k = first + 1; k < end; ++k) {
+      const int j = ancestors_[k];
+      sum += d->qM[k] * x[j];
+      out[j] += d->qM[k] * own;
     }
     out[i] = sum;
   }

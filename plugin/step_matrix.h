@@ -8,20 +8,29 @@
 #include <mujoco/mujoco.h>
 
 #include <array>
+#include <vector>
+
+#include "plugin/spatial.h"
 
 namespace phs::plugin {
 
 inline constexpr int kMaxChain = 64;  ///< freedoms of a wheelset and the bodies that carry it
 
-/// Symmetric, on spatial vectors of rotation and translation, or of moment and force.
-using SpatialMatrix = std::array<std::array<double, 6>, 6>;
+/// Symmetric, on spatial vectors; a row for each of the six numbers.
+using SpatialMatrix = std::array<Spatial, 6>;
+
+/// [entry of MuJoCo's mass matrix]: the dof of its column. The row of a dof holds the dof itself and
+/// its ancestors up to the root.
+std::vector<int> AncestorsOf(const mjModel* m);
 
 /// Storage belongs to the caller. Factor: L^T D L without fill (Featherstone, Rigid Body Dynamics
 /// Algorithms, 2008, section 8.3).
 class StepMatrix {
  public:
-  /// `entries`: room for m->nM + m->nv numbers.
-  StepMatrix(const mjModel* m, double* entries) : m_(m), entries_(entries) {}
+  /// @param ancestors of `m` (AncestorsOf)
+  /// @param entries room for m->nM + m->nv numbers
+  StepMatrix(const mjModel* m, const int* ancestors, double* entries)
+      : m_(m), ancestors_(ancestors), entries_(entries) {}
 
   /// Starts again as the mass matrix of `d`, in MuJoCo's layout.
   void SetMass(const mjData* d);
@@ -38,6 +47,8 @@ class StepMatrix {
   bool Factor();
   /// x = matrix^-1 x, after Factor.
   void Solve(double* x) const;
+  /// out = M x with the mass matrix of `d`.
+  void MulMass(const mjData* d, const double* x, double* out) const;
 
  private:
   /// A dof and its ancestors.
@@ -46,10 +57,8 @@ class StepMatrix {
   }
 
   const mjModel* m_;
+  const int* ancestors_;
   double* entries_;
 };
-
-/// out = M x with the mass matrix of `d`.
-void MulMass(const mjModel* m, const mjData* d, const double* x, double* out);
 
 }  // namespace phs::plugin

@@ -122,7 +122,10 @@ double Alignment::Project(const Vec3& point) const noexcept {
     const double across = dy * p.cos_heading - dx * p.sin_heading;
     const double derivative =
         1 + slope * slope - curvature * across - 2 * knot.height.half_second * dz;
-    const double step = f / std::max(derivative, 0.2);
+    const double tangent = f / std::max(derivative, 0.2);
+    // On a circle the way is the arc, not the tangent: atan x = x - x^3/3.
+    const double turn = curvature * tangent;
+    const double step = tangent * (1 - std::min(turn * turn, 1.0) / 3);
     s += step;
     // Quadratic convergence: after a step of 1e-7 m the error is below rounding.
     if (!(std::abs(step) > (derivative > 0.2 ? 1e-7 : 1e-12))) break;

@@ -32,7 +32,7 @@ struct FrictionLaw {
 /// What a law keeps of a patch while only its creepages change; plain data of each law's own.
 struct CreepMemo {
   bool filled = false;
-  alignas(double) std::array<std::byte, 896> room;
+  alignas(double) std::array<std::byte, 928> room;
 };
 
 /// Thread-safe, allocation-free after creation.

@@ -1,7 +1,9 @@
 #include "rail/simplified_theory.h"
 
 #include <cmath>
+#include <memory>
 #include <new>
+#include <type_traits>
 #include <utility>
 
 #include "base/numbers.h"
@@ -12,6 +14,24 @@
 namespace phs::rail {
 namespace {
 
+struct FastsimSource {
+  Fastsim fastsim;
+  NormalisedForce operator()(const NormalisedCreepage& c) const noexcept { return fastsim.Calc(c); }
+};
+struct TableSource {
+  std::shared_ptr<const CreepTable> table;
+  NormalisedForce operator()(const NormalisedCreepage& c) const noexcept { return table->At(c); }
+  /// `cell`: filled if not null.
+  NormalisedForce operator()(const NormalisedCreepage& c, NormalisedSlope* slope,
+                             CreepTable::Cell* cell) const noexcept {
+    return table->At(c, slope, cell);
+  }
+  NormalisedForce operator()(const NormalisedCreepage& c,
+                             const CreepTable::Cell& cell) const noexcept {
+    return table->At(c, cell);
+  }
+};
+
 /// FASTSIM, or the table of it: `Source` gives the normalised force.
 template <typename Source>
 class SimplifiedTheoryLaw : public CreepLaw {
@@ -19,28 +39,6 @@ class SimplifiedTheoryLaw : public CreepLaw {
   SimplifiedTheoryLaw(const CreepLawParams& p, Source source)
       : params_(p), curve_(p.material.poisson_ratio), source_(std::move(source)) {}
   CreepForce Calc(const CreepInput& in) const noexcept override {
-    return CalcBy(in, [&](const NormalisedCreepage& c) { return source_(c); });
-  }
-  CreepForce CalcNear(const CreepInput& in, const CreepMemo& memo) const noexcept override {
-    if constexpr (requires { source_(NormalisedCreepage(), memo); }) {
-      return CalcBy(in, [&](const NormalisedCreepage& c) { return source_(c, memo); });
-    }
-    return Calc(in);
-  }
-  CreepForce CalcWithSlope(const CreepInput& in, CreepSlope* slope,
-                           CreepMemo* memo) const noexcept override {
-    // The changes of creepage below have slopes of their own.
-    const bool changed = params_.slope_reduction.active() || params_.blended_flexibility;
-    if constexpr (requires(NormalisedSlope * s) { source_(NormalisedCreepage(), s, memo); }) {
-      if (!changed && InContact(in)) return CalcClosed(in, slope, memo);
-    }
-    return CreepLaw::CalcWithSlope(in, slope, memo);
-  }
-  std::string name() const override { return params_.method; }
-
- private:
-  template <typename Force>
-  CreepForce CalcBy(const CreepInput& in, const Force& normalised) const noexcept {
     if (!InContact(in)) return {};
     const double shear = params_.material.shear_modulus_Pa;
     const KalkerCoefficients c = curve_.AtShare(in.a / (in.a + in.b));
@@ -49,7 +47,44 @@ class SimplifiedTheoryLaw : public CreepLaw {
       changed = WithSlopeReduction(changed, c, shear, params_.slope_reduction);
     }
     if (params_.blended_flexibility) changed = WithBlendedFlexibility(changed, c, shear);
-    return ForceOf(in, normalised(Normalise(changed, c, shear, params_.elliptic_bound)));
+    return ForceOf(in, source_(Normalised(changed, c)));
+  }
+  CreepForce CalcNear(const CreepInput& in, const CreepMemo& memo) const noexcept override {
+    if constexpr (kTabulated) {
+      if (memo.filled && InContact(in)) {
+        const Kept& kept = *std::launder(reinterpret_cast<const Kept*>(memo.room.data()));
+        const double share = in.a / (in.a + in.b);
+        const KalkerCoefficients c =
+            share == kept.share ? kept.coefficients : curve_.AtShare(share);
+        return ForceOf(in, source_(Normalised(in, c), kept.cell));
+      }
+    }
+    return Calc(in);
+  }
+  CreepForce CalcWithSlope(const CreepInput& in, CreepSlope* slope,
+                           CreepMemo* memo) const noexcept override {
+    // The changes of creepage below have slopes of their own.
+    const bool changed = params_.slope_reduction.active() || params_.blended_flexibility;
+    if constexpr (kTabulated) {
+      if (!changed && InContact(in)) return CalcClosed(in, slope, memo);
+    }
+    return CreepLaw::CalcWithSlope(in, slope, memo);
+  }
+  std::string name() const override { return params_.method; }
+
+ private:
+  /// A table has slopes of its own and a part that serves for creepages nearby.
+  static constexpr bool kTabulated = std::is_same_v<Source, TableSource>;
+  /// What a memo holds of a patch.
+  struct Kept {
+    double share;  ///< a/(a + b)
+    KalkerCoefficients coefficients;
+    CreepTable::Cell cell;
+  };
+  static_assert(sizeof(Kept) <= sizeof(CreepMemo::room));
+
+  NormalisedCreepage Normalised(const CreepInput& in, const KalkerCoefficients& c) const {
+    return Normalise(in, c, params_.material.shear_modulus_Pa, params_.elliptic_bound);
   }
 
   static CreepForce ForceOf(const CreepInput& in, const NormalisedForce& f) {
@@ -57,16 +92,26 @@ class SimplifiedTheoryLaw : public CreepLaw {
     return WithoutDelivery(in, {limit * f.x, limit * f.y, limit * (in.a + in.b) * f.moment});
   }
 
-  /// With the source's own slope: u and v are proportional to xi and eta.
+  /// With the table's own slope: u and v are proportional to xi and eta.
   CreepForce CalcClosed(const CreepInput& in, CreepSlope* slope, CreepMemo* memo) const noexcept {
-    const KalkerCoefficients c = curve_.AtShare(in.a / (in.a + in.b));
-    const double shear = params_.material.shear_modulus_Pa;
-    const bool elliptic = params_.elliptic_bound;
-    NormalisedSlope s;
-    const NormalisedForce force = source_(Normalise(in, c, shear, elliptic), &s, memo);
+    const double share = in.a / (in.a + in.b);
+    const KalkerCoefficients c = curve_.AtShare(share);
     CreepInput unit = in;
     unit.xi = unit.eta = 1;
-    const NormalisedCreepage per = Normalise(unit, c, shear, elliptic);
+    const NormalisedCreepage per = Normalised(unit, c);
+    NormalisedCreepage creepage = per;
+    creepage.u *= in.xi;
+    creepage.v *= in.eta;
+    CreepTable::Cell* cell = nullptr;
+    if (memo != nullptr) {
+      Kept* kept = new (memo->room.data()) Kept;
+      kept->share = share;
+      kept->coefficients = c;
+      cell = &kept->cell;
+      memo->filled = true;
+    }
+    NormalisedSlope s;
+    const NormalisedForce force = source_(creepage, &s, cell);
     const double limit = in.friction * in.normal;
     *slope = {limit * s.x_u * per.u, limit * s.x_v * per.v, limit * s.y_u * per.u,
               limit * s.y_v * per.v};
@@ -76,26 +121,6 @@ class SimplifiedTheoryLaw : public CreepLaw {
   CreepLawParams params_;
   KalkerCurve curve_;
   Source source_;
-};
-
-struct FastsimSource {
-  Fastsim fastsim;
-  NormalisedForce operator()(const NormalisedCreepage& c) const noexcept { return fastsim.Calc(c); }
-};
-static_assert(sizeof(CreepTable::Cell) <= sizeof(CreepMemo::room));
-struct TableSource {
-  std::shared_ptr<const CreepTable> table;
-  NormalisedForce operator()(const NormalisedCreepage& c) const noexcept { return table->At(c); }
-  NormalisedForce operator()(const NormalisedCreepage& c, NormalisedSlope* slope,
-                             CreepMemo* memo) const noexcept {
-    CreepTable::Cell* cell = memo == nullptr ? nullptr : new (memo->room.data()) CreepTable::Cell;
-    if (memo != nullptr) memo->filled = true;
-    return table->At(c, slope, cell);
-  }
-  NormalisedForce operator()(const NormalisedCreepage& c, const CreepMemo& memo) const noexcept {
-    if (!memo.filled) return table->At(c);
-    return table->At(c, *std::launder(reinterpret_cast<const CreepTable::Cell*>(memo.room.data())));
-  }
 };
 
 FastsimParams GridOf(const CreepLawParams& p) {

@@ -27,9 +27,14 @@ struct WheelRail::Impl {
   /// Normal and creep force of a pressed patch at the speeds of `motion`, added to the sums.
   void AddForces(const WheelsetMotion& motion, const PressedPatch& pressed, ContactPatch* patch,
                  WheelRailForces* out, WheelDamping* damping, CreepMemo* memo) const noexcept;
-  /// Creepages and creep force of a patch whose normal force (of the whole patch) is known.
-  void AddCreep(const WheelsetMotion& motion, const PressedPatch& axes, ContactPatch* patch,
-                WheelRailForces* out, WheelDamping* damping, CreepMemo* memo) const noexcept;
+  /// On the wheelset, about its centre.
+  struct Wrench {
+    Vec3 force, moment;
+  };
+  /// Creepages and creep force of a patch whose normal force (of the whole patch) is known: its
+  /// wrench; wear and power are added to the sums.
+  Wrench AddCreep(const WheelsetMotion& motion, const PressedPatch& axes, ContactPatch* patch,
+                  WheelRailForces* out, WheelDamping* damping, CreepMemo* memo) const noexcept;
 };
 
 }  // namespace phs::rail

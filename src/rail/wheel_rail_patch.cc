@@ -82,9 +82,10 @@ void AddCreepDampers(const CreepSlope& slope, double scale, const PressedPatch& 
 
 }  // namespace
 
-void WheelRail::Impl::AddCreep(const WheelsetMotion& motion, const PressedPatch& axes,
-                               ContactPatch* at, WheelRailForces* out, WheelDamping* damping,
-                               CreepMemo* memo) const noexcept {
+WheelRail::Impl::Wrench WheelRail::Impl::AddCreep(const WheelsetMotion& motion,
+                                                  const PressedPatch& axes, ContactPatch* at,
+                                                  WheelRailForces* out, WheelDamping* damping,
+                                                  CreepMemo* memo) const noexcept {
   ContactPatch& patch = *at;
   const Vec3 turning = Cross(motion.rotation, patch.point);
   Vec3 velocity = motion.velocity;
@@ -119,16 +120,14 @@ void WheelRail::Impl::AddCreep(const WheelsetMotion& motion, const PressedPatch&
   for (size_t i = 0; i < 3; ++i) {
     force[i] = -patch.creep.y * axes.lateral[i] - patch.creep.x * axes.forward[i];
   }
-  const Vec3 moment = Cross(patch.point, force);
-  for (size_t i = 0; i < 3; ++i) {
-    out->force[i] += force[i];
-    out->moment[i] += moment[i] - patch.creep.moment * axes.normal[i];
-  }
+  Vec3 moment = Cross(patch.point, force);
+  for (size_t i = 0; i < 3; ++i) moment[i] -= patch.creep.moment * axes.normal[i];
   const TGamma wear = CalcTGamma(input, patch.creep);
   out->t_gamma += wear.slip;
   out->t_gamma_spin += wear.spin;
   out->creep_power -= reference * (patch.creep.x * patch.xi + patch.creep.y * patch.eta +
                                    patch.creep.moment * patch.phi);
+  return {force, moment};
 }
 
 void WheelRail::Impl::Press(const Overlap& overlap, double approach, const Vec3& slopes,
@@ -196,11 +195,11 @@ void WheelRail::Impl::AddForces(const WheelsetMotion& motion, const PressedPatch
                                                               weight * pressed.damper};
   }
   patch.normal = normal;
-  AddCreep(motion, pressed, at, out, damping, memo);
+  const Wrench creep = AddCreep(motion, pressed, at, out, damping, memo);
   patch.normal = weight * normal;
   for (size_t i = 0; i < 3; ++i) {
-    out->force[i] -= patch.normal * pressed.push[i];
-    out->moment[i] -= patch.normal * pressed.turn[i];
+    out->force[i] += creep.force[i] - patch.normal * pressed.push[i];
+    out->moment[i] += creep.moment[i] - patch.normal * pressed.turn[i];
   }
   out->damping_power += weight * (normal - pressed.elastic) * closing;
   out->beyond_profile = out->beyond_profile || (patch.climbs && patch.normal > 0);

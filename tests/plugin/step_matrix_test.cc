@@ -63,7 +63,9 @@ TEST_F(TreeTest, BiasAtAnySpeedEqualsMuJoCos) {
 TEST_F(TreeTest, MassTimesVectorEqualsMuJoCos) {
   const std::vector<double> x = Draw(m_->nv);
   std::vector<double> ours(x.size()), theirs(x.size());
-  MulMass(m_.get(), d_.get(), x.data(), ours.data());
+  const std::vector<int> ancestors = AncestorsOf(m_.get());
+  std::vector<double> entries(static_cast<size_t>(m_->nM + m_->nv));
+  StepMatrix(m_.get(), ancestors.data(), entries.data()).MulMass(d_.get(), x.data(), ours.data());
   mj_mulM(m_.get(), d_.get(), theirs.data(), x.data());
   for (size_t i = 0; i < x.size(); ++i) EXPECT_NEAR(ours[i], theirs[i], 1e-14 * 10) << i;
 }
@@ -72,7 +74,9 @@ TEST_F(TreeTest, SpatialDampersSolveAsTheirOuterProducts) {
   const int nv = m_->nv;
   const std::vector<int> chain = DofChain(m_.get(), mj_name2id(m_.get(), mjOBJ_BODY, "c"));
   std::vector<double> entries(static_cast<size_t>(m_->nM + nv)), others(entries);
-  StepMatrix matrix(m_.get(), entries.data()), other(m_.get(), others.data());
+  const std::vector<int> ancestors = AncestorsOf(m_.get());
+  StepMatrix matrix(m_.get(), ancestors.data(), entries.data());
+  StepMatrix other(m_.get(), ancestors.data(), others.data());
   matrix.SetMass(d_.get());
   other.SetMass(d_.get());
   SpatialMatrix sum{};
@@ -85,7 +89,10 @@ TEST_F(TreeTest, SpatialDampersSolveAsTheirOuterProducts) {
       }
     }
     for (size_t i = 0; i < 6; ++i) {
-      for (size_t j = 0; j < 6; ++j) sum[i][j] += 2 * g[i] * g[j];
+      for (size_t j = 0; j < 3; ++j) {
+        sum[i].first[j] += 2 * g[i] * g[j];
+        sum[i].second[j] += 2 * g[i] * g[3 + j];
+      }
     }
     other.AddOuter(2, row.data());
   }
@@ -99,7 +106,7 @@ TEST_F(TreeTest, SpatialDampersSolveAsTheirOuterProducts) {
   other.Solve(y.data());
   for (size_t i = 0; i < x.size(); ++i) EXPECT_NEAR(x[i], y[i], 1e-12) << i;
   std::vector<double> back(x.size());
-  MulMass(m_.get(), d_.get(), x.data(), back.data());
+  matrix.MulMass(d_.get(), x.data(), back.data());
   std::vector<double> damped(6);
   for (const int dof : chain) {
     for (int c = 0; c < 6; ++c) {
@@ -109,8 +116,9 @@ TEST_F(TreeTest, SpatialDampersSolveAsTheirOuterProducts) {
   for (const int dof : chain) {
     for (size_t i = 0; i < 6; ++i) {
       for (size_t j = 0; j < 6; ++j) {
+        const double entry = j < 3 ? sum[i].first[j] : sum[i].second[j - 3];
         back[static_cast<size_t>(dof)] +=
-            d_->cdof[6 * dof + static_cast<int>(i)] * sum[i][j] * damped[j];
+            d_->cdof[6 * dof + static_cast<int>(i)] * entry * damped[j];
       }
     }
   }
