@@ -59,13 +59,15 @@ std::string NameOf(const Row& row, const Json& summary) {
   return name;
 }
 
-std::string ChangeCell(const Json& changes, const std::string& name) {
+std::string ChangeCell(const Json& discretisation, const std::string& name) {
+  const Json& changes = discretisation["changes"];
   if (!changes.contains(name)) return "-";
   const double change = vehicle::JudgedChange(changes[name]);
   if (!std::isfinite(change)) return "-";
   const bool of_scale = changes[name]["of_scale"].is_number();
-  return fmt::format("{}{:+.2f} %{}", std::abs(change) > vehicle::kMovingShare ? "! " : "",
-                     change * 100, of_scale ? " *" : "  ");
+  const Json& moving = discretisation["moving"];
+  const bool moves = std::find(moving.begin(), moving.end(), name) != moving.end();
+  return fmt::format("{}{:+.2f} %{}", moves ? "! " : "", change * 100, of_scale ? " *" : "  ");
 }
 
 /// Numbers beyond 2 % that no row of the table shows.
@@ -102,8 +104,8 @@ std::string DiscretisationTable(const NamedSummaries& summaries, const Json& rat
   for (const Row& row : kRows) {
     text += fmt::format("{:<36}", row.label);
     for (const auto& [name, summary] : summaries) {
-      text += fmt::format(
-          "{:>{}}", ChangeCell(summary["discretisation"]["changes"], NameOf(row, summary)), wide);
+      text +=
+          fmt::format("{:>{}}", ChangeCell(summary["discretisation"], NameOf(row, summary)), wide);
     }
     text += '\n';
   }

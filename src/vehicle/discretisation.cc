@@ -37,9 +37,11 @@ double Scale(const RunOutcome& run, const std::string& bogie, const std::string&
   return largest;
 }
 
-/// `scale` = 0: judged by its own size.
-StepChange ChangeOf(const std::string& name, double value, double half, double scale) {
+/// `scale` = 0: judged by its own size, unless it is below `nothing`.
+StepChange ChangeOf(const std::string& name, double value, double half, double scale,
+                    double nothing = 0) {
   StepChange change{name, value, half};
+  change.nothing = std::max(std::abs(value), std::abs(half)) < nothing;
   if (half != 0) change.relative = value / half - 1;
   if (scale > 0) {
     change.of_scale = (value - half) / scale;
@@ -53,9 +55,9 @@ class Collector {
  public:
   Collector(const RunOutcome& run, std::vector<StepChange>* out) : run_(run), out_(out) {}
 
-  void Add(const std::string& name, double value, double half, double scale) {
+  void Add(const std::string& name, double value, double half, double scale, double nothing = 0) {
     if (std::isfinite(value) && std::isfinite(half)) {
-      out_->push_back(ChangeOf(name, value, half, scale));
+      out_->push_back(ChangeOf(name, value, half, scale, nothing));
     }
   }
 
@@ -67,7 +69,7 @@ class Collector {
       if (number.judged == Judged::kNot) continue;
       const std::string ending = std::string("_") + number.channel;
       Add(path + number.key, part.*number.value, half.*number.value,
-          number.judged == Judged::kByLargest ? Scale(run_, bogie, ending) : 0);
+          number.judged == Judged::kByLargest ? Scale(run_, bogie, ending) : 0, number.nothing);
     }
   }
 

@@ -3,8 +3,8 @@
 // `relative` = value / half_step - 1. Numbers that change sign (angle, yaw, lateral, bending,
 // shear, piston, cylinder force, moment) are judged by `of_scale` instead: (value - half_step) over
 // the largest magnitude that the quantity has in the run on that bogie. T-gamma, Y, Q, sums and
-// ratios have no such scale. What moves by more than kMovingShare is named under `moving`. With a
-// scheme of second order the value itself is off by about 4/3 of its change, of first order twice.
+// ratios have no such scale. What moves by more than kMovingShare is named under `moving`, unless it
+// is as good as nothing at both steps (run_summary.h). With a scheme of second order the value itself is off by about 4/3 of its change, of first order twice.
 #pragma once
 
 #include <cmath>
@@ -28,10 +28,11 @@ struct StepChange {
   double relative = std::nan("");
   double of_scale = std::nan("");
   double scale = std::nan("");
+  bool nothing = false;  ///< so small at both steps that no change of it matters
 
   /// By what it is judged: of_scale if it has one, else relative; NaN if it has neither.
   double Judged() const { return std::isfinite(of_scale) ? of_scale : relative; }
-  bool Moves() const { return std::abs(Judged()) > kMovingShare; }
+  bool Moves() const { return !nothing && std::abs(Judged()) > kMovingShare; }
 };
 
 struct StepChanges {

@@ -140,6 +140,7 @@ struct SummaryNumber {
   double Part::*value;
   Judged judged = Judged::kNot;
   const char* channel = key;
+  double nothing = 0;  ///< so small that a change is not judged at all, in its unit
 };
 
 inline constexpr SummaryNumber<WheelsetMeans> kWheelsetNumbers[] = {
@@ -150,12 +151,14 @@ inline constexpr SummaryNumber<WheelsetMeans> kWheelsetNumbers[] = {
     {"X_N", &WheelsetMeans::X_N},
     {"slip", &WheelsetMeans::slip}};
 
+/// Y changes sign without being judged by its largest: below a thousandth of the wheel load it is as
+/// good as none. So is wear of a tenth of a newton: a steered axle has some.
 inline constexpr SummaryNumber<WheelMeans> kWheelNumbers[] = {
-    {"Y_N", &WheelMeans::Y_N, Judged::kByItsSize},
+    {"Y_N", &WheelMeans::Y_N, Judged::kByItsSize, "Y_N", 100},
     {"Q_N", &WheelMeans::Q_N, Judged::kByItsSize},
-    {"Y_over_Q", &WheelMeans::Y_over_Q, Judged::kByItsSize},
-    {"T_gamma_N", &WheelMeans::T_gamma_N, Judged::kByItsSize},
-    {"T_gamma_spin_N", &WheelMeans::T_gamma_spin_N, Judged::kByItsSize},
+    {"Y_over_Q", &WheelMeans::Y_over_Q, Judged::kByItsSize, "Y_over_Q", 1e-3},
+    {"T_gamma_N", &WheelMeans::T_gamma_N, Judged::kByItsSize, "T_gamma_N", 0.1},
+    {"T_gamma_spin_N", &WheelMeans::T_gamma_spin_N, Judged::kByItsSize, "T_gamma_spin_N", 0.1},
     {"X_N", &WheelMeans::X_N},
     {"adhesion_used", &WheelMeans::adhesion_used},
     {"contacts", &WheelMeans::contacts},

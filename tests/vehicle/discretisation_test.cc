@@ -88,6 +88,21 @@ TEST(DiscretisationTest, TwoPerCentIsTheBorder) {
   EXPECT_FALSE(beyond["moving"].empty());
 }
 
+TEST(DiscretisationTest, WhatIsAsGoodAsNothingAtBothStepsDoesNotMove) {
+  RunSummary value = Summary(1e-3, 1), half = Summary(5e-4, 1);
+  const auto moving = [&](double y_value, double y_half) {
+    value.numbers->steady_curve.wheels[0].Y_N = y_value;
+    half.numbers->steady_curve.wheels[0].Y_N = y_half;
+    return DiscretisationJson(ChangesAtHalfStep(Recorded(), value, half));
+  };
+  const std::string name = "steady_curve.wheels.front_lead_outer.Y_N";  // 100 N of a wheel load
+  EXPECT_THAT(moving(34.5, 33)["moving"], Not(Contains(name)));
+  EXPECT_NEAR(moving(34.5, 33)["changes"][name]["relative"].get<double>(), 34.5 / 33 - 1, 1e-12);
+  EXPECT_THAT(moving(-110, 33)["moving"], Contains(name));
+  EXPECT_THAT(moving(34, 110)["moving"], Contains(name));
+  EXPECT_THAT(moving(1100, 1000)["moving"], Contains(name));
+}
+
 TEST(DiscretisationTest, ARunThatEndedEarlyHasNoChanges) {
   RunSummary half;
   half.status = "diverged";
