@@ -9,7 +9,7 @@ namespace phs::rail {
 namespace {
 
 constexpr double kWheelStep = 0.9e-3;  ///< of the coarse samples [m]
-constexpr double kRailStep = 0.125e-3;
+constexpr double kRailStep = 0.125e-3;  ///< of the rail's chords [m]
 constexpr double kBeyond = 4e-3;  ///< samples beyond the ends of the rail [m]
 constexpr double kDoubt = 2e-6;   ///< chords of the rail's table are this near to it, normal [m]
 /// Flattest relative curvature across: conformal regions carry a wide but finite patch.
@@ -35,7 +35,8 @@ ContactSearch::ContactSearch(Profile wheel, Profile rail, double half_tape, doub
   PlaceSamples(kWheelStep / fineness);
   MeasureMargins();
   const double rail_width = rail_.max_y() - rail_.min_y();
-  const int pieces = static_cast<int>(std::ceil(rail_width / kRailStep));
+  // With finer samples the kinks between chords would look like ridges between humps.
+  const int pieces = static_cast<int>(std::ceil(rail_width / kRailStep * fineness));
   rail_begin_ = rail_.min_y();
   rail_per_step_ = pieces / rail_width;
   for (int i = 0; i < pieces; ++i) {
