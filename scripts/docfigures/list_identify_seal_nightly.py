@@ -40,7 +40,7 @@ def seal(phs):
 
 def play(phs):
     """The same play in the bogie, at the same step beside the declared model."""
-    model = (phs.source / "models/phs/bo_bo.yaml").read_text()
+    model = (phs.source / "models/phs/bo_bo_measured.yaml").read_text()
     model += "effects:\n  backlash: {gap_m: 30.2e-6, contact_N_per_m: 2.5e10}\n"
     path = phs.file(model)
     label = "phs@" + path.rpartition("/")[2].removesuffix(".yaml")

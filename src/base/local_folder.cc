@@ -2,9 +2,12 @@
 
 #include <stdlib.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <filesystem>
+#include <mutex>
 #include <utility>
+#include <vector>
 
 #include "base/disk.h"
 
@@ -17,11 +20,19 @@ std::string TemporaryRoot() {
   return fault ? "/tmp" : root.string();
 }
 
+std::mutex mutex;
+std::vector<std::string> all_made;  // of the process, with a slash; their names never come again
+
 }  // namespace
 
 LocalFolder::LocalFolder() : path_(TemporaryRoot() + "/phs_XXXXXX") {
   made_ = mkdtemp(path_.data()) != nullptr;
-  if (!made_) fault_ = errno;
+  if (!made_) {
+    fault_ = errno;
+    return;
+  }
+  const std::lock_guard<std::mutex> lock(mutex);
+  all_made.push_back(path_ + "/");
 }
 
 LocalFolder::LocalFolder(LocalFolder&& other) noexcept
@@ -39,6 +50,12 @@ LocalFolder& LocalFolder::operator=(LocalFolder&& other) noexcept {
 LocalFolder::~LocalFolder() {
   std::error_code ignored;
   if (made_) std::filesystem::remove_all(path_, ignored);
+}
+
+bool IsInLocalFolder(const std::string& path) {
+  const std::lock_guard<std::mutex> lock(mutex);
+  return std::any_of(all_made.begin(), all_made.end(),
+                     [&](const std::string& folder) { return path.starts_with(folder); });
 }
 
 Status LocalFolder::status() const {

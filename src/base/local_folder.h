@@ -27,4 +27,7 @@ class LocalFolder {
   bool made_ = false;
 };
 
+/// True for a file in a LocalFolder that this process has made, also where it could not be removed.
+bool IsInLocalFolder(const std::string& path);
+
 }  // namespace phs

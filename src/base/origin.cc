@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/disk.h"
+#include "base/local_folder.h"
 #include "base/numbers.h"
 #include "base/sha256.h"
 
@@ -38,10 +39,11 @@ std::string Now() {
                                                              : std::time(nullptr));
 }
 
-/// A file of a result that is just being written (result_dir.h, a sweep's work): no input.
+/// A file of a result that is just being written (result_dir.h, a sweep's work), or of a folder for
+/// a moment: no input.
 bool IsOwnWork(const std::string& path) {
   return path.find(".partial.") != std::string::npos ||
-         path.find(".unfinished/") != std::string::npos;
+         path.find(".unfinished/") != std::string::npos || IsInLocalFolder(path);
 }
 
 std::optional<std::string> BytesOf(const std::string& path) {

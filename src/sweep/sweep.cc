@@ -33,6 +33,9 @@ Result<int> Lock(const std::string& path) {
   return lock;
 }
 
+/// A file that was being written when the program was killed (disk.h).
+bool IsHalfWritten(const std::string& name) { return name.find(".tmp.") != std::string::npos; }
+
 /// Nothing but what a sweep leaves in its working directory.
 Status CheckIsWorkDir(const std::string& path) {
   std::error_code fault;
@@ -40,7 +43,7 @@ Status CheckIsWorkDir(const std::string& path) {
     const std::string name = entry.path().filename().string();
     const auto& known = WorkDir::kParts;
     const bool own = std::find(std::begin(known), std::end(known), name) != std::end(known) ||
-                     name.find(".tmp.") != std::string::npos;
+                     IsHalfWritten(name);
     if (own) continue;
     return Error{path, "is no working directory of a sweep: it holds '" + name + "'", "",
                  "choose another --out, or remove it yourself"};
@@ -172,6 +175,11 @@ Status WorkDir::Finish(ResultDir* result) {
 void WorkDir::Remove() const {
   std::error_code ignored;
   for (const char* name : kParts) fs::remove_all(File(name), ignored);
+  std::vector<fs::path> half_written;
+  for (const auto& entry : fs::directory_iterator(path_, ignored)) {
+    if (IsHalfWritten(entry.path().filename().string())) half_written.push_back(entry.path());
+  }
+  for (const fs::path& file : half_written) fs::remove(file, ignored);
   fs::remove(path_, ignored);  // not if someone has put something there
 }
 

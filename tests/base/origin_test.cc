@@ -5,8 +5,10 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <thread>
 
+#include "base/local_folder.h"
 #include "base/result_dir.h"
 #include "base/sha256.h"
 #include "base/table.h"
@@ -52,6 +54,10 @@ TEST(Origin, FilesOfItsOwnWorkAndThoseThatAreGoneAreNoInputs) {
   const OriginNotes notes("phs 9", "phs");
   NoteInput(dir.Write("r.partial.host.1.1/measured.csv", "x\n1\n"));
   NoteInput(dir.Write("s.unfinished/plan.txt", "x"));
+  const LocalFolder scratch;
+  const std::string tried = scratch.path() + "/scenario.yaml";
+  std::ofstream(tried) << "a: 1\n";
+  NoteInput(tried);
   const std::string gone = dir.Write("gone.yaml", "a: 1\n");
   NoteInput(gone);
   std::filesystem::remove(gone);

@@ -112,7 +112,9 @@ TEST(CaseFiles, ABogieIsVariedWhereTheCellHoldsAValue) {
   for (const int run : {0, 1, 2}) {
     ASSERT_TRUE(WriteCaseFiles(study, run, dir.path()).ok());
     const std::string scenario = ReadFile(dir.File("scenario.yaml")).value();
-    if (run == 2) EXPECT_THAT(scenario, HasSubstr("bogie: phs\n"));
+    if (run == 2) {
+      EXPECT_THAT(scenario, HasSubstr("bogie: phs\n"));
+    }
   }
   EXPECT_THAT(ReadFile(dir.File("ge_coupling_shaft.xml")).value(),
               HasSubstr("stiffness=\"12600000\""));

@@ -126,6 +126,7 @@ TEST_F(SweepProgram, EndedWithTheResultInPlaceItIsFinished) {
   ASSERT_EQ(Sweep("whole", "--workers 2").code, 0);
   std::filesystem::create_directories(dir_.File("whole.unfinished/runs"));
   std::filesystem::copy(dir_.File("whole/plan.txt"), dir_.File("whole.unfinished/plan.txt"));
+  std::ofstream(dir_.File("whole.unfinished/plan.txt.tmp.host.1.0")) << "killed while it was writ";
   const std::string table = Table("whole");
   const Output again = Sweep("whole", "--resume");
   EXPECT_EQ(again.code, 0) << again.text;
