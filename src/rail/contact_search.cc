@@ -8,10 +8,10 @@
 namespace phs::rail {
 namespace {
 
-constexpr double kWheelStep = 0.9e-3;  ///< of the coarse samples [m]
+constexpr double kWheelStep = 0.9e-3;   ///< of the coarse samples [m]
 constexpr double kRailStep = 0.125e-3;  ///< of the rail's chords [m]
-constexpr double kBeyond = 4e-3;  ///< samples beyond the ends of the rail [m]
-constexpr double kDoubt = 2e-6;   ///< chords of the rail's table are this near to it, normal [m]
+constexpr double kBeyond = 4e-3;        ///< samples beyond the ends of the rail [m]
+constexpr double kDoubt = 2e-6;  ///< chords of the rail's table are this near to it, normal [m]
 /// Flattest relative curvature across: conformal regions carry a wide but finite patch.
 constexpr double kFlattest = 0.05;
 
