@@ -199,7 +199,7 @@ Status Binding::BindCoupler(const mjModel* m, const AttachOptions& options) {
 }
 
 Status Binding::BindPhs(mjModel* m, const AttachOptions& options) {
-  int next = UserData::kHeader + m->nv;
+  int next = UserData::kHeader + m->nv + m->nq;
   for (const NamedTuple& tuple : TuplesWithPrefix(m, "phs:")) {
     PhsBinding p;
     p.name = tuple.name;

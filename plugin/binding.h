@@ -61,8 +61,8 @@ struct PhsBinding {
   int states_at = 0;                   ///< userdata: the states that the forces belong to
 };
 
-/// d->userdata, first entries; then the speed of the instant of every dof (w of half_step.h); then
-/// the PHS. All belong to the position that MuJoCo last worked out, also after mj_step, when qpos,
+/// d->userdata, first entries; then the speed of the instant of every dof (w of half_step.h), the
+/// position of every joint (qpos), and the PHS. All belong to the position that MuJoCo last worked out, also after mj_step, when qpos,
 /// qvel and act have gone on already.
 struct UserData {
   static constexpr int kCreepPower = 0;     ///< lost to slip, all wheels [W]
@@ -78,7 +78,9 @@ struct UserData {
   static constexpr int kDamperPower = 10;   ///< lost in elements between bodies [W]
   static constexpr int kDrivePower = 11;    ///< given by the drives [W]
   static constexpr int kAppliedPower = 12;  ///< given by qfrc_applied and xfrc_applied [W]
-  static constexpr int kHeader = 13;
+  static constexpr int kHoldMore = 13;      ///< what the speed hold gives beyond its controls [N m]
+  static constexpr int kTime = 14;          ///< [s]
+  static constexpr int kHeader = 15;
 };
 
 /// Forces and motion of one wheelset at one instant (T axes: x forward, y left, z up).
@@ -138,6 +140,8 @@ class Binding {
   /// qvel: for readers that prescribe the motion.
   void AdvanceStates(const mjModel* m, mjData* d, double h) const noexcept;
   /// A wheelset and its forces at the speed of the instant.
+  /// World axes, at the speed of the instant [m/s].
+  rail::Vec3 CentreOfMassVelocity(const mjModel* m, const mjData* d, int body) const;
   WheelsetState CalcWheelset(const mjModel* m, const mjData* d, int index) const noexcept;
   /// Allocates; for recording, not for the step itself.
   PhsState CalcPhs(const mjModel* m, const mjData* d, int index) const;
@@ -152,6 +156,10 @@ class Binding {
   double start_s() const { return start_s_; }
   double friction() const { return friction_; }
   /// Speed of the instant of every dof [nv], as the last call of Passive left it.
+  /// Speeds [nv] and positions [nq] of the instant.
+  JointState Joints(const mjModel* m, const mjData* d) const {
+    return {Speed(d) + m->nv, Speed(d)};
+  }
   const double* Speed(const mjData* d) const { return d->userdata + UserData::kHeader; }
 
   /// A wheelset where it stands, ready for its forces at any speed; of the plugin alone.
@@ -194,6 +202,10 @@ class Binding {
                         double* force) const noexcept;
   void BookPowers(const mjModel* m, mjData* d, Work* work) const noexcept;
   double DriveControl(const mjModel* m, const mjData* d, const WheelsetBinding& w) const noexcept;
+  double HeldTorque(const mjData* d, const rail::Vec3& velocity) const noexcept;
+  /// Adds what the speed hold gives at `speed` beyond its controls, which are those of v_n.
+  void AddSpeedHold(const mjModel* m, mjData* d, const double* speed, Work* work) const noexcept;
+  bool Drives() const { return has_rail() && target_speed_ > 0 && root_body_ >= 0; }
 
   std::unique_ptr<rail::Track> track_;
   std::unique_ptr<rail::WheelRail> wheel_rail_;

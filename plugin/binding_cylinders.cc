@@ -92,14 +92,15 @@ void Binding::FollowCylinders(const mjModel* m, mjData* d, const double* speed,
 void Binding::CalcRates(mjData* d, double h, const Work& work) const noexcept {
   const hydraulics::Instant* at = work.instants;
   for (const PhsBinding& p : phs_) {
-    double x[kMaxCylinders], mean[kMaxCylinders];
+    double x[kMaxCylinders], mean[kMaxCylinders], before[kMaxCylinders];
     Displacements(d, p, x);
     for (int i = 0; i < p.system->num_cylinders(); ++i) {
       // The speed of the whole step, v + h a = 2 w - v.
-      mean[i] = 2 * d->userdata[p.speeds_at + i] - d->actuator_velocity[p.cylinder[i]];
+      before[i] = d->actuator_velocity[p.cylinder[i]];
+      mean[i] = 2 * d->userdata[p.speeds_at + i] - before[i];
     }
     p.system->CalcStateRateAt(*at++, h, x, mean, d->userdata + p.states_at,
-                              d->userdata + p.rates_at);
+                              d->userdata + p.rates_at, before);
   }
 }
 

@@ -121,9 +121,11 @@ void Binding::AddEngineDampers(const mjModel* m, const mjData* d, const double* 
 void Binding::CalcForces(const mjModel* m, mjData* d, const double* speed, bool slopes,
                          Work* work) const noexcept {
   std::fill(d->userdata, d->userdata + UserData::kHeader, 0.0);
+  d->userdata[UserData::kTime] = d->time;
   std::fill(work->force, work->force + m->nv, 0.0);
   if (has_rail()) AddWheelsetForces(m, d, speed, slopes, work);
   if (coupler_site_ >= 0) AddRunningForces(m, d, speed, slopes, work);
+  if (Drives() && !running_.active) AddSpeedHold(m, d, speed, work);
   AddElementForces(m, d, speed, work);
   AddCylinderForces(m, d, speed, slopes, work);
 }
@@ -132,21 +134,38 @@ double Binding::DriveControl(const mjModel* m, const mjData* d,
                              const WheelsetBinding& w) const noexcept {
   if (Guest::Has(d, w.drive_actuator)) return d->ctrl[w.drive_actuator];
   if (running_.active) return running_.Share(d->time) * running_.drive_torque_Nm;
-  // Each axle holds its own speed: torque and speed at the same place damp every mode, while the
-  // speed of the frame, felt through the springs of the axle guidance, would drive the bogie to
-  // longitudinal oscillation against its wheelsets.
+  return HeldTorque(d, CentreVelocity(m, d, w.body));
+}
+
+// Each axle holds its own speed: torque and speed at the same place damp every mode, while the
+// speed of the frame, felt through the springs of the axle guidance, would drive the bogie to
+// longitudinal oscillation against its wheelsets.
+double Binding::HeldTorque(const mjData* d, const Vec3& velocity) const noexcept {
   const mjtNum* r = d->xmat + 9 * root_body_;
-  const Vec3 forward = {r[0], r[3], r[6]};
-  return speed_gain_ * (target_speed_ - Dot(forward, CentreVelocity(m, d, w.body)));
+  return speed_gain_ * (target_speed_ - Dot({r[0], r[3], r[6]}, velocity));
+}
+
+void Binding::AddSpeedHold(const mjModel* m, mjData* d, const double* speed,
+                           Work* work) const noexcept {
+  for (const WheelsetBinding& w : wheelsets_) {
+    const int id = w.drive_actuator;
+    if (id < 0 || Guest::Has(d, id)) continue;
+    const double held = HeldTorque(d, VelocityOf(m, d, w.body, w.dofs, speed).centre);
+    const double more =
+        ActuatorForce(m, d, id, held) - ActuatorForce(m, d, id, DriveControl(m, d, w));
+    const mjtNum* moment = d->actuator_moment + id * m->nv;
+    mju_addToScl(work->force, moment, more, m->nv);
+    d->userdata[UserData::kHoldMore] += more;
+    d->userdata[UserData::kDrivePower] += more * mju_dot(moment, speed, m->nv);
+  }
 }
 
 void Binding::AddDrives(const mjModel* m, mjData* d, Work* work) const noexcept {
-  const bool driving = has_rail() && target_speed_ > 0 && root_body_ >= 0;
   for (int id = 0; id < m->nu; ++id) {
     if (owner_[id] != nullptr) continue;
     double ctrl = d->ctrl[id];
     for (const WheelsetBinding& w : wheelsets_) {
-      if (driving && w.drive_actuator == id) ctrl = DriveControl(m, d, w);
+      if (Drives() && w.drive_actuator == id) ctrl = DriveControl(m, d, w);
     }
     const double force = ActuatorForce(m, d, id, ctrl);
     if (force == 0) continue;
@@ -208,7 +227,7 @@ void Binding::BookPowers(const mjModel* m, mjData* d, Work* work) const noexcept
   for (const auto& elements : elements_) {
     d->userdata[UserData::kDamperPower] += elements->LostPower(m, d, speed);
   }
-  d->userdata[UserData::kDrivePower] = mju_dot(work->drive, speed, m->nv);
+  d->userdata[UserData::kDrivePower] += mju_dot(work->drive, speed, m->nv);
   std::fill(work->row, work->row + m->nv, 0.0);
   AddApplied(m, d, work->row);
   d->userdata[UserData::kAppliedPower] = mju_dot(work->row, speed, m->nv);
@@ -229,6 +248,7 @@ void Binding::Passive(const mjModel* m, mjData* d) const noexcept {
   work.matrix = &matrix;
   PressWheelsets(d, &work);
   std::copy(d->qvel, d->qvel + m->nv, d->userdata + UserData::kHeader);
+  std::copy(d->qpos, d->qpos + m->nq, d->userdata + UserData::kHeader + m->nv);
   for (const PhsBinding& p : phs_) {
     for (size_t i = 0; i < p.state_actuator.size(); ++i) {
       d->userdata[p.states_at + static_cast<int>(i)] =
@@ -256,7 +276,7 @@ void Binding::Passive(const mjModel* m, mjData* d) const noexcept {
 
 void Binding::Control(const mjModel* m, mjData* d) const noexcept {
   ControlSteering(m, d);
-  if (!has_rail() || target_speed_ <= 0 || root_body_ < 0) return;
+  if (!Drives()) return;
   for (const WheelsetBinding& w : wheelsets_) {
     if (w.drive_actuator >= 0) d->ctrl[w.drive_actuator] = DriveControl(m, d, w);
   }

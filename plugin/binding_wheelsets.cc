@@ -5,6 +5,7 @@
 
 #include "base/wide.h"
 #include "plugin/binding_work.h"
+#include "plugin/dof_chain.h"
 #include "plugin/kept_wheelsets.h"
 #include "plugin/spatial.h"
 
@@ -144,6 +145,16 @@ void Binding::PressWheelsets(mjData* d, Work* work) const noexcept {
     work->wheelsets[i] = new (room) PressedWheelset;
     PressWheelset(d, i, work->wheelsets[i]);
   }
+}
+
+Vec3 Binding::CentreOfMassVelocity(const mjModel* m, const mjData* d, int body) const {
+  const BodyVelocity at = VelocityOf(m, d, body, DofChain(m, body), Speed(d));
+  const mjtNum* frame = d->xpos + 3 * body;
+  const mjtNum* centre = d->xipos + 3 * body;
+  Vec3 velocity = at.centre;
+  Add(&velocity,
+      Cross(at.rotation, {centre[0] - frame[0], centre[1] - frame[1], centre[2] - frame[2]}));
+  return velocity;
 }
 
 WheelsetState Binding::CalcWheelset(const mjModel* m, const mjData* d, int index) const noexcept {

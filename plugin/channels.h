@@ -25,7 +25,8 @@
 
 namespace phs::plugin {
 
-/// A bound model at one instant, after mj_forward or mj_step: what values are read from.
+/// A bound model at the instant that MuJoCo last worked out, after mj_forward or mj_step, when qpos,
+/// qvel and time of `d` have gone on: what values are read from.
 struct Instant {
   const mjModel* m = nullptr;
   const mjData* d = nullptr;
@@ -37,7 +38,9 @@ struct Instant {
   const WheelsetState* leading = nullptr;     ///< the foremost on the track, or none
 
   /// Position of a joint [m or rad]; 0 for joint -1.
-  double Joint(int joint) const { return joint < 0 ? 0.0 : d->qpos[m->jnt_qposadr[joint]]; }
+  double Joint(int joint) const {
+    return joint < 0 ? 0.0 : binding->Joints(m, d).position[m->jnt_qposadr[joint]];
+  }
 };
 
 /// Which thing of its kind a channel belongs to.

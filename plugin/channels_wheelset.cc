@@ -46,7 +46,8 @@ double PrimaryMoment(const Instant& at, ChannelPlace place) {
   if (joint < 0) return 0;
   double moment = -0.0;  // so that a single part keeps its sign at zero
   for (const auto& elements : at.binding->elements()) {
-    elements->AddForceOnDof(at.m, at.d, at.binding->Speed(at.d), at.m->jnt_dofadr[joint], &moment);
+    elements->AddForceOnDof(at.m, at.d, at.binding->Joints(at.m, at.d), at.m->jnt_dofadr[joint],
+                            &moment);
   }
   ForEachSteering(at.m, [&](const ActiveSteering& servo) {
     const int dof = at.m->jnt_dofadr[joint];

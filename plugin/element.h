@@ -34,6 +34,12 @@ struct ElementState {
   double force = 0;   ///< along it, > 0 pushes the ends apart [N]
 };
 
+/// Where the joints of a model stand and how fast they move.
+struct JointState {
+  const double* position;  ///< as qpos [nq]
+  const double* speed;     ///< as qvel [nv]
+};
+
 /// All elements of one kind in one model. Immutable; pure functions of (m, d) and of `speed` [nv],
 /// the speed of every dof.
 class Elements {
@@ -61,8 +67,9 @@ class Elements {
   virtual double LostPower(const mjModel* m, const mjData* d,
                            const double* speed) const noexcept = 0;
 
-  /// Adds the generalised force on one dof to `force`; that of MuJoCo's own at qvel.
-  virtual void AddForceOnDof(const mjModel* m, const mjData* d, const double* speed, int dof,
+  /// Adds the generalised force on one dof to `force`; other positions than those of joints are
+  /// read from `d`, where MuJoCo last worked them out.
+  virtual void AddForceOnDof(const mjModel* m, const mjData* d, const JointState& at, int dof,
                              double* force) const noexcept = 0;
   /// Adds -dF/dl along a small motion `along` [nv], squared: the stiffness of that motion.
   virtual void AddStiffness(const mjModel* m, const mjData* d, const double* along,

@@ -35,7 +35,7 @@ class JointElements : public EngineElements {
                        int index) const noexcept override {
     const int joint = Id(index), dof = m->jnt_dofadr[joint];
     ElementState state{d->qpos[m->jnt_qposadr[joint]], speed[dof], 0};
-    state.force = Spring(m, d, joint) - m->dof_damping[dof] * state.speed;
+    state.force = Spring(m, d->qpos, joint) - m->dof_damping[dof] * state.speed;
     return state;
   }
   void AddDampers(const mjModel* m, const mjData*, const double* speed,
@@ -53,9 +53,9 @@ class JointElements : public EngineElements {
     for (int i = 0; i < m->nv; ++i) power += m->dof_damping[i] * speed[i] * speed[i];
     return power;
   }
-  void AddForceOnDof(const mjModel* m, const mjData* d, const double*, int dof,
+  void AddForceOnDof(const mjModel* m, const mjData*, const JointState& at, int dof,
                      double* force) const noexcept override {
-    *force += Spring(m, d, m->dof_jntid[dof]) - m->dof_damping[dof] * d->qvel[dof];
+    *force += Spring(m, at.position, m->dof_jntid[dof]) - m->dof_damping[dof] * at.speed[dof];
   }
   void AddStiffness(const mjModel* m, const mjData*, const double* along,
                     double* stiffness) const noexcept override {
@@ -66,9 +66,9 @@ class JointElements : public EngineElements {
   }
 
  private:
-  static double Spring(const mjModel* m, const mjData* d, int joint) {
+  static double Spring(const mjModel* m, const double* position, int joint) {
     const int at = m->jnt_qposadr[joint];
-    return -m->jnt_stiffness[joint] * (d->qpos[at] - m->qpos_spring[at]);
+    return -m->jnt_stiffness[joint] * (position[at] - m->qpos_spring[at]);
   }
 };
 
@@ -125,12 +125,13 @@ class TendonElements : public EngineElements {
     }
     return power;
   }
-  void AddForceOnDof(const mjModel* m, const mjData* d, const double*, int dof,
+  void AddForceOnDof(const mjModel* m, const mjData* d, const JointState& at, int dof,
                      double* force) const noexcept override {
     for (const int t : ids()) {
       ForEachDof(m, d, t, [&](int moved, double moment) {
         if (moved != dof) return;
-        *force += moment * (Spring(m, d, t) - m->tendon_damping[t] * d->ten_velocity[t]);
+        const double rate = Rate(m, d, t, at.speed);
+        *force += moment * (Spring(m, d, t) - m->tendon_damping[t] * rate);
       });
     }
   }

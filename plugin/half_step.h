@@ -22,7 +22,7 @@
 // MuJoCo itself solves (M + h B) a = f + ... with the damping B of joints. The forces handed over
 // hold h B a on top, so that its step makes the a of (1).
 //
-// Left at v_n: actuators that are no cylinders, and the speed hold; what constraints (limits,
+// Left at v_n: actuators that are neither cylinders nor hold the speed; what constraints (limits,
 // equalities) add to a is not in w.
 #pragma once
 

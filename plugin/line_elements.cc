@@ -119,12 +119,12 @@ double LineElements::LostPower(const mjModel* m, const mjData* d,
   return power;
 }
 
-void LineElements::AddForceOnDof(const mjModel* m, const mjData* d, const double* speed, int dof,
+void LineElements::AddForceOnDof(const mjModel* m, const mjData* d, const JointState& at, int dof,
                                  double* force) const noexcept {
   for (int i = 0; i < Count(); ++i) {
     const Line& line = lines_[static_cast<size_t>(i)];
     const Pose pose = PoseOf(d, line);
-    const double along = StateOf(m, d, speed, i).force;
+    const double along = StateOf(m, d, at.speed, i).force;
     ForEachDof(m, d, line, pose, [&](int moved, double moment) {
       if (moved == dof) *force += moment * along;
     });

@@ -32,7 +32,7 @@ class LineElements : public Elements {
                  StepMatrix* matrix) const noexcept final;
   double StoredEnergy(const mjModel* m, const mjData* d) const noexcept final;
   double LostPower(const mjModel* m, const mjData* d, const double* speed) const noexcept final;
-  void AddForceOnDof(const mjModel* m, const mjData* d, const double* speed, int dof,
+  void AddForceOnDof(const mjModel* m, const mjData* d, const JointState& at, int dof,
                      double* force) const noexcept final;
   void AddStiffness(const mjModel* m, const mjData* d, const double* along,
                     double* stiffness) const noexcept final;

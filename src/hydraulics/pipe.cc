@@ -60,21 +60,21 @@ double CalcInertance(double density_kg_m3, double length_m, double bore_m) {
 
 double PipeFlow::Drop(const FlowPlace& at, double flow, double* slope) const noexcept {
   const Resistance& r = flow >= 0 ? forward_ : backward_;
-  const double closed = at.time < start_ ? 1e12 : 1, laminar = at.viscosity * r.laminar;
-  *slope = closed * (laminar + 2 * r.turbulent * std::abs(flow));
-  return closed * (laminar + r.turbulent * std::abs(flow)) * flow;
+  const double laminar = at.viscosity * r.laminar;
+  *slope = laminar + 2 * r.turbulent * std::abs(flow);
+  return (laminar + r.turbulent * std::abs(flow)) * flow;
 }
 
 double PipeFlow::Flow(const FlowPlace& at, double dp, double* slope) const noexcept {
-  if (at.time < start_) {
-    *slope = 0;
-    return 0;
-  }
   const Resistance& r = dp >= 0 ? forward_ : backward_;
   const double laminar = at.viscosity * r.laminar;
   const double root = std::sqrt(laminar * laminar + 4 * r.turbulent * std::abs(dp));
   *slope = 1 / root;
   return 2 * dp / (laminar + root);
+}
+
+double GapFlow::Opening(double time) const {
+  return std::clamp((time - start_) / kOpening, 0.0, 1.0);
 }
 
 double GapFlow::Conductance(const FlowPlace& at, double dp) const {
@@ -83,11 +83,7 @@ double GapFlow::Conductance(const FlowPlace& at, double dp) const {
 }
 
 double GapFlow::Flow(const FlowPlace& at, double dp, double* slope) const noexcept {
-  if (at.time < start_) {
-    *slope = 0;
-    return 0;
-  }
-  const double G = Conductance(at, dp);
+  const double G = Opening(at.time) * Conductance(at, dp);
   if (exponent_ == 1) {
     *slope = G;
     return G * dp;
@@ -106,7 +102,7 @@ double GapFlow::Drop(const FlowPlace& at, double flow, double* slope) const noex
       kReference *
       std::copysign(std::pow(std::abs(flow) / (Conductance(at, flow) * kReference), 1 / exponent_),
                     flow);
-  const FlowPlace open{std::max(at.time, start_), at.warmer, at.viscosity};
+  const FlowPlace open{std::max(at.time, start_ + kOpening), at.warmer, at.viscosity};
   double rise = 1;
   for (int i = 0; i < 50; ++i) {
     const double error = Flow(open, dp, &rise) - flow;

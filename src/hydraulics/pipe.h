@@ -17,15 +17,15 @@ double CalcLaminarResistance(double viscosity_Pas, double length_m, double bore_
 double CalcTurbulentResistance(double density_kg_m3, double length_m, double bore_m);
 double CalcInertance(double density_kg_m3, double length_m, double bore_m);
 
-/// Resistance that may differ by flow direction, with inertance. Open from `start` on.
+/// Resistance that may differ by flow direction, with inertance.
 class PipeFlow final : public FlowLaw {
  public:
   struct Resistance {
     double laminar = 0;    ///< R > 0 [Pa s/m3]
     double turbulent = 0;  ///< K >= 0 [Pa s2/m6]
   };
-  PipeFlow(Resistance forward, Resistance backward, double inertance, double start_s = -1e300)
-      : forward_(forward), backward_(backward), inertance_(inertance), start_(start_s) {}
+  PipeFlow(Resistance forward, Resistance backward, double inertance)
+      : forward_(forward), backward_(backward), inertance_(inertance) {}
   double Flow(const FlowPlace& at, double dp, double* slope) const noexcept override;
   double Drop(const FlowPlace& at, double flow, double* slope) const noexcept override;
   double Inertance() const noexcept override { return inertance_; }
@@ -33,13 +33,17 @@ class PipeFlow final : public FlowLaw {
 
  private:
   Resistance forward_, backward_;
-  double inertance_, start_;
+  double inertance_;
 };
 
 /// Leak through a narrow opening: q = G dp (|dp|/5 MPa)^(n-1), n = 1 a laminar gap, 1/2 an orifice
-/// (Bernoulli), above 1 a gap that the pressure widens. Smooth below 2 kPa. Open from `start` on.
+/// (Bernoulli), above 1 a gap that the pressure widens. Smooth below 2 kPa. Opens from `start` on, over kOpening.
 class GapFlow final : public FlowLaw {
  public:
+  /// [s], assumed: a crack runs through a hose or a seal within milliseconds. A leak that opened at
+  /// once would empty a torn line in less than a step: an error of the order of the step in the
+  /// impulse on the axles.
+  static constexpr double kOpening = 5e-3;
   static constexpr double kReference = 5e6;  ///< [Pa]
   /// How far a gap of exponent n follows the viscosity, G ~ mu^-share: a viscous flow (n >= 1)
   /// wholly, an orifice (1/2) not at all.
@@ -56,6 +60,7 @@ class GapFlow final : public FlowLaw {
 
  private:
   double Conductance(const FlowPlace& at, double dp) const;
+  double Opening(double time) const;  ///< 0 … 1
   double conductance_, exponent_, start_, return_ratio_;
 };
 

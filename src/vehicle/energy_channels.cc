@@ -6,7 +6,7 @@ namespace {
 using plugin::Binding;
 
 double TotalDriveTorque(const EnergyBook&, const mjData* d, const Binding& binding) {
-  double torque = 0;
+  double torque = d->userdata[plugin::UserData::kHoldMore];
   for (const auto& w : binding.wheelsets()) {
     if (w.drive_actuator >= 0) torque += d->actuator_force[w.drive_actuator];
   }

@@ -162,7 +162,6 @@ Result<RunOutcome> Simulation::Run(const Progress& progress, const OwnInputs& ow
   RunOutcome run;
   run.channels = observer.channels();
   const std::ptrdiff_t num_observed = std::ssize(run.channels);
-  const size_t time_at = static_cast<size_t>(run.Find("t_s"));
   const size_t front_at = static_cast<size_t>(run.Find("s_m"));
   for (const EnergyRow& energy : EnergyChannels()) {
     run.channels.push_back({energy.name, energy.unit, energy.text});
@@ -217,7 +216,6 @@ Result<RunOutcome> Simulation::Run(const Progress& progress, const OwnInputs& ow
       keeper.Read(m, d);
       run.energy = keeper.book();
       observer.Observe(m, d, row.data());
-      row[time_at] = time;
       double* value = row.data() + num_observed;
       for (const EnergyRow& energy : EnergyChannels()) {
         *value++ = energy.value(run.energy, d, bound);

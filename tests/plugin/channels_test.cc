@@ -97,5 +97,20 @@ TEST_F(ChannelsTest, TheWheelsetsRunWhereTheTrackIs) {
   EXPECT_EQ(At("t_s"), d_->time);
 }
 
+// After mj_step qpos, qvel, act and time are those of the next step; what is shown belongs to the
+// step's beginning, all of it.
+TEST_F(ChannelsTest, AfterAStepEveryChannelIsThatOfItsBeginning) {
+  const Observer observer(m_.get(), *Find(m_.get()));
+  std::vector<double> begin(observer.channels().size()), after(begin.size());
+  mj_step(m_.get(), d_.get());
+  mj_forward(m_.get(), d_.get());
+  observer.Observe(m_.get(), d_.get(), begin.data());
+  mj_step(m_.get(), d_.get());
+  observer.Observe(m_.get(), d_.get(), after.data());
+  for (size_t i = 0; i < begin.size(); ++i) {
+    EXPECT_EQ(begin[i], after[i]) << observer.channels()[i].name;
+  }
+}
+
 }  // namespace
 }  // namespace phs::plugin

@@ -231,7 +231,7 @@ TEST_F(ElementsTest, NeverGivesPowerAndIsTheMirrorOfItsMotion) {
       given += force[k] * speed[k];
       EXPECT_EQ(force[k], -mirrored[k]);
       double on_dof = 0;
-      damper.AddForceOnDof(m.get(), d.get(), speed.data(), static_cast<int>(k), &on_dof);
+      damper.AddForceOnDof(m.get(), d.get(), {d->qpos, speed.data()}, static_cast<int>(k), &on_dof);
       EXPECT_EQ(on_dof, force[k]);
     }
     const double lost = damper.LostPower(m.get(), d.get(), speed.data());
