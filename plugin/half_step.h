@@ -11,7 +11,8 @@
 // for any damping that the matrix below knows (linkages between branches are not in it, so very
 // stiff dampers there still limit the step). Kinetic energy changes by h f.w without remainder.
 // States (bristles, mountings, gas, flows) advance with v_{n+1}, which carries x_n exactly to
-// x_{n+1}.
+// x_{n+1}; flows and volumes, whose last stage lies at t_{n+1}, with v_{n+1} + (v_{n+1} - v_n)/2 there:
+// oil behind a throttle hardly yields and would lag by half a step otherwise.
 //
 // (1) is solved by two Newton steps from w = v_n with (M + h/2 C) da = f(w) - M a, C the symmetric
 // part of -df/dw: contacts, cylinders, elements (elements.h). C of contacts and elements is that at
