@@ -44,8 +44,7 @@ bool AreTold(const std::vector<FreeParameter>& free, const FitResult& fit, size_
   return true;
 }
 
-bool IsThere(const Candidate& form, const FitResult& fit) {
-  const size_t base = fit.values.size() - form.free.size();
+bool IsThere(const Candidate& form, const FitResult& fit, size_t base) {
   bool there = false;
   for (size_t k = 0; k < static_cast<size_t>(form.mains); ++k) {
     const FreeParameter& p = form.free[k];
@@ -74,7 +73,9 @@ std::string Refusal(const Evidence& evidence, const Candidate& form, const FitRe
   if (!IsBeyondChance(evidence.delta_bic, 1)) return "not significant";
   if (evidence.cross_validation_gain <= 0) return "no gain in cross-validation";
   if (evidence.share < Acceptance().least_share) return "explains too little of what is left";
-  if (!IsThere(form, fit)) return "its amount is not told by the record, or not plausible";
+  if (!IsThere(form, fit, fit.values.size() - form.free.size())) {
+    return kNotTold;
+  }
   return "";
 }
 

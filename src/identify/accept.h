@@ -13,6 +13,7 @@ namespace phs::identify::search {
 
 inline constexpr const char* kAccepted = "accepted";
 inline constexpr const char* kBeaten = "another explains more";
+inline constexpr const char* kNotTold = "its amount is not told by the record, or not plausible";
 
 /// True if a gain of the criterion [-2 ln L] is more than the best of `tried` structures would gain
 /// by chance.
@@ -22,9 +23,9 @@ bool IsBeyondChance(double gain, double tried);
 /// 95 % interval is narrower than its plausible range. `free`: the last numbers of the model.
 bool AreTold(const std::vector<FreeParameter>& free, const FitResult& fit, size_t count);
 
-/// True if an amount of the candidate, the last in `fit`, is beyond zero with 95 % and not on the
-/// far end of what is plausible.
-bool IsThere(const Candidate& form, const FitResult& fit);
+/// True if an amount of the candidate, whose numbers begin at `base` in `fit`, is beyond zero with
+/// 95 % and none is on the far end of what is plausible.
+bool IsThere(const Candidate& form, const FitResult& fit, size_t base);
 
 /// True of what a sensor says beyond the truth, not the rig.
 bool IsOfInstrument(const Candidate& form);

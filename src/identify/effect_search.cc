@@ -106,14 +106,18 @@ class Search {
 
   std::vector<FullTrial> Try(const FreeModel& model, const FitResult& fit,
                              const std::vector<Candidate>& list) {
-    const std::vector<Point> points =
-        PointsAbout(coarse_, model, fit, out_.declared.free.size(),
-                    options_.effort.elsewhere &&
-                        model.params.effects.size() == out_.declared.params.effects.size());
-    if (points.empty()) return {};
-    reference_ = Criterion(coarse_, points.front().score, points.front().values.size());
-    return TryEffects(problem_, coarse_, model, fit, points, list, options_.effort,
-                      [this](double part) { return GoOn(part); });
+    const bool elsewhere = options_.effort.elsewhere &&
+                           model.params.effects.size() == out_.declared.params.effects.size();
+    // A model that an effect has made too stiff for the coarse clock is screened on the whole record.
+    for (FitProblem* screen : {&coarse_, &problem_}) {
+      const std::vector<Point> points =
+          PointsAbout(*screen, model, fit, out_.declared.free.size(), elsewhere);
+      if (points.empty()) continue;
+      reference_ = Criterion(*screen, points.front().score, points.front().values.size());
+      return TryEffects(problem_, *screen, model, fit, points, list, options_.effort,
+                        [this](double part) { return GoOn(part); });
+    }
+    return {};
   }
 
   bool AddOne(int round) {
@@ -224,6 +228,14 @@ class Search {
                    {.max_steps = 2, .final_slopes = true});
   }
 
+  /// Beside the later ones an amount may have gone to the end of its range, or to none.
+  bool IsToldInTheEnd(size_t effect) const {
+    if (out_.effects[effect].candidate.effect == effects::UnlistedInfo().name) return true;
+    size_t base = out_.declared.free.size();
+    for (size_t i = 0; i < effect; ++i) base += out_.effects[i].candidate.free.size();
+    return IsThere(out_.effects[effect].candidate, out_.after, base);
+  }
+
   /// Every effect must still earn its place beside the others.
   void DropSuperfluous() {
     for (size_t i = 0; i < out_.effects.size() && !cancelled_;) {
@@ -232,12 +244,13 @@ class Search {
       FitResult rest = FitNear(problem_, model, values, {}, {.max_steps = 8, .final_slopes = true});
       if (!rest.ok) return;
       const Evidence e = Compare(problem_, rest, out_.after, 1);
-      if (IsBeyondChance(e.delta_bic, 1) && e.cross_validation_gain > 0) {
+      const bool told = IsToldInTheEnd(i);
+      if (told && IsBeyondChance(e.delta_bic, 1) && e.cross_validation_gain > 0) {
         ++i;
         continue;
       }
       const std::string gone = out_.effects[i].candidate.effect;
-      Withdraw(gone, "superfluous beside the later ones", &out_.candidates);
+      Withdraw(gone, told ? "superfluous beside the later ones" : kNotTold, &out_.candidates);
       if (gone == effects::UnlistedInfo().name) out_.formula = {};
       out_.effects.erase(out_.effects.begin() + static_cast<long>(i));
       out_.corrected = model, out_.after = std::move(rest);

@@ -109,8 +109,9 @@ TEST(Accept, AnAmountMustBeBeyondZeroAndInsideItsRange) {
   linear.none = {0};
   FitResult fit;
   const auto there = [&](const Candidate& c, double value, double half) {
-    fit.values = {value}, fit.half_95 = {half};
-    return IsThere(c, fit);
+    // Beside others, before and after it.
+    fit.values = {100, value, 0}, fit.half_95 = {50, half, 50};
+    return IsThere(c, fit, 1);
   };
   EXPECT_TRUE(there(linear, 3, 2));
   EXPECT_TRUE(there(linear, -3, 2));

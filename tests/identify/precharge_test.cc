@@ -43,7 +43,7 @@ TEST(PrechargeTest, OneWithinItsIntervalOfTheDeclaredIsNotMissing) {
   fit.half_95 = {3e-3};
   for (const auto& [value, there] : {std::pair{14.93e6, true}, {15.06e6, true}, {14.99e6, false}}) {
     fit.values = {value};
-    EXPECT_EQ(IsThere(c, fit), there) << value;
+    EXPECT_EQ(IsThere(c, fit, 0), there) << value;
   }
 }
 
