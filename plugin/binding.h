@@ -62,8 +62,8 @@ struct PhsBinding {
 };
 
 /// d->userdata, first entries; then the speed of the instant of every dof (w of half_step.h), the
-/// position of every joint (qpos), and the PHS. All belong to the position that MuJoCo last worked out, also after mj_step, when qpos,
-/// qvel and act have gone on already.
+/// position of every joint (qpos), and the PHS. All belong to the position that MuJoCo last worked
+/// out, also after mj_step, when qpos, qvel and act have gone on already.
 struct UserData {
   static constexpr int kCreepPower = 0;     ///< lost to slip, all wheels [W]
   static constexpr int kContactPower = 1;   ///< lost to contact and support damping [W]
@@ -139,9 +139,9 @@ class Binding {
   /// States of the cylinders go on by `h` while they move from where (m, d) has them at the speeds
   /// qvel: for readers that prescribe the motion.
   void AdvanceStates(const mjModel* m, mjData* d, double h) const noexcept;
-  /// A wheelset and its forces at the speed of the instant.
-  /// World axes, at the speed of the instant [m/s].
+  /// Of a body, at the speed of the instant, world axes [m/s]. Allocates.
   rail::Vec3 CentreOfMassVelocity(const mjModel* m, const mjData* d, int body) const;
+  /// A wheelset and its forces at the speed of the instant.
   WheelsetState CalcWheelset(const mjModel* m, const mjData* d, int index) const noexcept;
   /// Allocates; for recording, not for the step itself.
   PhsState CalcPhs(const mjModel* m, const mjData* d, int index) const;
@@ -155,11 +155,11 @@ class Binding {
   double target_speed() const { return target_speed_; }
   double start_s() const { return start_s_; }
   double friction() const { return friction_; }
-  /// Speed of the instant of every dof [nv], as the last call of Passive left it.
-  /// Speeds [nv] and positions [nq] of the instant.
+  /// Positions [nq] and speeds [nv] of the instant, as the last call of Passive left them.
   JointState Joints(const mjModel* m, const mjData* d) const {
     return {Speed(d) + m->nv, Speed(d)};
   }
+  /// Speed of the instant of every dof [nv], as the last call of Passive left it.
   const double* Speed(const mjData* d) const { return d->userdata + UserData::kHeader; }
 
   /// A wheelset where it stands, ready for its forces at any speed; of the plugin alone.
@@ -202,6 +202,7 @@ class Binding {
                         double* force) const noexcept;
   void BookPowers(const mjModel* m, mjData* d, Work* work) const noexcept;
   double DriveControl(const mjModel* m, const mjData* d, const WheelsetBinding& w) const noexcept;
+  /// Of the speed hold on an axle that moves with `velocity`, world axes [N m].
   double HeldTorque(const mjData* d, const rail::Vec3& velocity) const noexcept;
   /// Adds what the speed hold gives at `speed` beyond its controls, which are those of v_n.
   void AddSpeedHold(const mjModel* m, mjData* d, const double* speed, Work* work) const noexcept;

@@ -37,7 +37,8 @@ class PipeFlow final : public FlowLaw {
 };
 
 /// Leak through a narrow opening: q = G dp (|dp|/5 MPa)^(n-1), n = 1 a laminar gap, 1/2 an orifice
-/// (Bernoulli), above 1 a gap that the pressure widens. Smooth below 2 kPa. Opens from `start` on, over kOpening.
+/// (Bernoulli), above 1 a gap that the pressure widens. Smooth below 2 kPa. Opens from `start`
+/// on, over kOpening.
 class GapFlow final : public FlowLaw {
  public:
   /// [s], assumed: a crack runs through a hose or a seal within milliseconds. A leak that opened at

@@ -61,6 +61,17 @@ TEST(Pipe, FlowIsTheInverseOfDropByDirectionAndInSeries) {
   }
 }
 
+TEST(Pipe, ALeakOpensOverItsOpeningTime) {
+  const GapFlow leak(1e-12, 1, 2);
+  double slope;
+  const auto flow = [&](double after) { return leak.Flow({.time = 2 + after}, 1e6, &slope); };
+  EXPECT_EQ(flow(-1), 0);
+  EXPECT_EQ(flow(0), 0);
+  EXPECT_NEAR(flow(0.5 * GapFlow::kOpening), 0.5e-6, 1e-18);
+  EXPECT_NEAR(slope, 0.5e-12, 1e-24);
+  EXPECT_DOUBLE_EQ(flow(2 * GapFlow::kOpening), 1e-6);
+}
+
 TEST(Pipe, LaminarFlowFollowsTheViscosityAndTurbulentDoesNot) {
   const FlowPlace cold{.viscosity = 4};
   double slope, rise;
