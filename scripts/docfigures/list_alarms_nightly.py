@@ -14,7 +14,7 @@ SERVICES = {"line_coasting": "coasting, 20 °C", "line_traction": "traction, 20 
 def signal(hose):
     a, b = hose["first"], hose["second"]
     text = {"sum": f"{a} + {b}", "difference": f"{a} − {b}", "ratio": f"ln({a}/{b})",
-            "product": f"ln({a} {b}/MPa²)"}[hose["form"]]
+            "product": f"ln({a} {b}/MPa²)", "product over rest": f"ln({a} {b}/rest²)"}[hose["form"]]
     return text + (" less its mean" if hose["against_mean"] else "")
 
 

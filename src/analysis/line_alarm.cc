@@ -12,19 +12,34 @@ constexpr double kEuler = 0.57721566490153286;
 constexpr double kVacuum = 1e3;   ///< a logarithm does not go on to a perfect vacuum [Pa]
 constexpr double kProduct = 1e6;  ///< p_1 of the product [Pa]
 
+double LogProduct(double a, double b, double of) {
+  return std::log(std::max(a, kVacuum) / of * (std::max(b, kVacuum) / of));
+}
+
 constexpr PairForm kForms[] = {
-    {"difference", "Pa", [](double a, double b) { return a - b; }},
-    {"sum", "Pa", [](double a, double b) { return a + b; }},
-    {"ratio", "-",
-     [](double a, double b) { return std::log(std::max(a, kVacuum) / std::max(b, kVacuum)); }},
-    {"product", "-",
-     [](double a, double b) {
-       return std::log(std::max(a, kVacuum) / kProduct * (std::max(b, kVacuum) / kProduct));
+    {"difference", "Pa", false, [](double a, double b, double) { return a - b; }},
+    {"sum", "Pa", false, [](double a, double b, double) { return a + b; }},
+    {"ratio", "-", false,
+     [](double a, double b, double) {
+       return std::log(std::max(a, kVacuum) / std::max(b, kVacuum));
      }},
+    {"product", "-", false, [](double a, double b, double) { return LogProduct(a, b, kProduct); }},
+    {"product over rest", "-", true, LogProduct},
 };
 
 constexpr int kRedrawn = 400;
 constexpr double kConfidence = 0.95;
+
+/// Geometric mean of the lines beside a pair [Pa].
+double RestOf(const PairSignal& signal, const std::vector<std::vector<double>>& pressures,
+              size_t row) {
+  double sum = 0;
+  for (size_t l = 0; l < pressures.size(); ++l) {
+    if (static_cast<int>(l) == signal.first || static_cast<int>(l) == signal.second) continue;
+    sum += std::log(std::max(pressures[l][row], kVacuum));
+  }
+  return std::exp(sum / static_cast<double>(pressures.size() - 2));
+}
 
 /// Gumbel's reduced variate of a block that is exceeded with probability r.
 double Reduced(double r) { return -std::log(-std::log1p(-r)); }
@@ -38,6 +53,7 @@ std::vector<PairSignal> PairSignals(int lines) {
   for (int i = 0; i < lines; ++i) {
     for (int j = i + 1; j < lines; ++j) {
       for (const PairForm& form : kForms) {
+        if (form.needs_rest && lines < 3) continue;
         for (const bool against_mean : {false, true}) {
           for (const bool above : {true, false}) all.push_back({i, j, &form, against_mean, above});
         }
@@ -57,7 +73,8 @@ std::vector<double> CalcSignal(const PairSignal& signal,
   std::vector<double> out(a.size());
   double y = 0, mean = 0;
   for (size_t i = 0; i < a.size(); ++i) {
-    const double x = signal.sign() * signal.form->value(a[i], b[i]);
+    const double rest = signal.form->needs_rest ? RestOf(signal, pressures, i) : 0;
+    const double x = signal.sign() * signal.form->value(a[i], b[i], rest);
     y = i == 0 ? x : y + share * (x - y);
     mean += std::max(mean_share, 1 / static_cast<double>(i + 1)) * (y - mean);
     out[i] = signal.against_mean ? y - mean : y;

@@ -1,9 +1,10 @@
 // The alarm for a lost hose: two line pressures made one signal, a threshold that follows from a
 // wanted rate of false alarms, and what a count of false alarms over a distance proves.
 //
-// Signal of lines a, b (absolute pressures): p_a - p_b, p_a + p_b, ln(p_a/p_b) or ln(p_a p_b/p_1^2),
-// p_1 = 1 MPa, behind a lag of first order dy/dt = (x - y)/tau. The alarm is given above or below a
-// threshold; signals are turned so that it is always above:
+// Signal of lines a, b (absolute pressures): p_a - p_b, p_a + p_b, ln(p_a/p_b), ln(p_a p_b/p_1^2) with
+// p_1 = 1 MPa, or ln(p_a p_b/p_r^2) with p_r the geometric mean of all other lines, behind a lag of
+// first order dy/dt = (x - y)/tau. The alarm is given above or below a threshold; signals are turned
+// so that it is always above:
 //
 //   signal ----.   .--.          lag      ____ u threshold
 //               `-'    `--.  ------->  __/
@@ -11,7 +12,7 @@
 // What shears the bogie or pulls at it moves oil u from one line to the other. Over gas of volume V
 // at one temperature p_a = p_0/(1 - u/V), p_b = p_0/(1 + u/V): sum and product change with u^2 only.
 // A torn hose takes its line to the atmosphere, which is ln(p_0/p_atm) of the product and half of
-// the sum.
+// the sum. Oil and gas that cool lower every line alike: over the rest the level does not count.
 //
 // Each signal also comes against its own mean: y less the mean z of what came before, of all rows up
 // to a time T, then dz/dt = (y - z)/T. Oil that warms or leaks moves the level over minutes, a torn
@@ -32,11 +33,12 @@
 
 namespace phs::analysis {
 
-/// A way to make one number of two pressures [Pa].
+/// A way to make one number of two pressures [Pa]; `rest`: geometric mean of all other lines [Pa].
 struct PairForm {
   const char* name;
   const char* unit;
-  double (*value)(double a, double b);
+  bool needs_rest;  ///< then there must be a third line
+  double (*value)(double a, double b, double rest);
 };
 std::span<const PairForm> PairForms();
 

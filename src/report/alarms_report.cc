@@ -23,10 +23,11 @@ std::pair<double, std::string> UnitShown(const Json& hose) {
 
 std::string PairText(const Json& hose) {
   const std::string a = hose.at("first"), b = hose.at("second"), form = hose.at("form");
-  const std::string text = form == "sum"       ? a + " + " + b
-                           : form == "ratio"   ? "ln(" + a + "/" + b + ")"
-                           : form == "product" ? "ln(" + a + " " + b + "/MPa²)"
-                                               : a + " - " + b;
+  const std::string text = form == "sum"                 ? a + " + " + b
+                           : form == "ratio"             ? "ln(" + a + "/" + b + ")"
+                           : form == "product"           ? "ln(" + a + " " + b + "/MPa²)"
+                           : form == "product over rest" ? "ln(" + a + " " + b + "/rest²)"
+                                                         : a + " - " + b;
   return hose.value("against_mean", false) ? text + " less its mean" : text;
 }
 

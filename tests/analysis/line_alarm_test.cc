@@ -55,6 +55,24 @@ TEST(LineAlarmTest, SumAndProductFeelMovedOilBySquareAndATornHoseAtOnce) {
   EXPECT_NEAR(at("product", {{p0}, {101325}}), std::log(2 * 0.101325), 1e-12);
 }
 
+// Four lines that cool together keep it, traction that presses one cross line and frees the other
+// moves it by the square, a torn hose lowers it by ln(p0/p_atm).
+TEST(LineAlarmTest, OverTheRestTheLevelDoesNotCount) {
+  const auto all = PairSignals(4);
+  const auto at = [&](std::vector<std::vector<double>> p) {
+    return CalcSignal(Named(all, 1, 2, "product over rest", true), p, 0.01, {.lag_s = 0})[0];
+  };
+  const double rest = at({{2.6e6}, {2.2e6}, {2.2e6}, {2.6e6}});
+  EXPECT_NEAR(rest, 2 * std::log(2.2 / 2.6), 1e-12);
+  EXPECT_NEAR(at({{0.65e6}, {0.55e6}, {0.55e6}, {0.65e6}}), rest, 1e-12);
+  EXPECT_NEAR(at({{2.6e6 / 0.7}, {2.2e6}, {2.2e6}, {2.6e6 / 1.3}}), rest + std::log(0.91), 1e-12);
+  EXPECT_NEAR(at({{2.6e6}, {101325}, {2.2e6}, {2.6e6}}), rest - std::log(2.2e6 / 101325), 1e-12);
+}
+
+TEST(LineAlarmTest, TwoLinesHaveNoRest) {
+  EXPECT_EQ(PairSignals(2).size(), (PairForms().size() - 1) * 2 * 2);
+}
+
 TEST(LineAlarmTest, AgainstItsMeanASlowLevelIsForgottenAndAStepIsNot) {
   const double h = 0.1, T = 20;
   std::vector<std::vector<double>> p(2, std::vector<double>(4000, 1e6));
