@@ -39,8 +39,9 @@ MatrixXd Derivative(Eigen::Index columns) {
 
 class Balance {
  public:
-  Balance(const VibratingSystem& system, Eigen::Index columns, int samples)
+  Balance(const VibratingSystem& system, const BalanceLine& line, Eigen::Index columns, int samples)
       : system_(system),
+        line_(line),
         np_(system.positions),
         n_(system.positions + system.states),
         D_(Derivative(columns)),
@@ -53,16 +54,16 @@ class Balance {
     weights_.row(0) /= 2;
   }
 
-  /// What the harmonics of the equations lack, column by column; then the two conditions on the
-  /// watched amplitude (its size, and phase zero).
-  VectorXd Residual(const PeriodicMotion& m, double amplitude) const {
+  /// What the harmonics of the equations lack, column by column; then the line and phase zero.
+  VectorXd Residual(const PeriodicMotion& m) const {
     MatrixXd lacking = Inertia(m);
     for (Eigen::Index j = 0; j < waves_.cols(); ++j) {
       lacking -= system_.rates(m.parameter, Point(m, j)) * weights_.col(j).transpose();
     }
     VectorXd r(lacking.size() + 2);
     r.head(lacking.size()) = lacking.reshaped();
-    r[lacking.size()] = system_.watched.dot(m.coefficients.col(1).head(np_)) - amplitude;
+    r[lacking.size()] = line_.of_amplitude * system_.watched.dot(m.coefficients.col(1).head(np_)) +
+                        line_.of_parameter * m.parameter - line_.value;
     r[lacking.size() + 1] = system_.watched.dot(m.coefficients.col(2).head(np_));
     return r;
   }
@@ -73,7 +74,8 @@ class Balance {
     MatrixXd J = MatrixXd::Zero(size + 2, size + 2);
     AddInertiaSlope(m, &J);
     for (Eigen::Index j = 0; j < waves_.cols(); ++j) AddSample(m, j, &J);
-    J.block(size, n_, 1, np_) = system_.watched.transpose();
+    J.block(size, n_, 1, np_) = line_.of_amplitude * system_.watched.transpose();
+    J(size, size + 1) = line_.of_parameter;
     J.block(size + 1, 2 * n_, 1, np_) = system_.watched.transpose();
     return J;
   }
@@ -144,6 +146,7 @@ class Balance {
   }
 
   const VibratingSystem& system_;
+  BalanceLine line_;
   Eigen::Index np_, n_;
   MatrixXd D_, waves_, weights_;
 };
@@ -193,12 +196,18 @@ PeriodicMotion PeriodicMotion::WithHarmonics(int n) const {
 
 Result<PeriodicMotion> SolveBalance(const VibratingSystem& system, const PeriodicMotion& near,
                                     double amplitude, const BalanceOptions& options) {
+  return SolveBalance(system, near, BalanceLine{.value = amplitude}, options);
+}
+
+Result<PeriodicMotion> SolveBalance(const VibratingSystem& system, const PeriodicMotion& near,
+                                    const BalanceLine& line, const BalanceOptions& options) {
+  const double amplitude = near.Amplitude(system.watched, 1);
   const Error failed{"harmonic balance",
                      "found no motion of amplitude " + std::to_string(amplitude), "",
                      "a smaller step of the amplitude, more samples"};
-  const Balance balance(system, near.coefficients.cols(), options.samples);
+  const Balance balance(system, line, near.coefficients.cols(), options.samples);
   PeriodicMotion m = near;
-  VectorXd residual = balance.Residual(m, amplitude);
+  VectorXd residual = balance.Residual(m);
   double before = std::numeric_limits<double>::infinity();
   for (int i = 0; i < options.iterations; ++i) {
     const Eigen::PartialPivLU<MatrixXd> slope(balance.Slope(m));
@@ -215,7 +224,7 @@ Result<PeriodicMotion> SolveBalance(const VibratingSystem& system, const Periodi
       if (share < 1.0 / 64) return failed;
       const PeriodicMotion next = Moved(m, step, share);
       if (!(next.omega > 0)) continue;
-      const VectorXd left = balance.Residual(next, amplitude);
+      const VectorXd left = balance.Residual(next);
       if (!left.allFinite()) continue;
       const double then = Length(slope.solve(-left), m, amplitude);
       if (!near_enough && then > (1 - share / 4) * length) continue;

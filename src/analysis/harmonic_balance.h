@@ -8,10 +8,12 @@
 // N = 1 is the method of describing functions: of a Coulomb friction F the force 4F/pi against the
 // speed, of everything else its own first harmonic.
 //
-// Given is the amplitude A of one position (or a sum of positions) in its first harmonic; w and the
-// parameter p (a speed, say) at which a motion of this amplitude keeps itself up are found, by
-// Newton's method. So a branch that folds back over p is followed like any other, the stable part
-// and the unstable one. M >= 4N + 1: a cubic is then projected exactly.
+// Watched is the amplitude A of one position (or a sum of positions) in its first harmonic. Given is
+// A, or a line in the plane of A and the parameter p (a speed, say); w and p at which the motion keeps
+// itself up are found by Newton's method. So a branch that folds back over p is followed like any
+// other, the stable part and the unstable one, and along lines also one that folds back over A
+// (continuation by pseudo-arclength: H. B. Keller 1977, in this plane alone). M >= 4N + 1: a cubic is
+// then projected exactly.
 #pragma once
 
 #include <Eigen/Dense>
@@ -53,7 +55,19 @@ struct BalanceOptions {
   double tolerance = 1e-7;  ///< last step: of the amplitude, of omega, of the parameter
 };
 
-/// From a motion near by, whose number of harmonics is kept. Error where Newton's method fails.
+/// What is asked of the watched amplitude A (cosine of the first harmonic; its sine is zero) and the
+/// parameter p: of_amplitude A + of_parameter p = value.
+struct BalanceLine {
+  double of_amplitude = 1;
+  double of_parameter = 0;
+  double value = 0;
+};
+
+/// The motion on a line, from one near by, whose number of harmonics is kept. Error where Newton's
+/// method fails.
+Result<PeriodicMotion> SolveBalance(const VibratingSystem& system, const PeriodicMotion& near,
+                                    const BalanceLine& line, const BalanceOptions& options = {});
+/// The motion of an amplitude.
 Result<PeriodicMotion> SolveBalance(const VibratingSystem& system, const PeriodicMotion& near,
                                     double amplitude, const BalanceOptions& options = {});
 

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <string>
 
+#include "analysis/balance_branch.h"
 #include "analysis/drives_off.h"
 #include "vehicle/tangent_state.h"
 
@@ -14,8 +15,9 @@ namespace {
 
 using Eigen::VectorXd;
 
-constexpr double kLeastRatio = 1.002;  ///< of steps of the amplitude, before the map ends
-constexpr double kSpeedStep = 1e-3;    ///< of differences [m/s]
+constexpr size_t kMostPoints = 400;  ///< of a map
+constexpr double kLeastSpeed = 1;    ///< of a map [m/s]
+constexpr double kSpeedStep = 1e-3;  ///< of differences [m/s]
 
 /// A vehicle on straight track at a prescribed forward speed as a system of rates. Its positions
 /// are those of the tangent vector without the way and the spin angles, which nothing depends on;
@@ -156,15 +158,6 @@ HuntingPoint PointOf(const PeriodicMotion& motion, const VectorXd& watched,
   return p;
 }
 
-/// Straight on from the last two motions, over the logarithm of the amplitude.
-PeriodicMotion Ahead(const PeriodicMotion& before, const PeriodicMotion& last, double share) {
-  PeriodicMotion next = last;
-  next.coefficients += share * (last.coefficients - before.coefficients);
-  next.omega += share * (last.omega - before.omega);
-  next.parameter += share * (last.parameter - before.parameter);
-  return next;
-}
-
 }  // namespace
 
 Result<std::vector<HuntingPoint>> FindHuntingMap(vehicle::Simulation* simulation,
@@ -183,28 +176,24 @@ Result<std::vector<HuntingPoint>> FindHuntingMap(vehicle::Simulation* simulation
   auto first = SolveBalance(system, start, options.least_m, solver);
   if (!first.ok()) return first.error();
   std::vector<HuntingPoint> map = {PointOf(first.value(), system.watched, &vehicle)};
-  PeriodicMotion before = first.value(), last = before;
-  double ratio = options.ratio, last_ratio = 1;
-  while (map.back().amplitude < options.largest_m && ratio > kLeastRatio) {
-    const double here = map.back().amplitude;
-    const double amplitude = std::min({here * ratio, here + options.step_m, options.largest_m});
-    PeriodicMotion guess = last;
-    guess.coefficients *= amplitude / here;
-    if (last_ratio > 1)
-      guess = Ahead(before, last, std::log(amplitude / here) / std::log(last_ratio));
-    const auto found = SolveBalance(system, guess, amplitude, solver);
-    if (!found.ok()) {
-      ratio = std::sqrt(amplitude / here);
-      continue;
-    }
-    last_ratio = amplitude / here;
-    before = last;
-    last = found.value();
-    map.push_back(PointOf(last, system.watched, &vehicle));
-    ratio = std::min(options.ratio, ratio * ratio);
-    const double share =
-        std::log(amplitude / options.least_m) / std::log(options.largest_m / options.least_m);
-    if (progress && !progress(share)) return Error{"map of hunting", "was interrupted", "", ""};
+  PeriodicMotion larger = first.value();
+  larger.coefficients *= options.ratio;
+  auto second = SolveBalance(system, larger, options.ratio * options.least_m, solver);
+  if (!second.ok()) return map;
+  map.push_back(PointOf(second.value(), system.watched, &vehicle));
+  BalanceBranch branch(system,
+                       {.ratio = options.ratio,
+                        .step = options.step_m,
+                        .largest = options.largest_m,
+                        .solver = solver},
+                       std::move(first.value()), std::move(second.value()));
+  double done = 0;
+  while (map.size() < kMostPoints && map.back().amplitude >= options.least_m &&
+         map.back().speed > kLeastSpeed && branch.Next()) {
+    map.push_back(PointOf(branch.last(), system.watched, &vehicle));
+    done = std::max(done, std::log(map.back().amplitude / options.least_m) /
+                              std::log(options.largest_m / options.least_m));
+    if (progress && !progress(done)) return Error{"map of hunting", "was interrupted", "", ""};
   }
   return map;
 }

@@ -7,7 +7,8 @@
 // below which hunting cannot live. The attitude of a root that is a free joint is taken to first
 // order: its products with turning speeds are a thousandth of them.
 //
-// The map begins with the linear mode at the critical speed and follows it to larger amplitudes.
+// The map begins with the linear mode at the critical speed and follows its branch through the plane
+// of amplitude and speed; the amplitude may fall again on the way, where wheels are at their flanges.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -24,7 +25,7 @@ struct HuntingMapOptions {
   double least_m = 2e-5;      ///< first amplitude
   double largest_m = 6.3e-3;  ///< last amplitude
   double ratio = 1.25;        ///< of one amplitude to the one before, at most
-  double step_m = 1e-4;       ///< between them, at most
+  double step_m = 1e-4;       ///< between them, at most; between speeds at most a twentieth
 };
 
 struct HuntingPoint {

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "analysis/axle_modes_json.h"
+#include "analysis/critical_speeds.h"
 #include "analysis/hunting_map.h"
 #include "analysis/last_seconds.h"
 #include "analysis/load_cases.h"
@@ -84,6 +85,17 @@ Result<Analysed> MapHunting(const vehicle::Scenario& scenario) {
 Result<Analysed> NamesOfMap(const vehicle::Scenario&, const std::vector<std::string>&) {
   const analysis::HuntingPoint any;
   return HuntingNumbers(0, &any, {});
+}
+
+Result<Analysed> RampSpeeds(const vehicle::Scenario& scenario) {
+  const auto found = analysis::FindCriticalSpeeds(scenario);
+  if (!found.ok()) return found.error();
+  return Analysed{.numbers = analysis::CriticalSpeedsJson(found.value())};
+}
+
+/// Without the runs, which take half a minute.
+Result<Analysed> NamesOfRamps(const vehicle::Scenario&, const std::vector<std::string>&) {
+  return Analysed{.numbers = analysis::CriticalSpeedsJson({})};
 }
 
 Result<Analysed> MeasureModes(const vehicle::Scenario& scenario) {
@@ -198,6 +210,16 @@ std::vector<Analysis> MakeAnalyses() {
        "",
        &OfScenario<MapHunting>,
        &NamesOfScenario<&NamesOfMap>},
+      {"ramps",
+       "critical speeds by ramps in time on straight track, as `phs compare --stability`: "
+       "`linear_m_s`, `nonlinear_m_s`, below which hunting dies (a scenario's speed does not "
+       "count), `amplitude_m` there",
+       "scenario",
+       {"linear_m_s", "nonlinear_m_s", "amplitude_m"},
+       {},
+       "",
+       &OfScenario<&RampSpeeds>,
+       &NamesOfScenario<&NamesOfRamps>},
       {"modes",
        "`modes.json` at 0.5 Hz",
        "scenario",

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "analysis/balance_branch.h"
 #include "analysis/hunting_map.h"
 #include "analysis/stability.h"
 #include "hydraulics/bristle.h"
@@ -72,6 +73,52 @@ TEST(HarmonicBalanceTest, VanDerPolByManyHarmonicsHasThePublishedPeriod) {
   double largest = 0;
   for (int i = 0; i < 10000; ++i) largest = std::max(largest, motion.At(2 * pi * i / 1e4, 1)[0]);
   EXPECT_NEAR(largest, 2.0086198609, 2e-5);
+}
+
+/// x'' = (g(p) - x²) x' - x with g = 1 - (p - 2)²: one harmonic has A² = 4 g(p), largest at p = 2.
+VibratingSystem Arch() {
+  return OneMass(0, [](double p, const VectorXd& x) {
+    return VectorXd::Constant(1, (1 - (p - 2) * (p - 2) - x[0] * x[0]) * x[1] - x[0]);
+  });
+}
+
+TEST(HarmonicBalanceTest, OnALineOfOneParameterTheAmplitudeIsFound) {
+  const auto system = Arch();
+  for (const double p : {1.2, 2.0, 2.7}) {
+    const auto found = SolveBalance(system, Sine(1, 0, 1, p), BalanceLine{0, 1, p});
+    ASSERT_TRUE(found.ok()) << found.error().Line();
+    EXPECT_NEAR(found.value().Amplitude(system.watched, 1), 2 * std::sqrt(1 - (p - 2) * (p - 2)),
+                1e-6);
+  }
+}
+
+TEST(BalanceBranchTest, GoesOverTheTopWhereTheAmplitudeFallsAgain) {
+  const auto system = Arch();
+  const auto of = [&](double p) {
+    return SolveBalance(system, Sine(1, 0, 1, p), {0, 1, p}).value();
+  };
+  BalanceBranch branch(system, {.step = 0.2, .largest = 5}, of(1.1), of(1.12));
+  double largest = 0, last = 1.12;
+  while (branch.last().parameter < 2.9) {
+    ASSERT_TRUE(branch.Next()) << branch.last().parameter;
+    const double p = branch.last().parameter, a = branch.last().Amplitude(system.watched, 1);
+    EXPECT_GT(p, last);
+    EXPECT_NEAR(a * a, 4 * (1 - (p - 2) * (p - 2)), 1e-6);
+    last = p, largest = std::max(largest, a);
+  }
+  EXPECT_NEAR(largest, 2, 0.01);
+}
+
+TEST(BalanceBranchTest, IsCutAtTheLargestAmplitude) {
+  const auto system = Arch();
+  const auto of = [&](double p) {
+    return SolveBalance(system, Sine(1, 0, 1, p), {0, 1, p}).value();
+  };
+  BalanceBranch branch(system, {.step = 0.2, .largest = 1.5}, of(1.1), of(1.12));
+  while (branch.Next()) {
+  }
+  EXPECT_NEAR(branch.last().Amplitude(system.watched, 1), 1.5, 1e-6);
+  EXPECT_NEAR(branch.last().parameter, 2 - std::sqrt(1 - 1.5 * 1.5 / 4), 1e-6);
 }
 
 TEST(HarmonicBalanceTest, CoulombFrictionTakesFourFOverPiA) {
