@@ -228,14 +228,6 @@ class Search {
                    {.max_steps = 2, .final_slopes = true});
   }
 
-  /// Beside the later ones an amount may have gone to the end of its range, or to none.
-  bool IsToldInTheEnd(size_t effect) const {
-    if (out_.effects[effect].candidate.effect == effects::UnlistedInfo().name) return true;
-    size_t base = out_.declared.free.size();
-    for (size_t i = 0; i < effect; ++i) base += out_.effects[i].candidate.free.size();
-    return IsThere(out_.effects[effect].candidate, out_.after, base);
-  }
-
   /// Every effect must still earn its place beside the others.
   void DropSuperfluous() {
     for (size_t i = 0; i < out_.effects.size() && !cancelled_;) {
@@ -244,7 +236,7 @@ class Search {
       FitResult rest = FitNear(problem_, model, values, {}, {.max_steps = 8, .final_slopes = true});
       if (!rest.ok) return;
       const Evidence e = Compare(problem_, rest, out_.after, 1);
-      const bool told = IsToldInTheEnd(i);
+      const bool told = IsToldInTheEnd(out_, i);
       if (told && IsBeyondChance(e.delta_bic, 1) && e.cross_validation_gain > 0) {
         ++i;
         continue;

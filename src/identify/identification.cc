@@ -1,5 +1,8 @@
 #include "identify/identification.h"
 
+#include "effects/unlisted.h"
+#include "identify/accept.h"
+
 namespace phs::identify::search {
 
 std::vector<double> ValuesWithout(const Identification& found, size_t dropped, FreeModel* model) {
@@ -16,6 +19,14 @@ std::vector<double> ValuesWithout(const Identification& found, size_t dropped, F
     at += c.free.size();
   }
   return values;
+}
+
+bool IsToldInTheEnd(const Identification& found, size_t effect) {
+  const Candidate& candidate = found.effects[effect].candidate;
+  if (candidate.effect == effects::UnlistedInfo().name) return true;
+  size_t base = found.declared.free.size();
+  for (size_t i = 0; i < effect; ++i) base += found.effects[i].candidate.free.size();
+  return IsThere(candidate, found.after, base);
 }
 
 }  // namespace phs::identify::search

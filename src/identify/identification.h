@@ -48,4 +48,7 @@ struct Identification {
 /// The model of the accepted effects but one, and the numbers that these have now.
 std::vector<double> ValuesWithout(const Identification& found, size_t dropped, FreeModel* model);
 
+/// False if beside the later ones an amount of the effect has gone to the end of its range, or to none.
+bool IsToldInTheEnd(const Identification& found, size_t effect);
+
 }  // namespace phs::identify::search

@@ -9,6 +9,7 @@
 
 #include "identify/accept.h"
 #include "identify/effect_variants.h"
+#include "identify/identification.h"
 
 namespace phs::identify::search {
 namespace {
@@ -101,6 +102,32 @@ TEST(Accept, ChanceIsPaidForByTheNumberTried) {
   EXPECT_TRUE(IsBeyondChance(alone + 0.1, 1));
   EXPECT_FALSE(IsBeyondChance(alone - 0.1, 1));
   EXPECT_FALSE(IsBeyondChance(alone + 0.1, 20));
+}
+
+// Two declared numbers, then the effects' own: each looks at its own, and only at the end of its range.
+TEST(Accept, InTheEndEachEffectIsJudgedByItsOwnNumbers) {
+  Identification found;
+  found.declared.free.resize(2);
+  AcceptedEffect leak, offset;
+  leak.candidate.effect = "piston_leakage";
+  leak.candidate.mains = 1;
+  leak.candidate.free = {{"conductance", 1e-14, 1e-17, 1e-11, true}, {"start", 0, 0, 60, false, 1}};
+  leak.candidate.none = {0, 0};
+  offset.candidate.effect = "sensor_offset";
+  offset.candidate.mains = 1;
+  offset.candidate.free = {{"load_N", 0, -100, 100, false, 1}};
+  offset.candidate.none = {0};
+  found.effects = {leak, offset};
+  found.after.half_95 = {1, 1, 0.3, 50, 2};
+  found.after.values = {100, 1e-11, 1e-14, 60, 30};
+  EXPECT_TRUE(IsToldInTheEnd(found, 0));
+  EXPECT_TRUE(IsToldInTheEnd(found, 1));
+  found.after.values = {100, 1e-11, 1e-11, 60, 30};
+  EXPECT_FALSE(IsToldInTheEnd(found, 0)) << "moved to the end by the offset";
+  EXPECT_TRUE(IsToldInTheEnd(found, 1));
+  found.after.values = {100, 1e-11, 1e-14, 60, -100};
+  EXPECT_TRUE(IsToldInTheEnd(found, 0));
+  EXPECT_FALSE(IsToldInTheEnd(found, 1));
 }
 
 TEST(Accept, AnAmountMustBeBeyondZeroAndInsideItsRange) {
