@@ -2,10 +2,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <vector>
 
 #include "report/analysis_report.h"
 #include "report/json_fields.h"
@@ -168,6 +170,51 @@ Curve RampCurve(const json& ramp, const std::string& label, int colour) {
   return curve;
 }
 
+/// The branch of the map in parts: where the speed rises along it there is hunting, where it falls
+/// the brink. Less than 0.03 m/s is no turn.
+std::vector<Curve> PartsOfMap(const json& points) {
+  constexpr double kNoTurn = 0.03;
+  std::vector<Curve> parts;
+  std::array<int, 2> count = {0, 0};
+  size_t begin = 0, turn = 0;
+  const auto speed = [&](size_t i) { return NumberOf(points[i], "speed_m_s"); };
+  const auto close = [&](size_t end) {
+    const bool rises = speed(end) > speed(begin);
+    Curve part = RampCurve(json(points.begin() + static_cast<long>(begin),
+                                points.begin() + static_cast<long>(end) + 1),
+                           rises ? "hunting" : "brink", rises ? 0 : 1);
+    if (const int n = ++count[rises ? 0 : 1]; n > 1) part.label += fmt::format(" ({})", n);
+    parts.push_back(std::move(part));
+    begin = end;
+  };
+  for (size_t i = 1; i < points.size(); ++i) {
+    const double way = speed(turn) - speed(begin);
+    if ((speed(i) - speed(turn)) * way >= 0) {
+      turn = i;
+    } else if (std::abs(speed(i) - speed(turn)) > kNoTurn) {
+      if (std::abs(way) > kNoTurn) close(turn);
+      turn = i;
+    }
+  }
+  if (points.size() > 1) close(points.size() - 1);
+  return parts;
+}
+
+void AddHuntingMap(const json& map, ReportPage* page) {
+  const json points = map.value("points", json::array());
+  if (points.empty()) return;
+  page->Section("Map of hunting");
+  page->Paragraph(fmt::format(
+      "At which speed does a periodic motion of this amplitude keep itself up? By harmonic balance "
+      "with {} harmonics. Beyond the brink a disturbance grows, below it dies; hunting is what it "
+      "grows to. Below the lowest speed hunting cannot live.",
+      map.value("harmonics", 0)));
+  page->Add(XyPlot{.title = "Amplitude over speed",
+                   .x_label = "speed [km/h]",
+                   .y_label = "lateral amplitude of the leading wheelset [mm]",
+                   .curves = PartsOfMap(points)});
+}
+
 void AddStabilityGlance(const json& result, ReportPage* page) {
   std::vector<KeyFigure> figures;
   const double critical = 3.6 * NumberOf(result, "critical_speed_m_s");
@@ -188,6 +235,15 @@ void AddStabilityGlance(const json& result, ReportPage* page) {
                        .unit = "km/h",
                        .label = "non-linear critical speed",
                        .remark = "below it hunting dies out"});
+  }
+  const json map = result.value("hunting_map", json::object());
+  const json least =
+      map.contains("least") && map["least"].is_object() ? map["least"] : json::object();
+  if (const double v = 3.6 * NumberOf(least, "speed_m_s"); std::isfinite(v)) {
+    figures.push_back({.value = FormatNumber(v),
+                       .unit = "km/h",
+                       .label = "lowest speed of the map of hunting",
+                       .remark = "below it hunting cannot live"});
   }
   if (!figures.empty()) page->KeyFigures(figures);
   if (result.value("unstable_at_least_speed", false)) {
@@ -248,6 +304,7 @@ Status WriteStabilityReport(const std::string& stability_file, const std::string
                     .curves = {RampCurve(cycle.value("down", json::array()), "down", 0),
                                RampCurve(cycle.value("up", json::array()), "up", 1)}});
   }
+  AddHuntingMap(result.value("hunting_map", json::object()), &page);
   return page.Write(path);
 }
 

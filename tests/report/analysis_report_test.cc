@@ -2,11 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <complex>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <tuple>
 #include <vector>
 
 #include "base/result_dir.h"
@@ -25,13 +27,17 @@ class AnalysisReport : public ::testing::Test {
   ScratchDir directory_;
 };
 
-/// The moving shapes that a page carries.
-std::vector<nlohmann::json> Shapes(const std::string& html) {
+/// What a page's script draws.
+nlohmann::json Figures(const std::string& html) {
   const std::string open = "<script type=\"application/json\" id=\"figures\">";
   const size_t begin = html.find(open) + open.size();
+  return nlohmann::json::parse(html.substr(begin, html.find("</script>", begin) - begin));
+}
+
+/// The moving shapes that a page carries.
+std::vector<nlohmann::json> Shapes(const std::string& html) {
   std::vector<nlohmann::json> shapes;
-  for (const auto& figure :
-       nlohmann::json::parse(html.substr(begin, html.find("</script>", begin) - begin))) {
+  for (const auto& figure : Figures(html)) {
     if (figure.contains("lines")) shapes.push_back(figure);
   }
   return shapes;
@@ -114,6 +120,28 @@ TEST_F(AnalysisReport, StabilityOverSpeed) {
   EXPECT_TRUE(Holds(html, "<b>180</b>"));
   EXPECT_TRUE(Holds(html, "Least damping ratio"));
   EXPECT_TRUE(Shapes(html).empty());
+}
+
+TEST_F(AnalysisReport, TheMapOfHuntingIsBrinkWhereTheSpeedFallsAndHuntingWhereItRises) {
+  std::ofstream(File("s.json")) << R"({"eigenvalues":[],"hunting_map":{"harmonics":5,
+      "least":{"speed_m_s":15,"amplitude_m":0.005},"points":[
+      {"speed_m_s":50,"amplitude_m":0.001},{"speed_m_s":50.01,"amplitude_m":0.002},
+      {"speed_m_s":60,"amplitude_m":0.003},{"speed_m_s":20,"amplitude_m":0.0047},
+      {"speed_m_s":15,"amplitude_m":0.005},{"speed_m_s":25,"amplitude_m":0.006}]}})";
+  ASSERT_TRUE(WriteStabilityReport(File("s.json"), File("r.html")).ok());
+  const std::string html = ReadFile(File("r.html")).value();
+  EXPECT_TRUE(Holds(html, "lowest speed of the map of hunting"));
+  EXPECT_TRUE(Holds(html, "<b>54.0</b>"));
+  const nlohmann::json curves = Figures(html).back()["curves"];
+  ASSERT_EQ(curves.size(), 3);
+  for (const auto& [label, slowest, fastest] :
+       {std::tuple{"hunting", 180, 216}, {"brink", 54, 216}, {"hunting (2)", 54, 90}}) {
+    const auto found = std::find_if(curves.begin(), curves.end(),
+                                    [&](const auto& curve) { return curve["label"] == label; });
+    ASSERT_NE(found, curves.end()) << label;
+    EXPECT_NEAR((*found)["x"]["least"].get<double>(), slowest, 1e-9) << label;
+    EXPECT_NEAR((*found)["x"]["greatest"].get<double>(), fastest, 1e-9) << label;
+  }
 }
 
 TEST_F(AnalysisReport, HuntingSwings) {
