@@ -6,13 +6,13 @@ from docfigures.form import number
 
 
 def rows_of(phs, lines, scenario, outputs, analysis):
-    """Numbers of `outputs` by key, one dictionary per run of a study; all must have ended well."""
+    """Numbers of `outputs` by key (None: there is none), one dictionary per run of a study; all must have ended well."""
     lines = lines + [f"scenario: {scenario}", f"analysis: {analysis}", f"outputs: [{', '.join(outputs)}]"]
     text = phs.result_text("sweep " + phs.file("\n".join(lines) + "\n"), "sweep.csv")
     rows = list(csv.reader(line for line in io.StringIO(text) if not line.startswith("#")))
     status = rows[0].index("status")  # outputs stand behind it, under shorter names
     assert all(row[status] == "ok" for row in rows[1:]), scenario
-    return [dict(zip(outputs, map(float, row[status + 1:]))) for row in rows[1:]]
+    return [dict(zip(outputs, (float(cell) if cell else None for cell in row[status + 1:]))) for row in rows[1:]]
 
 
 def draws(phs, scenario, outputs, analysis="simulate"):
