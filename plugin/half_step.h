@@ -25,6 +25,8 @@
 //
 // Left at v_n: actuators that are neither cylinders nor hold the speed; what constraints (limits,
 // equalities) add to a is not in w.
+// Of first order: a seal that slides holds the level of the mean speed of the step behind it, half a
+// step ago. It shows where pistons slide at decimetres per second (docs/convergence.md).
 #pragma once
 
 #include <mujoco/mujoco.h>
