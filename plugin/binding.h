@@ -139,6 +139,9 @@ class Binding {
   /// States of the cylinders go on by `h` while they move from where (m, d) has them at the speeds
   /// qvel: for readers that prescribe the motion.
   void AdvanceStates(const mjModel* m, mjData* d, double h) const noexcept;
+  /// Oil has passed between throttled chambers and their lines until nothing flows there, with the
+  /// cylinders where the positions of (m, d) have them: for readers that look for a place of rest.
+  void SettleChambers(const mjModel* m, mjData* d) const;
   /// Of a body, at the speed of the instant, world axes [m/s]. Allocates.
   rail::Vec3 CentreOfMassVelocity(const mjModel* m, const mjData* d, int body) const;
   /// A wheelset and its forces at the speed of the instant.

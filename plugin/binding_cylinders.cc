@@ -117,4 +117,23 @@ void Binding::AdvanceStates(const mjModel* m, mjData* d, double h) const noexcep
   }
 }
 
+void Binding::SettleChambers(const mjModel* m, mjData* d) const {
+  const bool splits = std::any_of(phs_.begin(), phs_.end(),
+                                  [](const PhsBinding& p) { return p.system->has_split_lines(); });
+  if (!splits) return;
+  mj_kinematics(m, d);
+  mj_comPos(m, d);
+  mj_tendon(m, d);
+  mj_transmission(m, d);
+  mjtNum* act = d->act - (m->nu - m->na);
+  for (const PhsBinding& p : phs_) {
+    double x[kMaxCylinders], state[kMaxStates];
+    Displacements(d, p, x);
+    const int num_states = p.system->num_states();
+    for (int i = 0; i < num_states; ++i) state[i] = act[p.state_actuator[i]];
+    p.system->SettleChambers(d->time, x, state);
+    for (int i = 0; i < num_states; ++i) act[p.state_actuator[i]] = state[i];
+  }
+}
+
 }  // namespace phs::plugin

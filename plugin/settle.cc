@@ -78,7 +78,10 @@ std::vector<int> SettlingDofs(const mjModel* m, const Binding& binding) {
   return dofs;
 }
 
-Eigen::VectorXd Residual(const mjModel* m, mjData* d, const std::vector<int>& dofs) {
+/// Accelerations along `dofs` with the oil at rest, too.
+Eigen::VectorXd Residual(const mjModel* m, const Binding& binding, const std::vector<int>& dofs,
+                         mjData* d) {
+  binding.SettleChambers(m, d);
   mj_forward(m, d);
   Eigen::VectorXd r(dofs.size());
   for (size_t i = 0; i < dofs.size(); ++i) r[i] = d->qacc[dofs[i]];
@@ -95,10 +98,10 @@ void Move(const mjModel* m, const Eigen::VectorXd& base, const std::vector<int>&
 }
 
 /// Newton with step halving. Returns the largest acceleration left.
-double Settle(const mjModel* m, const std::vector<int>& dofs, mjData* d) {
+double Settle(const mjModel* m, const Binding& binding, const std::vector<int>& dofs, mjData* d) {
   const int n = static_cast<int>(dofs.size());
   Eigen::VectorXd base = Eigen::Map<Eigen::VectorXd>(d->qpos, m->nq);
-  Eigen::VectorXd r = Residual(m, d, dofs);
+  Eigen::VectorXd r = Residual(m, binding, dofs, d);
   for (int iteration = 0; iteration < kMaxIterations; ++iteration) {
     if (r.lpNorm<Eigen::Infinity>() < kTolerance) break;
     Eigen::MatrixXd jacobian(n, n);
@@ -106,9 +109,9 @@ double Settle(const mjModel* m, const std::vector<int>& dofs, mjData* d) {
       Eigen::VectorXd probe = Eigen::VectorXd::Zero(n);
       probe[k] = kStep;
       Move(m, base, dofs, probe, d);
-      const Eigen::VectorXd plus = Residual(m, d, dofs);
+      const Eigen::VectorXd plus = Residual(m, binding, dofs, d);
       Move(m, base, dofs, -probe, d);
-      jacobian.col(k) = (plus - Residual(m, d, dofs)) / (2 * kStep);
+      jacobian.col(k) = (plus - Residual(m, binding, dofs, d)) / (2 * kStep);
     }
     Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver;
     solver.setThreshold(1e-9);
@@ -120,12 +123,12 @@ double Settle(const mjModel* m, const std::vector<int>& dofs, mjData* d) {
     Eigen::VectorXd next = r;
     for (int halving = 0; halving < 12; ++halving, scale /= 2) {
       Move(m, base, dofs, scale * step, d);
-      next = Residual(m, d, dofs);
+      next = Residual(m, binding, dofs, d);
       if (next.norm() < r.norm()) break;
     }
     if (next.norm() >= r.norm()) {
       Move(m, base, dofs, Eigen::VectorXd::Zero(n), d);
-      Residual(m, d, dofs);
+      Residual(m, binding, dofs, d);
       break;
     }
     base = Eigen::Map<Eigen::VectorXd>(d->qpos, m->nq);
@@ -171,9 +174,9 @@ Status PrepareStart(mjModel* m, const Binding& binding) {
   for (const bool roll_first : {false, true}) {
     PlaceVehicle(m, binding, data.get());
     if (roll_first) RollFreely(m, binding, data.get());
-    Settle(m, dofs, data.get());
+    Settle(m, binding, dofs, data.get());
     RollFreely(m, binding, data.get());
-    left = Settle(m, dofs, data.get());
+    left = Settle(m, binding, dofs, data.get());
     if (left < kStands) break;
   }
   if (!(left < kStands)) {

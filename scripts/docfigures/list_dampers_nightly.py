@@ -116,6 +116,14 @@ def curving(phs):
             "step": number(100 * step_change, 2) + " %"}
 
 
+def left_in_seals(phs):
+    """Friction [kN] that stays in cylinder 1 of the rear bogie at R = 800 m: undamped and damped."""
+    runs = entered(phs, 800, 1, 0.001)
+    return " and ".join(number(next(c["friction_N"] for c in runs[bogie]["steady_curve"]["cylinders"]
+                                    if c["name"] == "rear_bogie_1") / 1e3, 1)
+                        for bogie in ("phs", "phs_damped"))
+
+
 def over_ramps(phs):
     """What the dampers change beside what the ramp changes on the undamped one."""
     lines, slow, own = [], [], 0
@@ -137,5 +145,6 @@ def over_ramps(phs):
 
 def figures(phs):
     made = {"undamped": undamped(phs), "linear": linear(phs)} | curving(phs) | over_ramps(phs)
+    made["seals"] = left_in_seals(phs)
     made["bump"], made["verdict"] = bump(phs)
     return made

@@ -135,6 +135,8 @@ def varied(phs):
         rows.append(row(f"springs in shear (longitudinal and yaw) {words}", {"joints": changes},
                         both=False))
     rows.append(row("friction of the rail 0.45", {"friction": 0.45}))
+    rows.append(row("seal friction that rises with pressure (`bo_bo_measured_seals`)",
+                    {"phs": "bo_bo_measured_seals"}, both=False))
     return table(["varied", "R = 300 m: angle of attack [mrad]; Tγ run, rigid / PHS", "R = 550 m"], rows)
 
 

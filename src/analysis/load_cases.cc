@@ -58,6 +58,7 @@ class HeldBogie {
   /// Springs, linkages and PHS at displacement u from rest.
   Vector Resistance(const Vector& u) {
     for (int i = 0; i < 4; ++i) d_->qpos[qpos_[i]] = rest_[i] + u[i];
+    binding_->SettleChambers(m_, d_.get());
     mj_forward(m_, d_.get());
     Vector force;
     for (int i = 0; i < 4; ++i) force[i] = d_->qfrc_passive[dof_[i]] + d_->qfrc_actuator[dof_[i]];

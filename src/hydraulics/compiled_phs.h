@@ -40,6 +40,7 @@ struct Path {
   int from = kOpen, to = kOpen;
   std::unique_ptr<FlowLaw> law;
   int volume = -1, flow = -1;  ///< state indices; flow only with an inertance
+  bool splits = false;         ///< `from` is a chamber, `to` the rest of its own line
 };
 
 struct CompiledPhs {

@@ -170,6 +170,7 @@ void Builder::CompileSplits(CompiledPhs* sys) {
     path.from = chamber;
     path.to = line;
     path.law = std::move(split.law);
+    path.splits = true;
     sys->paths.push_back(std::move(path));
     path_names_.push_back(sys->cylinder_names[split.cylinder] +
                           (split.chamber == Port::kBore ? ".bore_" : ".rod_") + split.name);

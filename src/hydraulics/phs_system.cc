@@ -21,6 +21,10 @@ int PhsSystem::num_states() const { return impl_->num_states(); }
 int PhsSystem::num_friction_states() const { return impl_->first_slow; }
 bool PhsSystem::has_mounts() const { return impl_->has_mounts; }
 bool PhsSystem::has_flows() const { return !impl_->paths.empty(); }
+bool PhsSystem::has_split_lines() const {
+  return std::any_of(impl_->paths.begin(), impl_->paths.end(),
+                     [](const Path& path) { return path.splits; });
+}
 const std::vector<std::string>& PhsSystem::cylinder_names() const { return impl_->cylinder_names; }
 const std::vector<std::string>& PhsSystem::line_names() const { return impl_->line_names; }
 const std::vector<std::string>& PhsSystem::state_names() const { return impl_->state_names; }

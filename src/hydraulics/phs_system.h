@@ -37,6 +37,8 @@ class PhsSystem {
   bool has_mounts() const;
   /// True if oil passes from one place to another: a resistance, a leak, a valve.
   bool has_flows() const;
+  /// True if something lies between a chamber and its line: a throttle, a line resistance.
+  bool has_split_lines() const;
   int num_states() const;  ///< deviations from the static state: all zero at rest
   const std::vector<std::string>& cylinder_names() const;
   const std::vector<std::string>& line_names() const;
@@ -60,7 +62,11 @@ class PhsSystem {
   /// then answer to a speed that goes on to change as it did (second order in h), else to one.
   void CalcStateRate(double time, double h, const double* x, const double* v, const double* state,
                      double* rate, const double* before = nullptr) const noexcept;
-  /// The two above in parts: Solve finds pistons and pressures, which do not ask for speeds; `x` and
+  /// Lets oil pass between the chambers and their lines until all parts of a line have one pressure:
+  /// changes the volumes of `state` that have passed there, and their flows to none. What else flows
+  /// (leaks, a failure) and every other state stays as it is.
+  void SettleChambers(double time, const double* x, double* state) const;
+  /// Calc and CalcStateRate in parts: Solve finds pistons and pressures, which do not ask for speeds; `x` and
   /// `state` below are those of Solve.
   void Solve(double time, const double* x, const double* state, Instant* at) const noexcept;
   void CalcAt(const Instant& at, const double* x, const double* v, const double* state,

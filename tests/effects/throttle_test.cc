@@ -99,6 +99,46 @@ TEST(Throttle, BrakesAMovingPistonByTheLaw) {
   EXPECT_NEAR(RodDrop(relieved, 5e-3, 293.15), 1e5, 5e3);
 }
 
+// Settled chambers: every chamber at the pressure that the line would have without throttles, no
+// oil lost, nothing flows any more; a leak and the seals are left alone.
+TEST(Throttle, SettledChambersHaveThePressureOfTheirLine) {
+  PhsParams plain = BoBo();
+  plain.lines[0].static_pressure_Pa = 2.7e6;  // out of balance, as filled on the rig
+  const PhsParams throttled = With(plain, "throttle", {{"oil_share", 0.2}});
+  const PhsSystem without = Compile(plain);
+  const PhsSystem with = Compile(With(throttled, "external_leakage", {}, {"L2"}));
+  EXPECT_FALSE(without.has_split_lines());
+  ASSERT_TRUE(with.has_split_lines());
+  const std::vector<double> x = {2e-3, -1e-4, 5e-4, -3e-3}, v(4, 0.0);
+  std::vector<double> state(static_cast<size_t>(with.num_states()), 0.0), rate(state);
+  state[0] = 1e-5;  // a bristle
+  with.SettleChambers(0, x.data(), state.data());
+  EXPECT_EQ(state[0], 1e-5);
+  const std::vector<double> none(static_cast<size_t>(without.num_states()), 0.0);
+  Evaluation a(without), b(with);
+  without.Calc(0, x.data(), v.data(), none.data(), &a.out);
+  with.Calc(0, x.data(), v.data(), state.data(), &b.out);
+  for (size_t i = 0; i < 4; ++i) {
+    EXPECT_NEAR(b.pressure[i], a.pressure[i], 1e-8 * a.pressure[i]);
+    EXPECT_NEAR(b.p_bore[i], a.p_bore[i], 1e-8 * a.p_bore[i]);
+    EXPECT_NEAR(b.p_rod[i], a.p_rod[i], 1e-8 * a.p_rod[i]);
+  }
+  with.CalcStateRate(1, 0, x.data(), v.data(), state.data(), rate.data());
+  int settled = 0;
+  for (size_t i = 0; i < state.size(); ++i) {
+    const std::string& name = with.state_names()[i];
+    if (name.find("throttle") != std::string::npos) {
+      EXPECT_NEAR(rate[i], 0, 1e-11) << name;
+      EXPECT_GT(std::abs(state[i]), 1e-9) << name;
+      ++settled;
+    } else if (name.find("leak") != std::string::npos) {
+      EXPECT_EQ(state[i], 0) << name;
+      EXPECT_GT(rate[i], 0) << name;
+    }
+  }
+  EXPECT_EQ(settled, 8);
+}
+
 // Opposite yaw of the axles sends oil from chamber to chamber: the throttles take all of it. What
 // drives all pistons one way is borne by gas and oil as before, once it has come to rest.
 TEST(Throttle, DampsBendingAndLeavesWhatIsAtRest) {

@@ -1,0 +1,66 @@
+// Chambers behind a resistance at rest with their lines (PhsSystem::SettleChambers).
+//
+// With one pressure p in all parts of a line, part k takes up D_k(p) (node.h). Their sum is what the
+// pistons and other flows have pushed into the line, D; the volume passed through the split of
+// chamber k is what was pushed into the chamber less D_k(p). The line itself is solved as ever:
+//
+//   p = p_line(D - sum of D_k(p) of its chambers)
+//
+// whose right side falls with p: one root.
+#include <cmath>
+
+#include "base/rising_root.h"
+#include "hydraulics/phs_system_impl.h"
+#include "hydraulics/solve_node.h"
+
+namespace phs::hydraulics {
+namespace {
+
+/// Pressure of line `line` and its chambers together; `at` has what is pushed into each of them.
+double CommonPressure(const CompiledPhs& sys, const Instant& at, int line, const double* state) {
+  const Node& node = sys.nodes[static_cast<size_t>(line)];
+  const auto beyond = [&](double log_pressure) {
+    const double p = std::exp(log_pressure);
+    double pushed = at.pushed[line];
+    for (const Path& path : sys.paths) {
+      if (!path.splits || path.to != line) continue;
+      double slope = 0;
+      pushed += at.pushed[path.from] - CalcAbsorbed(sys.nodes[static_cast<size_t>(path.from)], p,
+                                                    at.ambient, state, &slope);
+    }
+    return log_pressure - std::log(SolveNode(node, pushed, at.ambient, state).p);
+  };
+  RootSearch search;
+  search.near = std::log(node.p0);
+  search.step = 0.1;
+  search.reach = 30;
+  search.tolerance = 1e-13;
+  const auto found = RisingRoot(beyond, search);
+  return found ? std::exp(*found) : node.p0;
+}
+
+}  // namespace
+
+void PhsSystem::SettleChambers(double time, const double* x, double* state) const {
+  const CompiledPhs& sys = *impl_;
+  for (const Path& path : sys.paths) {
+    if (!path.splits) continue;
+    state[path.volume] = 0;
+    if (path.flow >= 0) state[path.flow] = 0;
+  }
+  Instant at;
+  Solve(time, x, state, &at);
+  for (int line = 0; line < num_lines(); ++line) {
+    double p = -1;  // found once a chamber asks for it
+    for (const Path& path : sys.paths) {
+      if (!path.splits || path.to != line) continue;
+      if (p < 0) p = CommonPressure(sys, at, line, state);
+      double slope = 0;
+      state[path.volume] =
+          at.pushed[path.from] -
+          CalcAbsorbed(sys.nodes[static_cast<size_t>(path.from)], p, at.ambient, state, &slope);
+    }
+  }
+}
+
+}  // namespace phs::hydraulics
