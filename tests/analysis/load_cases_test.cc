@@ -58,6 +58,28 @@ TEST(LoadCasesTest, SmallLoadsFollowTheClosedFormOfTheTractionMode) {
   EXPECT_NEAR((x[0] + x[1]) / 2 / (4 * 200 / stiffness), 1, 0.02);
 }
 
+// Throttles divide the oil of a line and exert nothing at rest: the same axles, pistons and lines.
+TEST(LoadCasesTest, ThrottledChambersHoldWhatTheirLinesHold) {
+  const auto cases = StandardLoadCases();
+  std::vector<std::vector<LoadResult>> results;
+  for (const char* bogie : {"phs", "phs_damped"}) {
+    auto made = CalcLoadCases(Standing(bogie), cases);
+    ASSERT_TRUE(made.ok()) << made.error().Line();
+    results.push_back(std::move(made).value());
+  }
+  for (size_t k = 0; k < cases.size(); ++k) {
+    const LoadState &plain = results[0][k].end, &throttled = results[1][k].end;
+    for (size_t i = 0; i < 2; ++i) {
+      EXPECT_NEAR(throttled.x_m[i], plain.x_m[i], 2e-6) << cases[k].name;
+      EXPECT_NEAR(throttled.yaw_rad[i], plain.yaw_rad[i], 2e-6) << cases[k].name;
+    }
+    for (size_t i = 0; i < 4; ++i) {
+      EXPECT_NEAR(throttled.pressure_Pa[i], plain.pressure_Pa[i],
+                  2e-3 * plain.pressure_Pa[i] + 500);
+    }
+  }
+}
+
 // The pressures of a held load alone change what the lines add: sum of w^2/C, C = V/beta + p_0 V_0/p^2
 // of an isothermal gas (mode_closed_form.h), w = 2 b A_bore for each diagonal; none for the others.
 TEST(HeldShearTest, FollowsThePressuresOfTheHeldLoad) {
