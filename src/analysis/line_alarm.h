@@ -24,7 +24,10 @@
 // Gumbel's exp(-exp(-(x - m)/s)). m, s, k from the first three L-moments (Hosking, Wallis and Wood
 // 1985); a tail that would be lighter than Gumbel's (k > 0) is taken as Gumbel's: the careful side. A
 // block gives a false alarm with probability r above u = m + s (1 - exp(-k y))/k, y = -ln(-ln(1-r)).
-// How far n blocks leave u open is told by a parametric bootstrap. Blocks count as independent.
+// How far n blocks leave u open is told by a parametric bootstrap. Blocks count as independent and
+// of one kind: a block is a run over the whole line. Blocks shorter than that are some of straights,
+// some of curves, some of traction that goes; the law takes several kinds for one with a heavy tail
+// (its threshold then lies far beyond all that ever comes).
 #pragma once
 
 #include <span>

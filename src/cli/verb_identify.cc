@@ -1,9 +1,11 @@
 // phs identify: measured data and a declared model in, found effects and a corrected model out.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <string>
 
+#include "base/numbers.h"
 #include "base/result_dir.h"
 #include "cli/result_checks.h"
 #include "cli/verb_table.h"
@@ -17,10 +19,49 @@ struct IdentifyOptions {
   CommonOptions common;
   ResultChecks checks;
   identify::search::SearchOptions search;
+  std::vector<std::string> numbers, without;  ///< of the rule of acceptance
 };
+
+/// The rule with what was asked of it.
+Result<identify::SearchRule> AskedRule(const IdentifyOptions& options) {
+  identify::SearchRule rule;
+  for (const std::string& asked : options.numbers) {
+    const size_t equals = asked.find('=');
+    const auto all = identify::AcceptanceNumbers();
+    const auto row = std::find_if(all.begin(), all.end(), [&](const auto& r) {
+      return asked.compare(0, equals, r.name) == 0;
+    });
+    std::string names;
+    for (const auto& r : all) names += (names.empty() ? "" : ", ") + std::string(r.name);
+    if (equals == std::string::npos || row == all.end()) {
+      return Error{"--rule " + asked, "is no number of the rule of acceptance",
+                   "NAME=VALUE with " + names, "see docs/identify_rule.md"};
+    }
+    const auto value = ParseNumber(asked.substr(equals + 1));
+    if (!value || !(*value >= row->low && *value <= row->high)) {
+      return Error{"--rule " + asked, "is out of range",
+                   fmt::format("{} = {:g} … {:g}", row->name, row->low, row->high), ""};
+    }
+    rule.accept.*row->value = *value;
+  }
+  for (const identify::RulePart& part : identify::RuleParts()) {
+    const auto& left_out = options.without;
+    rule.*part.holds = std::find(left_out.begin(), left_out.end(), part.name) == left_out.end();
+  }
+  return rule;
+}
+
+std::vector<std::string> PartNames() {
+  std::vector<std::string> names;
+  for (const identify::RulePart& part : identify::RuleParts()) names.push_back(part.name);
+  return names;
+}
 
 int RunIdentifyVerb(IdentifyOptions options) {
   if (Status s = options.checks.Read(); !s.ok()) return BadInput(s.error());
+  const Result<identify::SearchRule> rule = AskedRule(options);
+  if (!rule.ok()) return BadInput(rule.error());
+  options.search.rule = rule.value();
   const std::string out = options.common.out.empty() ? "identify" : options.common.out;
   Result<ResultDir> dir = ResultDir::Create(out, options.common.force);
   if (!dir.ok()) return BadInput(dir.error());
@@ -55,6 +96,13 @@ void AddIdentify(CLI::App* verb, Action* action) {
   verb->add_option("--max-effects", options->search.effort.max_effects, "Effects added at most")
       ->check(CLI::Range(0, 6))
       ->capture_default_str();
+  verb->add_option("--rule", options->numbers,
+                   "Another number of the rule of acceptance, NAME=VALUE (false_alarms, …)")
+      ->allow_extra_args(false);
+  verb->add_option("--without", options->without,
+                   "A part of the search's rule left out, to see what it is worth")
+      ->allow_extra_args(false)
+      ->check(CLI::IsMember(PartNames()));
   AddCommonOptions(verb, &options->common);
   options->checks.AddOptions(verb);
   verb->callback([=] { *action = [=] { return RunIdentifyVerb(*options); }; });

@@ -29,8 +29,9 @@ bool ExcludesNone(const FreeParameter& p, double none, double value, double half
 
 }  // namespace
 
-bool IsBeyondChance(double gain, double tried) {
-  return gain > 2 * std::log(std::max(1.0, tried)) - 2 * std::log(Acceptance().false_alarms);
+bool IsBeyondChance(const SearchRule& rule, double gain, double tried) {
+  const double paid = rule.structures ? 2 * std::log(std::max(1.0, tried)) : 0;
+  return gain > paid - 2 * std::log(rule.accept.false_alarms);
 }
 
 bool AreTold(const std::vector<FreeParameter>& free, const FitResult& fit, size_t count) {
@@ -65,15 +66,19 @@ bool Beats(const FitProblem& problem, const Candidate& form, const FitResult& fi
            const Candidate& other, const FitResult& other_fit) {
   const double ahead = Criterion(problem, other_fit.score, other_fit.values.size()) -
                        Criterion(problem, fit.score, fit.values.size());
-  if (IsOfInstrument(form) == IsOfInstrument(other)) return ahead > 0;
-  return IsOfInstrument(form) ? IsBeyondChance(ahead, 1) : !IsBeyondChance(-ahead, 1);
+  const SearchRule& rule = problem.rule();
+  if (!rule.physical_first || IsOfInstrument(form) == IsOfInstrument(other)) return ahead > 0;
+  return IsOfInstrument(form) ? IsBeyondChance(rule, ahead, 1) : !IsBeyondChance(rule, -ahead, 1);
 }
 
-std::string Refusal(const Evidence& evidence, const Candidate& form, const FitResult& fit) {
-  if (!IsBeyondChance(evidence.delta_bic, 1)) return "not significant";
-  if (evidence.cross_validation_gain <= 0) return "no gain in cross-validation";
-  if (evidence.share < Acceptance().least_share) return "explains too little of what is left";
-  if (!IsThere(form, fit, fit.values.size() - form.free.size())) {
+std::string Refusal(const SearchRule& rule, const Evidence& evidence, const Candidate& form,
+                    const FitResult& fit) {
+  if (!IsBeyondChance(rule, evidence.delta_bic, 1)) return "not significant";
+  if (rule.cross_validation && evidence.cross_validation_gain <= 0) {
+    return "no gain in cross-validation";
+  }
+  if (evidence.share < rule.accept.least_share) return "explains too little of what is left";
+  if (rule.beyond_zero && !IsThere(form, fit, fit.values.size() - form.free.size())) {
     return kNotTold;
   }
   return "";

@@ -17,7 +17,7 @@ inline constexpr const char* kNotTold = "its amount is not told by the record, o
 
 /// True if a gain of the criterion [-2 ln L] is more than the best of `tried` structures would gain
 /// by chance.
-bool IsBeyondChance(double gain, double tried);
+bool IsBeyondChance(const SearchRule& rule, double gain, double tried);
 
 /// True if the record tells each of the last `count` numbers of a fit: it is on no bound, and its
 /// 95 % interval is narrower than its plausible range. `free`: the last numbers of the model.
@@ -36,6 +36,7 @@ bool Beats(const FitProblem& problem, const Candidate& form, const FitResult& fi
            const Candidate& other, const FitResult& other_fit);
 
 /// Empty if the candidate may be accepted, else why not. `fit` ends with its numbers.
-std::string Refusal(const Evidence& evidence, const Candidate& form, const FitResult& fit);
+std::string Refusal(const SearchRule& rule, const Evidence& evidence, const Candidate& form,
+                    const FitResult& fit);
 
 }  // namespace phs::identify::search

@@ -3,6 +3,8 @@
 // verdict those of verdict.cc.
 #pragma once
 
+#include <span>
+
 namespace phs::identify {
 
 struct Acceptance {
@@ -19,5 +21,36 @@ struct Acceptance {
   /// estimated from the same record, its level not better than by 5 %.
   double noise_known = 0.1;
 };
+
+/// The rule of a search: its numbers, and its parts, each of which can be left out to see what it
+/// is worth (docs/identify_rule.md).
+struct SearchRule {
+  Acceptance accept;
+  bool structures = true;
+  bool cross_validation = true;
+  bool beyond_zero = true;
+  bool physical_first = true;
+  bool options = true;
+  bool elsewhere = true;
+  bool sought_anew = true;
+  bool superfluous = true;
+  bool challenge = true;
+  bool names = true;
+  bool formula = true;
+};
+
+struct AcceptanceNumber {
+  const char* name;
+  double Acceptance::*value;
+  double low, high;  ///< allowed
+};
+std::span<const AcceptanceNumber> AcceptanceNumbers();
+
+struct RulePart {
+  const char* name;
+  bool SearchRule::*holds;
+  const char* text;  ///< what it does
+};
+std::span<const RulePart> RuleParts();
 
 }  // namespace phs::identify

@@ -71,7 +71,7 @@ Result<IdentifyOutcome> IdentifyBogie(const Manifest& manifest, const SearchOpti
   if (!loaded.ok()) return loaded.error();
   const BogieCase& c = loaded.value();
   const auto forward = std::make_shared<const BogieForward>(c.data, c.model);
-  auto problem = FitProblem::Create(forward, c.model.phs);
+  auto problem = FitProblem::Create(forward, c.model.phs, options.rule);
   if (!problem.ok()) return problem.error();
   const auto write = [&](const PhsParams& corrected) { return WriteBogieModel(dir, c, corrected); };
   return SearchAndWrite(manifest, c.data, c.model.phs, &problem.value(),

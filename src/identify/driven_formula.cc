@@ -166,8 +166,9 @@ FormulaTrial TryFormula(const FitProblem& problem, const FitProblem& coarse, con
   problem.ForEach(3, [&](int k) { searches[k](); });
   FormulaTrial& best = Better(problem, line, force) ? line : force;
   // What a sensor says beyond the truth gives way to a physical cause that explains as much.
-  const bool ahead = !best.fit.ok || (Better(problem, reading, best) &&
-                                      IsBeyondChance(best.fit.score - reading.fit.score, 1));
+  const bool ahead =
+      !best.fit.ok || (Better(problem, reading, best) &&
+                       IsBeyondChance(problem.rule(), best.fit.score - reading.fit.score, 1));
   return reading.fit.ok && ahead ? reading : best;
 }
 

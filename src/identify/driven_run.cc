@@ -223,6 +223,7 @@ Result<IdentifyOutcome> SearchAndWrite(const Manifest& manifest, const FitData& 
   if (!over_before.ok()) return over_before.error();
   Json& result = outcome.result;
   result = Head(manifest, data);
+  PutRule(options.rule, &result);
   const std::vector<BeforeAfter> scores = ScoreBoth(data, before, after, data.validation);
   const Unexplained unexplained = FindUnexplained(data, after, over_noise.value(), found);
   VerdictFacts facts{{}, NamedEffects(found), FittedNumbers(found), WhatDrives(*problem, found)};
@@ -264,7 +265,7 @@ Result<IdentifyOutcome> IdentifyDriven(const Manifest& manifest, const SearchOpt
   const PhsParams& declared = loaded.value().declared;
   auto rig = RigForward::Create(data, declared);
   if (!rig.ok()) return rig.error();
-  Result<FitProblem> problem = FitProblem::Create(rig.value(), declared);
+  Result<FitProblem> problem = FitProblem::Create(rig.value(), declared, options.rule);
   if (!problem.ok()) return problem.error();
   const auto write_model = [&](PhsParams corrected) {
     corrected.name += "_identified";

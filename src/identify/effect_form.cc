@@ -27,7 +27,7 @@ FitResult FitOption(const FitProblem& problem, const FreeModel& model, const Fit
 
 FitResult AddOptions(const FitProblem& problem, const FreeModel& model, FitResult now,
                      Candidate* form) {
-  while (!form->options.empty()) {
+  while (problem.rule().options && !form->options.empty()) {
     std::vector<FitResult> fits(form->options.size());
     problem.ForEach(static_cast<int>(fits.size()), [&](int k) {
       const auto i = static_cast<size_t>(k);
@@ -43,7 +43,7 @@ FitResult AddOptions(const FitProblem& problem, const FreeModel& model, FitResul
     if (!best.ok) return now;
     const double gain = Criterion(problem, now.score, now.values.size()) -
                         Criterion(problem, best.score, best.values.size());
-    if (!IsBeyondChance(gain, static_cast<double>(fits.size()))) return now;
+    if (!IsBeyondChance(problem.rule(), gain, static_cast<double>(fits.size()))) return now;
     *form = WithOption(*form, chosen);
     now = std::move(best);
   }

@@ -40,7 +40,8 @@ class Search {
   Status SearchAll(const hydraulics::PhsParams& declared) {
     if (Status s = FitDeclared(declared); !s.ok()) return s;
     for (int round = 0; round < options_.effort.max_effects && !cancelled_; ++round) {
-      if (!IsBeyondChance(problem_.likelihood().MostGain(out_.after.powers), 1)) break;
+      if (!IsBeyondChance(problem_.rule(), problem_.likelihood().MostGain(out_.after.powers), 1))
+        break;
       Stage(0.02 + 0.2 * round, 0.14);
       if (!AddOne(round)) break;
       Reweigh();
@@ -49,7 +50,7 @@ class Search {
     }
     DropSuperfluous();
     Stage(0.85, 0.1);
-    if (!cancelled_ && options_.formula) {
+    if (!cancelled_ && options_.formula && problem_.rule().formula) {
       const auto go_on = [this](double part) { return GoOn(part); };
       ChallengeByFormula(problem_, coarse_, options_.effort, go_on, &out_);
       if (AddFormula(problem_, coarse_, options_.effort, go_on, &out_)) DropSuperfluous();
@@ -106,7 +107,7 @@ class Search {
 
   std::vector<FullTrial> Try(const FreeModel& model, const FitResult& fit,
                              const std::vector<Candidate>& list) {
-    const bool elsewhere = options_.effort.elsewhere &&
+    const bool elsewhere = options_.effort.elsewhere && problem_.rule().elsewhere &&
                            model.params.effects.size() == out_.declared.params.effects.size();
     // A model that an effect has made too stiff for the coarse clock is screened on the whole record.
     for (FitProblem* screen : {&coarse_, &problem_}) {
@@ -142,7 +143,7 @@ class Search {
       if (trial.fit.ok) {
         record.evidence =
             Compare(problem_, out_.after, trial.fit, static_cast<double>(list.size()));
-        record.verdict = Refusal(record.evidence, trial.form, trial.fit);
+        record.verdict = Refusal(problem_.rule(), record.evidence, trial.form, trial.fit);
       }
       if (record.verdict.empty()) {
         record.verdict = kBeaten;
@@ -169,7 +170,7 @@ class Search {
       if (!other.fit.ok || other.candidate->effect == trial.candidate->effect) continue;
       const double behind = Criterion(problem_, other.fit.score, other.fit.values.size()) -
                             Criterion(problem_, trial.fit.score, trial.fit.values.size());
-      if (IsBeyondChance(behind, 1)) continue;
+      if (IsBeyondChance(problem_.rule(), behind, 1)) continue;
       accepted.confusable_with.push_back(other.candidate->effect);
       accepted.rivals.push_back(
           {other.form,
@@ -184,7 +185,7 @@ class Search {
   /// Each effect but the last is taken out and sought anew among all candidates.
   void SeekAnew() {
     const size_t count = out_.effects.size();
-    for (size_t i = 0; i + 1 < count && !cancelled_; ++i) {
+    for (size_t i = 0; problem_.rule().sought_anew && i + 1 < count && !cancelled_; ++i) {
       FreeModel model;
       FitResult rest;
       rest.values = ValuesWithout(out_, 0, &model);
@@ -200,7 +201,7 @@ class Search {
       for (const FullTrial& trial : trials) {
         if (!trial.fit.ok) continue;
         const Evidence e = Compare(problem_, rest, trial.fit, static_cast<double>(list.size()));
-        if (!Refusal(e, trial.form, trial.fit).empty()) continue;
+        if (!Refusal(problem_.rule(), e, trial.form, trial.fit).empty()) continue;
         if (best == nullptr || Beats(problem_, trial.form, trial.fit, best->form, best->fit)) {
           best = &trial;
         }
@@ -230,14 +231,16 @@ class Search {
 
   /// Every effect must still earn its place beside the others.
   void DropSuperfluous() {
-    for (size_t i = 0; i < out_.effects.size() && !cancelled_;) {
+    for (size_t i = 0; problem_.rule().superfluous && i < out_.effects.size() && !cancelled_;) {
       FreeModel model;
       std::vector<double> values = ValuesWithout(out_, i, &model);
       FitResult rest = FitNear(problem_, model, values, {}, {.max_steps = 8, .final_slopes = true});
       if (!rest.ok) return;
       const Evidence e = Compare(problem_, rest, out_.after, 1);
-      const bool told = IsToldInTheEnd(out_, i);
-      if (told && IsBeyondChance(e.delta_bic, 1) && e.cross_validation_gain > 0) {
+      const SearchRule& rule = problem_.rule();
+      const bool told = !rule.beyond_zero || IsToldInTheEnd(out_, i);
+      const bool gains = !rule.cross_validation || e.cross_validation_gain > 0;
+      if (told && gains && IsBeyondChance(rule, e.delta_bic, 1)) {
         ++i;
         continue;
       }

@@ -18,6 +18,7 @@ namespace phs::identify::search {
 
 struct SearchOptions {
   Effort effort;
+  SearchRule rule;
   bool formula = true;  ///< what no effect explains is described
 };
 

@@ -195,7 +195,7 @@ Result<IdentifyOutcome> RunElementIdentify(const Manifest& manifest, const Searc
   }
   auto bench = BenchForward::Create(data.value(), declared.value(), manifest.free);
   if (!bench.ok()) return bench.error();
-  Result<FitProblem> made = FitProblem::Create(bench.value(), declared.value());
+  Result<FitProblem> made = FitProblem::Create(bench.value(), declared.value(), options.rule);
   if (!made.ok()) return made.error();
   FitProblem& problem = made.value();
   const std::vector<std::string> faults = FindFaults(manifest, data.value(), declared.value());
@@ -220,6 +220,7 @@ Result<IdentifyOutcome> RunElementIdentify(const Manifest& manifest, const Searc
   const BenchFindings findings = Look(data.value(), before.value(), after.value());
   const Unexplained left = UnexplainedOf(findings, found);
   result = Describe(manifest, data.value(), problem, found, findings, left, faults);
+  search::PutRule(options.rule, &result);
   const std::optional<Asked> asks =
       AskValidation(data.value(), found.corrected, found.after, corrected, options);
   result["validation_asks_for"] = AskedJson(asks);

@@ -53,7 +53,7 @@ Evidence Compare(const FitProblem& problem, const FitResult& without, const FitR
   Evidence e;
   e.delta_bic = Criterion(problem, without.score, without.values.size()) -
                 Criterion(problem, with.score, with.values.size()) -
-                2 * std::log(std::max(1.0, tried));
+                (problem.rule().structures ? 2 * std::log(std::max(1.0, tried)) : 0);
   const std::vector<double> excess = likelihood.Excess(without.powers),
                             left = likelihood.Excess(with.powers);
   double mean = 0, most = -1e300;

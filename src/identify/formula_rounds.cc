@@ -32,17 +32,19 @@ void Take(const FreeModel& model, const ListedName& name, const FormulaTrial& fo
 }
 
 /// What chance alone does to the criterion: that of each term, as of an effect.
-double Threshold() { return -2 * std::log(Acceptance().false_alarms); }
+double Threshold(const FitProblem& problem) {
+  return -2 * std::log(problem.rule().accept.false_alarms);
+}
 
 }  // namespace
 
 void ChallengeByFormula(const FitProblem& problem, const FitProblem& coarse, const Effort& effort,
                         const std::function<bool(double)>& go_on, Identification* found) {
-  if (found->effects.empty()) return;
+  if (found->effects.empty() || !problem.rule().challenge) return;
   const FormulaTrial trial = TryFormula(problem, coarse, found->declared, found->base,
-                                        {.max_terms = 1, .threshold = Threshold()});
+                                        {.max_terms = 1, .threshold = Threshold(problem)});
   if (!trial.fit.ok) return;
-  const bool alone = Refusal(trial.evidence, trial.candidate, trial.fit).empty();
+  const bool alone = Refusal(problem.rule(), trial.evidence, trial.candidate, trial.fit).empty();
   if (!alone || !SaysMore(problem, found->after, trial)) return Record(trial, kBeaten, found);
   for (const AcceptedEffect& effect : found->effects) {
     Withdraw(effect.candidate.effect, "a formula on no list explains more", &found->candidates);
@@ -56,10 +58,11 @@ void ChallengeByFormula(const FitProblem& problem, const FitProblem& coarse, con
 bool AddFormula(const FitProblem& problem, const FitProblem& coarse, const Effort& effort,
                 const std::function<bool(double)>& go_on, Identification* found) {
   if (!found->formula.empty()) return false;
-  const FormulaTrial trial =
-      TryFormula(problem, coarse, found->corrected, found->after, {.threshold = Threshold()});
+  const FormulaTrial trial = TryFormula(problem, coarse, found->corrected, found->after,
+                                        {.threshold = Threshold(problem)});
   if (!trial.fit.ok) return false;
-  if (const std::string no = Refusal(trial.evidence, trial.candidate, trial.fit); !no.empty()) {
+  if (const std::string no = Refusal(problem.rule(), trial.evidence, trial.candidate, trial.fit);
+      !no.empty()) {
     Record(trial, no, found);
     return false;
   }

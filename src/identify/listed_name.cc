@@ -6,7 +6,8 @@
 namespace phs::identify::search {
 
 bool SaysMore(const FitProblem& problem, const FitResult& listed, const FormulaTrial& formula) {
-  return IsBeyondChance(Criterion(problem, listed.score, listed.values.size()) -
+  return IsBeyondChance(problem.rule(),
+                        Criterion(problem, listed.score, listed.values.size()) -
                             Criterion(problem, formula.fit.score, formula.fit.values.size()),
                         kTermsTried);
 }
@@ -15,6 +16,7 @@ std::optional<ListedName> FindListedName(const FitProblem& problem, const FitPro
                                          const FreeModel& model, const FitResult& without,
                                          const FormulaTrial& formula, const Effort& effort,
                                          const std::function<bool(double)>& go_on) {
+  if (!problem.rule().names) return {};
   const std::vector<double> values(
       formula.fit.values.begin(),
       formula.fit.values.begin() + static_cast<long>(model.free.size()));
@@ -32,7 +34,7 @@ std::optional<ListedName> FindListedName(const FitProblem& problem, const FitPro
     const Evidence e = Compare(problem, without, trial.fit, static_cast<double>(list.size()));
     // At the same place: what it explains shows in the same channel.
     if (e.best_channel != formula.evidence.best_channel) continue;
-    if (!Refusal(e, trial.form, trial.fit).empty()) continue;
+    if (!Refusal(problem.rule(), e, trial.form, trial.fit).empty()) continue;
     if (SaysMore(problem, trial.fit, formula)) continue;
     if (best && !Beats(problem, trial.form, trial.fit, best->form, best->fit)) continue;
     best = ListedName{trial.form, std::move(trial.fit), e};

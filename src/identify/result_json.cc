@@ -202,6 +202,19 @@ Json CandidateList(const Identification& found) {
   return out;
 }
 
+void PutRule(const SearchRule& rule, Json* result) {
+  const SearchRule own;
+  Json changed = Json::object(), without = Json::array();
+  for (const AcceptanceNumber& n : AcceptanceNumbers()) {
+    if (rule.accept.*n.value != own.accept.*n.value) changed[n.name] = rule.accept.*n.value;
+  }
+  for (const RulePart& part : RuleParts()) {
+    if (!(rule.*part.holds)) without.push_back(part.name);
+  }
+  if (changed.empty() && without.empty()) return;
+  (*result)["rule"] = {{"changed", changed}, {"without", without}};
+}
+
 Json NoiseLevels(const FitData& data) {
   Json noise = Json::object();
   for (const auto* list : {&data.inputs, &data.outputs}) {

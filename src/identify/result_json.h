@@ -45,6 +45,9 @@ void PutVerdict(const VerdictFacts& facts, Json* result);
 /// The same for the terminal.
 std::string VerdictLines(const Json& result);
 
+/// "rule" where it is another than the product's own: what was changed, what was left out.
+void PutRule(const SearchRule& rule, Json* result);
+
 /// Noise of each channel.
 Json NoiseLevels(const measurement::FitData& data);
 Json FindingList(const std::vector<measurement::DataFinding>& findings);

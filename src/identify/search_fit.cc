@@ -60,8 +60,9 @@ Status CheckFree(const PhsParams& declared, const std::vector<std::string>& name
 }
 
 Result<FitProblem> FitProblem::Create(std::shared_ptr<const ForwardModel> forward,
-                                      const PhsParams& declared) {
+                                      const PhsParams& declared, const SearchRule& rule) {
   FitProblem problem;
+  problem.rule_ = rule;
   problem.forward_ = std::move(forward);
   Result<SampleWeights> weights = problem.CalcWeights(declared);
   if (!weights.ok()) return weights.error();
@@ -74,12 +75,12 @@ Result<FitProblem> FitProblem::Create(std::shared_ptr<const ForwardModel> forwar
     problem.num_rows_ += rows;
   }
   problem.likelihood_ =
-      std::make_shared<const Likelihood>(std::move(blocks), Acceptance().noise_known);
+      std::make_shared<const Likelihood>(std::move(blocks), rule.accept.noise_known);
   return problem;
 }
 
 Result<FitProblem> FitProblem::Coarse(const PhsParams& declared, double step_s) const {
-  return Create(forward_->Coarse(step_s), declared);
+  return Create(forward_->Coarse(step_s), declared, rule_);
 }
 
 void FitProblem::ForEach(int n, const std::function<void(int)>& work) const {

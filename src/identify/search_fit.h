@@ -14,6 +14,7 @@
 
 #include "base/result.h"
 #include "hydraulics/phs_params.h"
+#include "identify/acceptance.h"
 #include "identify/forward_model.h"
 #include "identify/likelihood.h"
 #include "identify/thread_budget.h"
@@ -67,10 +68,12 @@ class FitProblem {
  public:
   /// Sets weights with the declared model.
   static Result<FitProblem> Create(std::shared_ptr<const ForwardModel> forward,
-                                   const hydraulics::PhsParams& declared);
+                                   const hydraulics::PhsParams& declared,
+                                   const SearchRule& rule = {});
   /// The same on a clock of about `step_s`, for looking around.
   Result<FitProblem> Coarse(const hydraulics::PhsParams& declared, double step_s) const;
 
+  const SearchRule& rule() const { return rule_; }
   const ForwardModel& forward() const { return *forward_; }
   const Likelihood& likelihood() const { return *likelihood_; }
   int num_rows() const { return num_rows_; }
@@ -107,6 +110,7 @@ class FitProblem {
   void SetWeights(SampleWeights weights) { weight_ = std::move(weights); }
 
  private:
+  SearchRule rule_;
   std::shared_ptr<const ForwardModel> forward_;
   SampleWeights weight_;
   std::shared_ptr<const Likelihood> likelihood_;

@@ -89,6 +89,7 @@ bool IsBearable(const ForwardModel& driven, const Channels& answers, double forc
 
 RecordNoise NoiseOf(const FitProblem& problem, const FitResult& fit, double step_s) {
   RecordNoise out;
+  out.rule = problem.rule();
   out.step_s = step_s;
   for (size_t b = 0; b < static_cast<size_t>(problem.num_blocks()); ++b) {
     const std::string& channel = problem.block_name(b);
@@ -118,7 +119,7 @@ TestEvidence Expect(std::shared_ptr<const ForwardModel> driven, double step_s,
   if (!driven->Run(params, ForwardModel::Span::kEstimation, &answers).ok()) return out;
   if (!IsBearable(*driven, answers, force_N)) return out;
   Result<FitProblem> problem = FitProblem::Create(
-      std::make_shared<const AsMeasured>(std::move(driven), noise, answers), params);
+      std::make_shared<const AsMeasured>(std::move(driven), noise, answers), params, noise.rule);
   if (!problem.ok()) return out;
   const FitResult refit =
       FitNear(problem.value(), rival.model, rival.values, {}, {.max_steps = steps});
@@ -135,7 +136,7 @@ TestEvidence Expect(std::shared_ptr<const ForwardModel> driven, double step_s,
   const double numbers =
       static_cast<double>(rival.values.size()) - static_cast<double>(truth.values.size());
   out.margin = out.expected + numbers * std::log(likelihood.Count()) +
-               2 * std::log(Acceptance().false_alarms);
+               2 * std::log(problem.value().rule().accept.false_alarms);
   out.deviation = std::sqrt(std::max(1e-12, Variance(problem.value(), alone, refit.powers)));
   return out;
 }

@@ -37,6 +37,7 @@ struct RecordNoise {
   std::vector<std::string> channels;
   std::vector<double> deviation;            ///< of a sample, with what uncertain motion makes of it
   std::vector<std::vector<double>> powers;  ///< N_b >= 1 of each octave, the fastest first
+  SearchRule rule = {};                     ///< by which the record was judged
 };
 /// As the model of `fit` leaves it.
 RecordNoise NoiseOf(const FitProblem& problem, const FitResult& fit, double step_s);

@@ -27,7 +27,7 @@ std::optional<Asked> AskValidation(const ElementData& data, const FreeModel& cor
   for (const FreeParameter& p : corrected.free) names.push_back(p.name);
   auto bench = BenchForward::Create(turned, params, names);
   if (!bench.ok()) return {};
-  Result<FitProblem> problem = FitProblem::Create(bench.value(), params);
+  Result<FitProblem> problem = FitProblem::Create(bench.value(), params, options.rule);
   if (!problem.ok()) return {};
   SearchOptions few = options;
   few.effort.max_effects = 2;

@@ -35,6 +35,7 @@ struct AlarmsFound {
   std::vector<std::vector<std::vector<double>>> maxima;  ///< [service][signal] of blocks, turned
   std::vector<std::vector<analysis::Extremes>> laws;     ///< [service][signal]
   std::vector<double> thresholds;                        ///< [signal], turned
+  double block_m = 0;                                    ///< length of a block
   double block_share = 0;  ///< probability that a block of one signal alarms falsely
   std::vector<Burst> bursts;
   std::vector<size_t> chosen;                 ///< [hose] signal

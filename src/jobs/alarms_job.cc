@@ -22,6 +22,7 @@ constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr double kSoon_s = 1;        ///< an alarm within is soon enough to look at its margin
 constexpr double kShareLearn = 0.3;  ///< of the progress
 constexpr double kShareBurst = 0.3;
+constexpr double kShareOfRun = 0.98;  ///< the vehicle does not reach the very end of its track
 
 class Search {
  public:
@@ -57,6 +58,7 @@ class Search {
 
 Status Search::Prepare() {
   if (found_.ask.services.empty()) return Error{"phs alarms", "has no scenario", "one or more", ""};
+  double whole_m = kNever;
   for (const vehicle::Scenario& service : found_.ask.services) {
     const auto path = tracks_.Draw(service.track, found_.ask.seed);
     if (!path.ok()) return path.error();
@@ -64,6 +66,9 @@ Status Search::Prepare() {
     if (!track.ok()) return track.error();
     track_m_.push_back(track.value().length());
     const double seconds = track_m_.back() / service.speed_m_s;
+    const double looked_m =
+        kShareOfRun * (track_m_.back() - found_.ask.run_in_s * service.speed_m_s);
+    whole_m = std::min(whole_m, looked_m);
     if (seconds < found_.ask.run_in_s + found_.ask.after_s + 5) {
       return Error{service.name + ": track " + service.track, "is too short to look at a run",
                    fmt::format("{:.0f} m or more at this speed",
@@ -71,6 +76,7 @@ Status Search::Prepare() {
                    ""};
     }
   }
+  found_.block_m = found_.ask.block_m > 0 ? found_.ask.block_m : whole_m;
   return {};
 }
 
@@ -128,7 +134,7 @@ Result<bool> Search::Learn() {
           of_task[static_cast<size_t>(i)].push_back(analysis::BlockMaxima(
               run.place_m,
               analysis::CalcSignal(s, run.pressure_Pa, run.interval_s, found_.ask.times),
-              found_.ask.block_m));
+              found_.block_m));
         }
         return Status();
       });
@@ -149,14 +155,14 @@ Result<bool> Search::Learn() {
   }
   if (found_.maxima[0][0].size() < 3) {
     return Error{"--learn-km", "gives fewer than three blocks to learn from",
-                 fmt::format("blocks of {:g} m, three or more in all", found_.ask.block_m), ""};
+                 fmt::format("blocks of {:.0f} m, three or more in all", found_.block_m), ""};
   }
   SetThresholds();
   return true;
 }
 
 void Search::SetThresholds() {
-  const double blocks = 1e6 / found_.ask.block_m;  // in 1000 km
+  const double blocks = 1e6 / found_.block_m;  // in 1000 km
   found_.block_share =
       found_.ask.wanted_per_1000_km / static_cast<double>(found_.lines.size()) / blocks;
   found_.thresholds.assign(found_.signals.size(), -kNever);

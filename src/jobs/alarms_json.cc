@@ -182,7 +182,7 @@ Json AlarmsJson(const AlarmsFound& found) {
                {"wanted_per_1000_km", found.ask.wanted_per_1000_km},
                {"lag_s", found.ask.times.lag_s},
                {"mean_s", found.ask.times.mean_s},
-               {"block_m", found.ask.block_m},
+               {"block_m", found.block_m},
                {"learn_km_per_service", found.ask.learn_km},
                {"lines", found.lines},
                {"false_alarms", FalseAlarmsJson(found)},

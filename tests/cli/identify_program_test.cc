@@ -35,9 +35,9 @@ class IdentifyProgramTest : public testing::Test {
       out << t << ',' << x(t) + noise << ',' << 4e7 * x(t) + 1e8 * noise << '\n';
     }
   }
-  void ExpectRefused(const std::string& words) const {
-    const Output out =
-        ExecutePhs("identify " + dir_.File("manifest.yaml") + " --quiet --out " + dir_.File("out"));
+  void ExpectRefused(const std::string& words, const std::string& options = "") const {
+    const Output out = ExecutePhs("identify " + dir_.File("manifest.yaml") + " --quiet --out " +
+                                  dir_.File("out") + options);
     EXPECT_EQ(out.code, 3) << out.text;
     EXPECT_THAT(out.text, HasSubstr(words));
     EXPECT_EQ(std::count(out.text.begin(), out.text.end(), '\n'), 1) << out.text;
@@ -57,6 +57,14 @@ TEST_F(IdentifyProgramTest, UnknownCandidate) {
              "rig: quarter\nmodel: quarter_setup2\ndata: run.csv\n"
              "estimation: [0, 30]\nvalidation: [30, 50]\ncandidates: [backlsh]\n");
   ExpectRefused("did you mean 'backlash'?");
+}
+
+TEST_F(IdentifyProgramTest, NumbersOfTheRule) {
+  Write(2500, [](double t) { return 1e-3 * std::sin(t); });
+  ExpectRefused("NAME=VALUE with false_alarms, least_share, noise_known",
+                " --rule false_alarm=0.1");
+  ExpectRefused("is out of range; allowed: false_alarms = 1e-12 … 0.5", " --rule false_alarms=2");
+  ExpectRefused("is out of range", " --rule least_share=a_third");
 }
 
 TEST_F(IdentifyProgramTest, NoReversal) {

@@ -10,6 +10,7 @@
 #include "identify/accept.h"
 #include "identify/effect_variants.h"
 #include "identify/identification.h"
+#include "identify/result_json.h"
 
 namespace phs::identify::search {
 namespace {
@@ -99,9 +100,54 @@ TEST(Evidence, ANumberThatEveryPartSetsAnewLosesInCrossValidation) {
 
 TEST(Accept, ChanceIsPaidForByTheNumberTried) {
   const double alone = -2 * std::log(Acceptance().false_alarms);
-  EXPECT_TRUE(IsBeyondChance(alone + 0.1, 1));
-  EXPECT_FALSE(IsBeyondChance(alone - 0.1, 1));
-  EXPECT_FALSE(IsBeyondChance(alone + 0.1, 20));
+  EXPECT_TRUE(IsBeyondChance({}, alone + 0.1, 1));
+  EXPECT_FALSE(IsBeyondChance({}, alone - 0.1, 1));
+  EXPECT_FALSE(IsBeyondChance({}, alone + 0.1, 20));
+}
+
+// Each part alone refuses, and no longer does where it is left out; the others go on.
+TEST(Accept, APartOfTheRuleThatIsLeftOutRefusesNothing) {
+  Candidate offset;
+  offset.effect = offset.params.name = "sensor_offset";
+  offset.mains = 1;
+  offset.free = {{"load_N", 0, -100, 100, false, 1}};
+  offset.none = {0};
+  FitResult fit;
+  fit.values = {30}, fit.half_95 = {2};
+  Evidence good;
+  good.delta_bic = 100, good.share = 0.9, good.cross_validation_gain = 0.1;
+  const SearchRule whole;
+  EXPECT_EQ(Refusal(whole, good, offset, fit), "");
+  Evidence elsewhere = good, small = good;
+  elsewhere.cross_validation_gain = -0.1, small.share = 0.1;
+  FitResult vague = fit;
+  vague.half_95 = {40};
+  SearchRule without = whole;
+  without.cross_validation = false;
+  EXPECT_NE(Refusal(whole, elsewhere, offset, fit), "");
+  EXPECT_EQ(Refusal(without, elsewhere, offset, fit), "");
+  EXPECT_NE(Refusal(without, good, offset, vague), "");
+  without = whole, without.beyond_zero = false;
+  EXPECT_NE(Refusal(whole, good, offset, vague), "");
+  EXPECT_EQ(Refusal(without, good, offset, vague), "");
+  without = whole, without.accept.least_share = 0;
+  EXPECT_NE(Refusal(whole, small, offset, fit), "");
+  EXPECT_EQ(Refusal(without, small, offset, fit), "");
+  without = whole, without.structures = false;
+  const double alone = -2 * std::log(whole.accept.false_alarms) + 0.1;
+  EXPECT_FALSE(IsBeyondChance(whole, alone, 20));
+  EXPECT_TRUE(IsBeyondChance(without, alone, 20));
+}
+
+TEST(Accept, TheRuleSaysInTheResultWhereItIsNotTheProductsOwn) {
+  SearchRule rule;
+  Json result = Json::object();
+  PutRule(rule, &result);
+  EXPECT_TRUE(result.empty());
+  rule.accept.false_alarms = 0.05, rule.names = false;
+  PutRule(rule, &result);
+  EXPECT_EQ(result["rule"].dump(), R"({"changed":{"false_alarms":0.05},"without":["names"]})");
+  for (const RulePart& part : RuleParts()) EXPECT_TRUE(SearchRule().*part.holds) << part.name;
 }
 
 // Two declared numbers, then the effects' own: each looks at its own, and only at the end of its range.

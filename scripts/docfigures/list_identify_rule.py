@@ -1,0 +1,51 @@
+"""docs/identify_rule.md: each part and number of the rule of acceptance left out or moved, from tests/rigdata/rule_study.csv."""
+import csv
+
+from docfigures.blind import outcome, parted
+from docfigures.form import number, table
+
+DOCUMENT = "docs/identify_rule.md"
+WHOLE = "as it is"
+
+
+def by_variant(phs):
+    """{variant: {(suite, set): row}} of the variants that were run on every set."""
+    with open(phs.source / "tests/rigdata/rule_study.csv", newline="") as file:
+        rows = parted(csv.DictReader(file))
+    all_of = {}
+    for row in rows:
+        all_of.setdefault(row["variant"], {})[row["suite"], row["set"]] = row
+    return {variant: of for variant, of in all_of.items() if len(of) == len(all_of[WHOLE])}
+
+
+def is_right(row):
+    """Nothing on a clean set, all that is hidden and nothing else, a formula for what is on no list."""
+    return row["hidden"] == row["accepted"] or outcome(row) == "formula" and row["accepted"] == {"unlisted"}
+
+
+def counted(of, whole):
+    """[right of all, right of hidden, false alarms, sets that end otherwise, of them better and worse, time]."""
+    clean = [row for row in of.values() if row["kind"] == "clean"]
+    other = [key for key in of if of[key]["accepted"] != whole[key]["accepted"]]
+    better = sum(is_right(of[key]) and not is_right(whole[key]) for key in other)
+    worse = sum(is_right(whole[key]) and not is_right(of[key]) for key in other)
+    verdicts = sum(of[key]["verdict"] != whole[key]["verdict"] for key in of)
+    seconds = [sum(float(row["processor_s"]) for row in rows.values()) for rows in (of, whole)]
+    return [f"{sum(map(is_right, of.values()))} of {len(of)}", sum(bool(row["accepted"]) for row in clean), len(other),
+            f"{better} / {worse}", verdicts, number(seconds[0] / seconds[1], 2)]
+
+
+HEAD = ["right", "false alarms", "sets that accept otherwise", "of them better / worse", "other verdict",
+        "processor time"]
+
+
+def figures(phs):
+    all_of = by_variant(phs)
+    whole = all_of[WHOLE]
+    parts = [[variant] + counted(of, whole) for variant, of in all_of.items()
+             if variant == WHOLE or variant.startswith("without")]
+    numbers = [[variant] + counted(of, whole) for variant, of in all_of.items()
+               if variant.endswith(("doubled", "halved"))]
+    clean = sum(row["kind"] == "clean" for row in whole.values())
+    return {"parts": table(["the rule"] + HEAD, parts), "numbers": table(["number"] + HEAD, numbers),
+            "sets": str(len(whole)), "clean": str(clean)}
