@@ -118,7 +118,7 @@ void AddAlarms(CLI::App* verb, Action* action) {
       ->capture_default_str();
   verb->add_option("--block", ask.block_m,
                    "Block of track whose extremes are learned from, m; 0: a whole run")
-      ->check(CLI::Range(0.0, 1e5))
+      ->check(CLI::Range(10.0, 1e5) | CLI::Range(0.0, 0.0))
       ->capture_default_str();
   verb->add_option("--seed", ask.seed, "Of the tracks that are drawn")->capture_default_str();
   verb->add_option("--workers", ask.workers, "Runs at a time (one per core without it)")

@@ -57,6 +57,14 @@ std::vector<std::string> PartNames() {
   return names;
 }
 
+std::string PartsInWords() {
+  std::string text = "Parts of the rule, for --without:\n";
+  for (const identify::RulePart& part : identify::RuleParts()) {
+    text += fmt::format("  {:<18}{}\n", part.name, part.text);
+  }
+  return text;
+}
+
 int RunIdentifyVerb(IdentifyOptions options) {
   if (Status s = options.checks.Read(); !s.ok()) return BadInput(s.error());
   const Result<identify::SearchRule> rule = AskedRule(options);
@@ -103,6 +111,7 @@ void AddIdentify(CLI::App* verb, Action* action) {
                    "A part of the search's rule left out, to see what it is worth")
       ->allow_extra_args(false)
       ->check(CLI::IsMember(PartNames()));
+  verb->footer(PartsInWords());
   AddCommonOptions(verb, &options->common);
   options->checks.AddOptions(verb);
   verb->callback([=] { *action = [=] { return RunIdentifyVerb(*options); }; });
