@@ -6,7 +6,7 @@ from docfigures.list_dampers_nightly import RADII, apart, in_words
 DOCUMENT = "docs/dampers.md"
 PART = "choices."
 SHIPPED = (2.0e9, 1.0e14)  # R [Pa s/m³], K [Pa s²/m⁶]
-THROTTLES = ((1.0e6, 1.0e10), (5.0e8, 2.0e13), SHIPPED, (8.0e9, 4.0e14))
+THROTTLES = ((1.0e6, 1.0e10), (1.0e7, 4.0e11), (1.0e8, 4.0e12), (5.0e8, 2.0e13), SHIPPED, (8.0e9, 4.0e14))
 
 
 def model(phs, laminar, turbulent):
