@@ -2,7 +2,7 @@
 import csv
 
 from docfigures.blind import outcome, parted
-from docfigures.form import number, table
+from docfigures.form import table
 
 DOCUMENT = "docs/identify_rule.md"
 WHOLE = "as it is"
@@ -24,19 +24,17 @@ def is_right(row):
 
 
 def counted(of, whole):
-    """[right of all, right of hidden, false alarms, sets that end otherwise, of them better and worse, time]."""
+    """[right of all, right of hidden, false alarms, sets that end otherwise, of them better and worse, with another verdict]."""
     clean = [row for row in of.values() if row["kind"] == "clean"]
     other = [key for key in of if of[key]["accepted"] != whole[key]["accepted"]]
     better = sum(is_right(of[key]) and not is_right(whole[key]) for key in other)
     worse = sum(is_right(whole[key]) and not is_right(of[key]) for key in other)
     verdicts = sum(of[key]["verdict"] != whole[key]["verdict"] for key in of)
-    seconds = [sum(float(row["processor_s"]) for row in rows.values()) for rows in (of, whole)]
     return [f"{sum(map(is_right, of.values()))} of {len(of)}", sum(bool(row["accepted"]) for row in clean), len(other),
-            f"{better} / {worse}", verdicts, number(seconds[0] / seconds[1], 2)]
+            f"{better} / {worse}", verdicts]
 
 
-HEAD = ["right", "false alarms", "sets that accept otherwise", "of them better / worse", "other verdict",
-        "processor time"]
+HEAD = ["right", "false alarms", "sets that accept otherwise", "of them better / worse", "other verdict"]
 
 
 def figures(phs):

@@ -220,6 +220,11 @@ TEST(AlarmsTest, ACutFindsAPairForEveryHoseAndCountsFalseAlarms) {
   EXPECT_EQ(ExecutePhs("report " + dir.File("out")).code, 0);
   const Output one = ExecutePhs(command + " --workers 1");
   EXPECT_EQ(Json::parse(one.text), all) << "the same for any number of workers";
+  // A block is a whole run where nothing is said: 900 m less ten seconds at 80 km/h.
+  const Output few = ExecutePhs("alarms " + scenario + " --learn-km 1 --test-km 1 --quiet");
+  EXPECT_EQ(few.code, 3);
+  EXPECT_THAT(few.text,
+              HasSubstr("fewer than three blocks to learn from; allowed: blocks of 664 m"));
 }
 
 TEST(AlarmsTest, ATrackWithoutASpectrumOrTooShortIsRefused) {
