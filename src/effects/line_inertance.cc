@@ -28,8 +28,9 @@ Status Install(const EffectParams& effect, Extension* extension) {
           factor * AtModelTemperature(effect.values.at("laminar_Pas_per_m3"), extension->params()),
           0};
       const double inertance = factor * effect.values.at("inertance_kg_per_m4");
-      extension->SplitChamber(chamber, i, effect.values.at("oil_share"), "line_inertance",
-                              std::make_unique<PipeFlow>(r, r, inertance));
+      extension->SplitChamber(
+          chamber, i, effect.values.at("oil_share"), "line_inertance",
+          std::make_unique<PipeFlow>(r, r, inertance, effect.values.at("unsteady_share")));
     }
   }
   return {};
@@ -42,7 +43,7 @@ const EffectInfo& LineInertanceInfo() {
       "line_inertance",
       "hydraulic",
       "cylinders",
-      "I dq/dt = p_chamber - p_line - R q",
+      "I dq/dt = p_chamber - p_line - R q, less the friction of laminar flow that changes",
       {
           {"inertance_kg_per_m4", "kg/m4", 1.6e7, 1, 1e12, 1e5, 1e9, "I = rho l/A"},
           {"laminar_Pas_per_m3", "Pa s/m3", 4e8, 1e3, 1e16, 1e5, 1e11, "R at 20 °C"},
@@ -51,6 +52,8 @@ const EffectInfo& LineInertanceInfo() {
            "above 20 one side has none"},
           {"oil_share", "-", 0.2, 0.02, 0.45, 0.1, 0.4, "share of the line's oil at the chamber",
            true},
+          {"unsteady_share", "-", 0, 0, 10, 0, 3,
+           "friction of the changing flow over that in a round pipe (Zielke): 0 none, 1 all"},
       },
       Install,
       {
@@ -70,6 +73,7 @@ const EffectInfo& LineInertanceInfo() {
               {
                   {.free = {{"oil_share", 0.2}}},
                   {.free = {{"rod_ratio", 0.7, 1.45, 5}}, .of_sides = true},
+                  {.free = {{"unsteady_share", 1}}},
               },
       }};
   return info;

@@ -40,6 +40,7 @@ struct Path {
   int from = kOpen, to = kOpen;
   std::unique_ptr<FlowLaw> law;
   int volume = -1, flow = -1;  ///< state indices; flow only with an inertance
+  int lag = -1, num_lags = 0;  ///< state index of the first lag of the flow, and how many
   bool splits = false;         ///< `from` is a chamber, `to` the rest of its own line
 };
 

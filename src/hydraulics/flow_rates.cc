@@ -1,6 +1,7 @@
 // Rates of gas temperatures and flows over a step.
 //
-// F: flow q = law(p_from - p_to), or with an inertance I dq/dt = p_from - p_to - drop(q);
+// F: flow q = law(p_from - p_to), or with an inertance I dq/dt = p_from - p_to - drop(q), less what
+// the lags of the flow hold back (oil_laws.h);
 // heat and memories by node_rates.h.
 //
 // Heat alone (time constants of seconds): the two-stage Rosenbrock method ROS2, second order for
@@ -34,7 +35,7 @@ constexpr double kGamma = 1 - M_SQRT1_2;
 void CalcDerivative(const CompiledPhs& sys, double time, const Instant& at, const double* speed,
                     const double* state, double* rate, SlowMatrix* slow) {
   PathSlopes slopes;
-  CalcPathRates(sys, OwnInertances(sys), time, at, state, nullptr, rate, &slopes);
+  CalcPathRates(sys, OwnInertances(sys), time, at, 0, state, nullptr, rate, &slopes);
   CalcAllNodeRates(sys, at, speed, state, rate, slow, slopes.heat);
 }
 
@@ -164,6 +165,10 @@ double CalcPathEnergy(const CompiledPhs& sys, const double* state) {
     if (path.flow >= 0) {
       energy += 0.5 * path.law->Inertance() * state[path.flow] * state[path.flow];
     }
+    for (int k = 0; k < path.num_lags; ++k) {
+      const FlowLag lag = path.law->Lag({}, k);
+      energy += 0.5 * lag.resistance / lag.rate * std::pow(state[path.lag + k], 2);
+    }
     if (path.to == kOpen) energy += kAtmosphere * state[path.volume];
     if (path.from == kOpen) energy -= kAtmosphere * state[path.volume];
   }
@@ -178,6 +183,10 @@ double CalcHydraulicLoss(const CompiledPhs& sys, double time, const Instant& at,
     const double dp = sys.Pressure(at, path.from) - sys.Pressure(at, path.to);
     lost += path.flow >= 0 ? path.law->Drop(place, state[path.flow], &slope) * state[path.flow]
                            : path.law->Flow(place, dp, &slope) * dp;
+    for (int k = 0; k < path.num_lags; ++k) {
+      const double behind = state[path.flow] - state[path.lag + k];
+      lost += path.law->Lag(place, k).resistance * behind * behind;
+    }
   }
   for (size_t n = 0; n < sys.nodes.size(); ++n) {
     for (const NodeLaw& l : sys.nodes[n].laws) {

@@ -107,6 +107,17 @@ PathMatrix CalcPathMatrix(const CompiledPhs& sys, const PathInertances& inertanc
   return M;
 }
 
+// Lags of a stage that belong to the flows in `u`: u_k = base_k + a rate (u_flow - u_k).
+void FollowFlows(const CompiledPhs& sys, const FlowPlace& place, double a, const double* base,
+                 double* u) {
+  for (const Path& path : sys.paths) {
+    for (int k = 0; k < path.num_lags; ++k) {
+      const double along = a * path.law->Lag(place, k).rate;
+      u[path.lag + k] = (base[path.lag + k] + along * u[path.flow]) / (1 + along);
+    }
+  }
+}
+
 // One Newton step of the paths of a stage, as equations for the volumes passed; the largest change
 // [m3]. Flows with inertance in `u` follow from these.
 double StepPaths(const CompiledPhs& sys, const PathInertances& inertances, double a,
@@ -139,8 +150,8 @@ PathInertances OwnInertances(const CompiledPhs& sys) {
 }
 
 void CalcPathRates(const CompiledPhs& sys, const PathInertances& inertances, double time,
-                   const Instant& at, const double* state, const double* flows, double* rate,
-                   PathSlopes* slopes) {
+                   const Instant& at, double a, const double* state, const double* flows,
+                   double* rate, PathSlopes* slopes) {
   const FlowPlace place = sys.WhereItFlows(time, at);
   for (size_t k = 0; k < sys.paths.size(); ++k) {
     const Path& path = sys.paths[k];
@@ -148,7 +159,15 @@ void CalcPathRates(const CompiledPhs& sys, const PathInertances& inertances, dou
     double* slope = &slopes->law[k];
     if (path.flow >= 0) {
       const double flow = state[path.flow];
-      rate[path.flow] = (dp - path.law->Drop(place, flow, slope)) / inertances.value[k];
+      double drop = path.law->Drop(place, flow, slope);
+      for (int l = 0; l < path.num_lags; ++l) {
+        const FlowLag lag = path.law->Lag(place, l);
+        const double behind = flow - state[path.lag + l];
+        drop += lag.resistance * behind;
+        *slope += lag.resistance / (1 + a * lag.rate);
+        rate[path.lag + l] = lag.rate * behind;
+      }
+      rate[path.flow] = (dp - drop) / inertances.value[k];
       rate[path.volume] = flow;
     } else {
       rate[path.volume] =
@@ -209,7 +228,8 @@ bool SolveStage(const CompiledPhs& sys, const PathInertances& inertances, double
       sys.SolveNodes(u, at, at);
     }
     for (int i = first_flow; i < count; ++i) flow[i] = (u[i] - base[i]) / a;
-    CalcPathRates(sys, inertances, time, *at, u, flow, F, &slopes);
+    FollowFlows(sys, sys.WhereItFlows(time, *at), a, base, u);
+    CalcPathRates(sys, inertances, time, *at, a, u, flow, F, &slopes);
     CalcDropSlopes(sys, *at, &slopes);
     // 1e-14 m3 is 0.01 Pa on a chamber.
     largest = std::max(largest, 1e14 * StepPaths(sys, inertances, a, slopes, base, F, u));

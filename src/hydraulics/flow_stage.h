@@ -35,11 +35,12 @@ struct StageMotion {
 void PlaceAt(const CompiledPhs& sys, double time, const double* way, const Instant& start,
              const double* u, Instant* at);
 
-/// Rates of volumes passed and of flows with inertance; slopes of the laws. `flows`: those of the
-/// last iterate by state, or null.
+/// Rates of volumes passed and of flows with inertance and their lags; slopes of the laws in a
+/// stage of length `a`, whose lags follow the flow (0: at an instant). `flows`: those of the last
+/// iterate by state, or null.
 void CalcPathRates(const CompiledPhs& sys, const PathInertances& inertances, double time,
-                   const Instant& at, const double* state, const double* flows, double* rate,
-                   PathSlopes* slopes);
+                   const Instant& at, double a, const double* state, const double* flows,
+                   double* rate, PathSlopes* slopes);
 
 /// Rates of the nodes' states, given those of the volumes passed; `heat` of PathSlopes.
 void CalcAllNodeRates(const CompiledPhs& sys, const Instant& at, const double* speed,

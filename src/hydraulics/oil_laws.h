@@ -39,6 +39,13 @@ struct FlowPlace {
   double viscosity = 1;
 };
 
+/// One lag of the oil behind the flow q of its pipe: dq_k/dt = rate (q - q_k), which holds the flow
+/// back by a pressure resistance (q - q_k).
+struct FlowLag {
+  double rate = 0;        ///< [1/s] > 0
+  double resistance = 0;  ///< [Pa s/m3] >= 0
+};
+
 /// Flow through an opening or pipe: rises with the pressure difference, Flow(0) = 0 (passive).
 class FlowLaw {
  public:
@@ -51,6 +58,9 @@ class FlowLaw {
   virtual double Drop(const FlowPlace& at, double flow, double* slope) const noexcept;
   /// rho l / A [kg/m4]; 0 = the flow follows the pressure at once.
   virtual double Inertance() const noexcept { return 0; }
+  /// Lags of the flow, beside Drop; of a law with inertance.
+  virtual int num_lags() const noexcept { return 0; }
+  virtual FlowLag Lag(const FlowPlace& /*at*/, int /*lag*/) const noexcept { return {}; }
   /// True where the drop is the smoother of the two sides (turbulent flow: q ~ sqrt(dp), steep at
   /// zero), so that a step is solved for the flow: Newton on dp = Drop(q) does not circle about
   /// zero.

@@ -245,8 +245,15 @@ void Builder::CompileStates(CompiledPhs* sys) {
     }
   }
   for (size_t k = 0; k < sys->paths.size(); ++k) {
-    sys->paths[k].volume = add(path_names_[k] + "_volume");
-    if (sys->paths[k].law->Inertance() > 0) sys->paths[k].flow = add(path_names_[k] + "_flow");
+    Path& path = sys->paths[k];
+    path.volume = add(path_names_[k] + "_volume");
+    if (!(path.law->Inertance() > 0)) continue;
+    path.flow = add(path_names_[k] + "_flow");
+    path.num_lags = path.law->num_lags();
+    for (int lag = 0; lag < path.num_lags; ++lag) {
+      const int state = add(path_names_[k] + "_lag" + std::to_string(lag + 1));
+      if (lag == 0) path.lag = state;
+    }
   }
 }
 

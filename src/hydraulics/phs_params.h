@@ -152,6 +152,8 @@ struct PhsParams {
   FrictionParams friction;
   ElementParams element;
   std::vector<EffectParams> effects;
+  /// Several measured runs fitted as one: what each has for itself, "run2.L1.gas_volume_m3".
+  std::map<std::string, double> of_runs;
 
   double FilledAt() const { return filled_at_K > 0 ? filled_at_K : temperature_K; }
   int FindLine(const std::string& line) const;          ///< -1 if absent

@@ -2,10 +2,27 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 namespace phs::hydraulics {
 namespace {
+
+/// Term of Zielke's weight.
+struct WallTerm {
+  double n, m;
+};
+/// Those of a line; faster ones (n > 1e4: beyond a kilohertz in a hose) follow at once what a line
+/// does and are the rest of a third of the inertance.
+constexpr WallTerm kWall[] = {{26.3744, 1.0},     {72.8033, 1.16725}, {187.424, 2.20064},
+                              {536.626, 3.92861}, {1570.60, 6.78788}, {4618.13, 11.6761}};
+
+/// Inertance of the faster terms over the oil's own.
+double FasterTerms() {
+  double rest = 1.0 / 3;
+  for (const WallTerm& term : kWall) rest -= 4 * term.m / term.n;
+  return rest;
+}
 
 class SeriesFlow final : public FlowLaw {
  public:
@@ -37,6 +54,11 @@ class SeriesFlow final : public FlowLaw {
     return q;
   }
   double Inertance() const noexcept override { return first_->Inertance() + second_->Inertance(); }
+  int num_lags() const noexcept override { return first_->num_lags() + second_->num_lags(); }
+  FlowLag Lag(const FlowPlace& at, int lag) const noexcept override {
+    const int own = first_->num_lags();
+    return lag < own ? first_->Lag(at, lag) : second_->Lag(at, lag - own);
+  }
   bool SolvedByDrop() const noexcept override { return true; }
 
  private:
@@ -71,6 +93,23 @@ double PipeFlow::Flow(const FlowPlace& at, double dp, double* slope) const noexc
   const double root = std::sqrt(laminar * laminar + 4 * r.turbulent * std::abs(dp));
   *slope = 1 / root;
   return 2 * dp / (laminar + root);
+}
+
+PipeFlow::PipeFlow(Resistance forward, Resistance backward, double inertance, double unsteady)
+    : forward_(forward),
+      backward_(backward),
+      oil_inertance_(inertance),
+      inertance_(inertance * (1 + unsteady * FasterTerms())),
+      unsteady_(unsteady) {}
+
+int PipeFlow::num_lags() const noexcept {
+  return unsteady_ > 0 && inertance_ > 0 ? static_cast<int>(std::size(kWall)) : 0;
+}
+
+FlowLag PipeFlow::Lag(const FlowPlace& at, int lag) const noexcept {
+  const double laminar = at.viscosity * forward_.laminar;
+  const WallTerm& term = kWall[lag];
+  return {term.n * laminar / (8 * oil_inertance_), unsteady_ * term.m * laminar / 2};
 }
 
 double GapFlow::Opening(double time) const {

@@ -4,6 +4,14 @@
 //   K = lambda rho l/(2 d A²) with lambda = 0.0316 at Re = 1e4 (Blasius 0.3164 Re^-1/4), d bore, l
 //   length, A = pi d²/4. Units: R [Pa s/m3], K [Pa s2/m6], I [kg/m4].
 // R follows the viscosity of the instant (FlowPlace), K and I do not.
+//
+// Laminar flow that changes rubs more at the wall than its mean tells (Zielke, J. Basic Eng. 90
+// (1968) 109): dp += R/2 int W(tau - tau') dq, tau = nu t/r², nu/r² = R/(8 I), r the radius. With W
+// as a sum of m_k exp(-n_k tau) (Trikha, J. Fluids Eng. 97 (1975) 97; numbers of Kagawa et al.,
+// Trans. JSME B 49 (1983) 2638) each term is a lag of the flow,
+//   dq_k/dt = n_k R/(8 I) (q - q_k),   dp += m_k R/2 (q - q_k),
+// a resistance with an inertia beside it: passive, with the energy (4 m_k/n_k) I q_k²/2. Slowly the
+// oil seems a third heavier, sum of 4 m_k/n_k, as a parabola of speeds carries 4/3 of the momentum.
 #pragma once
 
 #include <algorithm>
@@ -24,16 +32,18 @@ class PipeFlow final : public FlowLaw {
     double laminar = 0;    ///< R > 0 [Pa s/m3]
     double turbulent = 0;  ///< K >= 0 [Pa s2/m6]
   };
-  PipeFlow(Resistance forward, Resistance backward, double inertance)
-      : forward_(forward), backward_(backward), inertance_(inertance) {}
+  /// `unsteady`: friction of the changing flow over Zielke's; it needs an inertance.
+  PipeFlow(Resistance forward, Resistance backward, double inertance, double unsteady = 0);
   double Flow(const FlowPlace& at, double dp, double* slope) const noexcept override;
   double Drop(const FlowPlace& at, double flow, double* slope) const noexcept override;
   double Inertance() const noexcept override { return inertance_; }
+  int num_lags() const noexcept override;
+  FlowLag Lag(const FlowPlace& at, int lag) const noexcept override;
   bool SolvedByDrop() const noexcept override { return true; }
 
  private:
   Resistance forward_, backward_;
-  double inertance_;
+  double oil_inertance_, inertance_, unsteady_;  ///< second: with the fastest of the friction
 };
 
 /// Leak through a narrow opening: q = G dp (|dp|/5 MPa)^(n-1), n = 1 a laminar gap, 1/2 an orifice

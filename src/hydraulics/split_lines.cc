@@ -7,6 +7,7 @@
 //   p = p_line(D - sum of D_k(p) of its chambers)
 //
 // whose right side falls with p: one root.
+#include <algorithm>
 #include <cmath>
 
 #include "base/rising_root.h"
@@ -47,6 +48,7 @@ void PhsSystem::SettleChambers(double time, const double* x, double* state) cons
     if (!path.splits) continue;
     state[path.volume] = 0;
     if (path.flow >= 0) state[path.flow] = 0;
+    std::fill_n(state + std::max(path.lag, 0), path.num_lags, 0.0);
   }
   Instant at;
   Solve(time, x, state, &at);

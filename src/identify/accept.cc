@@ -34,12 +34,16 @@ bool IsBeyondChance(const SearchRule& rule, double gain, double tried) {
   return gain > paid - 2 * std::log(rule.accept.false_alarms);
 }
 
+bool IsAtEnd(const FreeParameter& p, double value) {
+  return IsAtHigh(p, value) || IsAtLow(p, value);
+}
+
 bool AreTold(const std::vector<FreeParameter>& free, const FitResult& fit, size_t count) {
   for (size_t k = 1; k <= count; ++k) {
     const FreeParameter& p = free[free.size() - k];
     const double value = fit.values[fit.values.size() - k];
     const double half = fit.half_95[fit.half_95.size() - k];
-    if (IsAtHigh(p, value) || IsAtLow(p, value)) return false;
+    if (IsAtEnd(p, value)) return false;
     if (2 * half > p.ToCoordinate(p.high) - p.ToCoordinate(p.low)) return false;
   }
   return true;

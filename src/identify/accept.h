@@ -19,6 +19,9 @@ inline constexpr const char* kNotTold = "its amount is not told by the record, o
 /// by chance.
 bool IsBeyondChance(const SearchRule& rule, double gain, double tried);
 
+/// True if a fit has driven the number to an end of its range.
+bool IsAtEnd(const FreeParameter& p, double value);
+
 /// True if the record tells each of the last `count` numbers of a fit: it is on no bound, and its
 /// 95 % interval is narrower than its plausible range. `free`: the last numbers of the model.
 bool AreTold(const std::vector<FreeParameter>& free, const FitResult& fit, size_t count);

@@ -163,18 +163,15 @@ Status CheckCurve(const BogieModel& model, const FitData& data) {
 
 }  // namespace
 
-Result<FitData> ReadBogieData(const Manifest& manifest, BogieModel* model) {
+Result<FitData> ReadBogieData(const Manifest& manifest, BogieModel* model, bool several) {
   const std::vector<std::string> known = KnownColumns(*model);
   Result<RigRun> read = ReadRigRun(manifest.runs.front(), manifest, {}, known);
   if (!read.ok()) return read.error();
   RigRun& run = read.value();
-  if (manifest.runs.size() > 1) {
-    run.findings.push_back({"runs", "only the first run is used"});
-  }
   const bool fits = !run.estimation.empty();
   if (!fits && run.validation.empty()) run.validation = {run.t0_s, run.Time(run.num_samples)};
-  if (fits) {
-    if (Status s = CheckWindows(run); !s.ok()) return s.error();
+  if (fits || several) {
+    if (Status s = CheckWindows(run, several); !s.ok()) return s.error();
   }
   if (Status s = NameUnknown(manifest, known, &run); !s.ok()) return s.error();
   Result<SmoothMotion> motion = ReadPlace(*model, &run);
@@ -185,7 +182,7 @@ Result<FitData> ReadBogieData(const Manifest& manifest, BogieModel* model) {
   data.motion.push_back(std::move(motion).value());
   if (fits) {
     if (Status s = CheckCurve(*model, data); !s.ok()) return s.error();
-  } else {
+  } else if (!several) {
     data.estimation = data.validation;
   }
   const std::vector<char> none(data.time_s.size(), 0);

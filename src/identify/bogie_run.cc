@@ -5,6 +5,7 @@
 #include "identify/bogie_data.h"
 #include "identify/bogie_forward.h"
 #include "identify/driven_run.h"
+#include "identify/joined_run.h"
 #include "phs_model/phs_model.h"
 #include "vehicle/running_effects.h"
 #include "vehicle/scenario_file.h"
@@ -24,11 +25,11 @@ struct BogieCase {
 };
 
 /// Data and declared model, checked against each other.
-Result<BogieCase> LoadBogieCase(const Manifest& manifest) {
+Result<BogieCase> LoadBogieCase(const Manifest& manifest, bool several = false) {
   auto model = LoadBogieModel(manifest.model, manifest.free, manifest.candidates);
   if (!model.ok()) return model.error();
   BogieCase c{std::move(model).value(), {}};
-  auto data = ReadBogieData(manifest, &c.model);
+  auto data = ReadBogieData(manifest, &c.model, several);
   if (!data.ok()) return data.error();
   c.data = std::move(data).value();
   return c;
@@ -45,35 +46,62 @@ SearchOptions ForBogie(const SearchOptions& asked, double step_s) {
 }
 
 /// The scenario and the PHS model as two files.
-Status WriteBogieModel(const ResultDir& dir, const BogieCase& c, const PhsParams& corrected) {
+Status WriteBogieModel(const ResultDir& dir, const std::string& file, const BogieCase& c,
+                       const PhsParams& corrected) {
   auto scenario = ScenarioWith(c.model, corrected);
   if (!scenario.ok()) return scenario.status();
   PhsParams phs = corrected;
+  phs.of_runs.clear();
   std::erase_if(phs.effects,
                 [](const auto& e) { return vehicle::FindRunningEffect(e.name) != nullptr; });
   phs.name += "_identified";
   phs.description = "Identified from " + c.data.source + "; declared " + c.model.phs.name;
+  std::string beside = file;
+  beside.replace(0, std::string("model").size(), "phs");
   const std::string head = "# Identified from " + c.data.source + ", declared " +
-                           c.model.scenario.name + ". phs.yaml: its PHS alone.\n";
+                           c.model.scenario.name + ". " + beside + ": its PHS alone.\n";
   for (const Status& s :
-       {WriteFileAtomically(dir.File("model.yaml"), head + vehicle::ToYaml(scenario.value())),
-        WriteFileAtomically(dir.File("phs.yaml"), phs_model::ToYaml(phs))}) {
+       {WriteFileAtomically(dir.File(file), head + vehicle::ToYaml(scenario.value())),
+        WriteFileAtomically(dir.File(beside), phs_model::ToYaml(phs))}) {
     if (!s.ok()) return s;
   }
   return {};
+}
+
+/// Several runs, each with its own speed and, where it has one, its own scenario.
+Result<IdentifyOutcome> IdentifyBogieRuns(const Manifest& manifest, const SearchOptions& options,
+                                          const Progress& progress, const ResultDir& dir) {
+  std::vector<BogieCase> cases;
+  for (size_t r = 0; r < manifest.runs.size(); ++r) {
+    auto loaded = LoadBogieCase(measurement::OfRun(manifest, r), true);
+    if (!loaded.ok()) return loaded.error();
+    cases.push_back(std::move(loaded).value());
+  }
+  std::vector<RunToJoin> runs;
+  for (const BogieCase& c : cases) {
+    runs.push_back({c.data, {std::make_shared<const BogieForward>(c.data, c.model), c.model.phs}});
+  }
+  const auto write = [&](size_t r, const std::string& file, const PhsParams& corrected) {
+    return WriteBogieModel(dir, file, cases[r], corrected);
+  };
+  return SearchJoined(manifest, runs, ForBogie(options, cases.front().data.step_s), progress, write,
+                      dir);
 }
 
 }  // namespace
 
 Result<IdentifyOutcome> IdentifyBogie(const Manifest& manifest, const SearchOptions& options,
                                       const Progress& progress, const ResultDir& dir) {
+  if (manifest.runs.size() > 1) return IdentifyBogieRuns(manifest, options, progress, dir);
   auto loaded = LoadBogieCase(manifest);
   if (!loaded.ok()) return loaded.error();
   const BogieCase& c = loaded.value();
   const auto forward = std::make_shared<const BogieForward>(c.data, c.model);
   auto problem = FitProblem::Create(forward, c.model.phs, options.rule);
   if (!problem.ok()) return problem.error();
-  const auto write = [&](const PhsParams& corrected) { return WriteBogieModel(dir, c, corrected); };
+  const auto write = [&](const PhsParams& corrected) {
+    return WriteBogieModel(dir, "model.yaml", c, corrected);
+  };
   return SearchAndWrite(manifest, c.data, c.model.phs, &problem.value(),
                         ForBogie(options, c.data.step_s), progress, write, dir);
 }

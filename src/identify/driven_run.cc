@@ -7,6 +7,7 @@
 
 #include "base/table.h"
 #include "effects/unlisted.h"
+#include "identify/joined_run.h"
 #include "identify/next_test.h"
 #include "identify/own_candidates.h"
 #include "identify/passivity.h"
@@ -58,14 +59,11 @@ void TurnInput(FitData* data) {
   }
 }
 
-Result<Case> LoadCase(const Manifest& manifest) {
-  if (Status s = CheckAsked(manifest.candidates, CandidateNames(), "a rig"); !s.ok()) {
-    return s.error();
-  }
+Result<Case> LoadCase(const Manifest& manifest, bool several) {
   Result<PhsParams> declared = measurement::DeclaredModel(manifest);
   if (!declared.ok()) return declared.error();
   if (Status s = CheckFree(declared.value(), manifest.free); !s.ok()) return s.error();
-  Result<FitData> read = ReadFitData(manifest, declared.value());
+  Result<FitData> read = ReadFitData(manifest, declared.value(), several);
   if (!read.ok()) return read.error();
   Case c{std::move(read.value()), std::move(declared.value())};
   if (Status s = CheckOwnCandidates(c.data.own, c.declared, c.data.kind, c.data.options); !s.ok()) {
@@ -153,6 +151,10 @@ Status WriteChannels(const ResultDir& dir, const std::string& file, const FitDat
   }
   for (size_t c = 0; c < data.outputs.size(); ++c) {
     names.push_back(data.outputs[c].name), columns.push_back(AtRows(data, outputs[c]));
+  }
+  if (!data.run.empty()) {
+    names.insert(names.end(), {"run", "run_t_s"});
+    columns.insert(columns.end(), {data.run, data.run_time_s});
   }
   return WriteCsv(dir.File(file), names, columns);
 }
@@ -257,29 +259,76 @@ Result<IdentifyOutcome> SearchAndWrite(const Manifest& manifest, const FitData& 
   return outcome;
 }
 
-Result<IdentifyOutcome> IdentifyDriven(const Manifest& manifest, const SearchOptions& options,
-                                       const Progress& progress, const ResultDir& dir) {
-  Result<Case> loaded = LoadCase(manifest);
-  if (!loaded.ok()) return loaded.error();
-  const FitData& data = loaded.value().data;
-  const PhsParams& declared = loaded.value().declared;
-  auto rig = RigForward::Create(data, declared);
-  if (!rig.ok()) return rig.error();
-  Result<FitProblem> problem = FitProblem::Create(rig.value(), declared, options.rule);
-  if (!problem.ok()) return problem.error();
-  const auto write_model = [&](PhsParams corrected) {
-    corrected.name += "_identified";
-    corrected.description = "Identified from " + data.source + "; declared " + declared.name;
-    return WriteFileAtomically(dir.File("model.yaml"), phs_model::ToYaml(corrected));
-  };
+namespace {
+
+/// Every run with its declared model.
+Result<std::vector<Case>> LoadCases(const Manifest& manifest) {
+  if (Status s = CheckAsked(manifest.candidates, CandidateNames(), "a rig"); !s.ok()) {
+    return s.error();
+  }
+  const size_t count = manifest.runs.size();
+  std::vector<Case> out;
+  for (size_t r = 0; r < count; ++r) {
+    Result<Case> one = LoadCase(measurement::OfRun(manifest, r), count > 1);
+    if (!one.ok()) return one.error();
+    out.push_back(std::move(one.value()));
+  }
+  return out;
+}
+
+Status WritePhsModel(const ResultDir& dir, const std::string& file, const FitData& data,
+                     const PhsParams& declared, PhsParams corrected) {
+  corrected.name += "_identified";
+  corrected.description = "Identified from " + data.source + "; declared " + declared.name;
+  corrected.of_runs.clear();
+  return WriteFileAtomically(dir.File(file), phs_model::ToYaml(corrected));
+}
+
+SearchOptions ForRig(const SearchOptions& options, const FitData& data) {
   SearchOptions asked = options;
   // Four cylinders and a beam: a run costs ten times as much, and there are more places to try.
   asked.effort.elsewhere = options.effort.elsewhere && data.kind != rigs::RigKind::kFull;
   asked.formula =
       data.candidates.empty() || std::find(data.candidates.begin(), data.candidates.end(),
                                            effects::UnlistedInfo().name) != data.candidates.end();
-  return SearchAndWrite(manifest, data, declared, &problem.value(), asked, progress, write_model,
-                        dir);
+  return asked;
+}
+
+Result<IdentifyOutcome> IdentifyRuns(const Manifest& manifest, const std::vector<Case>& cases,
+                                     const SearchOptions& options, const Progress& progress,
+                                     const ResultDir& dir) {
+  std::vector<RunToJoin> runs;
+  for (const Case& c : cases) {
+    auto rig = RigForward::Create(c.data, c.declared);
+    if (!rig.ok()) return rig.error();
+    runs.push_back({c.data, {rig.value(), c.declared}});
+  }
+  const auto write = [&](size_t r, const std::string& file, const PhsParams& corrected) {
+    return WritePhsModel(dir, file, cases[r].data, cases[r].declared, corrected);
+  };
+  return SearchJoined(manifest, runs, ForRig(options, cases.front().data), progress, write, dir);
+}
+
+}  // namespace
+
+Result<IdentifyOutcome> IdentifyDriven(const Manifest& manifest, const SearchOptions& options,
+                                       const Progress& progress, const ResultDir& dir) {
+  const Result<std::vector<Case>> loaded = LoadCases(manifest);
+  if (!loaded.ok()) return loaded.error();
+  if (loaded.value().size() > 1) {
+    return IdentifyRuns(manifest, loaded.value(), options, progress, dir);
+  }
+  const FitData& data = loaded.value().front().data;
+  const PhsParams& declared = loaded.value().front().declared;
+  auto rig = RigForward::Create(data, declared);
+  if (!rig.ok()) return rig.error();
+  Result<FitProblem> problem = FitProblem::Create(rig.value(), declared, options.rule);
+  if (!problem.ok()) return problem.error();
+  const auto write = [&](const PhsParams& corrected) {
+    return WritePhsModel(dir, "model.yaml", data, declared, corrected);
+  };
+  return SearchAndWrite(manifest, data, declared, &problem.value(), ForRig(options, data), progress,
+                        write, dir);
 }
 
 }  // namespace phs::identify::search

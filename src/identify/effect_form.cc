@@ -50,4 +50,22 @@ FitResult AddOptions(const FitProblem& problem, const FreeModel& model, FitResul
   return now;
 }
 
+void DropEdges(const FitProblem& problem, const FreeModel& model, size_t core, Candidate* form,
+               FitResult* fit) {
+  const size_t base = model.free.size();
+  while (problem.rule().options && fit->ok) {
+    std::vector<double> values = fit->values;
+    Candidate less = *form;
+    for (size_t k = form->free.size(); k-- > core;) {
+      if (!IsAtEnd(form->free[k], fit->values[base + k])) continue;
+      less.free.erase(less.free.begin() + static_cast<long>(k));
+      values.erase(values.begin() + static_cast<long>(base + k));
+    }
+    if (less.free.size() == form->free.size()) return;
+    *form = std::move(less);
+    *fit = FitNear(problem, WithCandidate(model, *form), values, {},
+                   {.max_steps = 15, .final_slopes = true});
+  }
+}
+
 }  // namespace phs::identify::search

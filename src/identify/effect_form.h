@@ -12,4 +12,10 @@ namespace phs::identify::search {
 FitResult AddOptions(const FitProblem& problem, const FreeModel& model, FitResult now,
                      Candidate* form);
 
+/// Takes the options out of `form` that ended at an end of their range in `fit`, the fit on top of
+/// `model` to the whole record, and fits what is left: a number on its bound says that the form is
+/// not this one. The first `core` numbers of the form stay.
+void DropEdges(const FitProblem& problem, const FreeModel& model, size_t core, Candidate* form,
+               FitResult* fit);
+
 }  // namespace phs::identify::search

@@ -10,7 +10,7 @@
 #include "base/words.h"
 #include "effects/unlisted.h"
 #include "identify/bench_checks.h"
-#include "identify/bench_forward.h"
+#include "identify/bench_runs.h"
 #include "identify/element_result.h"
 #include "identify/next_test.h"
 #include "identify/own_candidates.h"
@@ -106,17 +106,29 @@ std::string BenchSummary(const json& result) {
 }
 
 Status WriteFiles(const ElementData& data, const Rows* before, const Rows& after,
-                  const PhsParams* model, const json& result, const ResultDir& dir) {
+                  const std::vector<PhsParams>& models, const json& result, const ResultDir& dir) {
   if (Status s = WriteRows(dir.File("measured.csv"), data, nullptr); !s.ok()) return s;
   if (Status s = WriteRows(dir.File("predicted.csv"), data, &after); !s.ok()) return s;
   if (before != nullptr) {
     if (Status s = WriteRows(dir.File("baseline.csv"), data, before); !s.ok()) return s;
   }
-  if (model != nullptr) {
-    Status s = WriteFileAtomically(dir.File("model.yaml"), phs_model::ToYaml(*model));
+  for (size_t r = 0; r < models.size(); ++r) {
+    const std::string file = r == 0 ? "model.yaml" : fmt::format("model_{}.yaml", r + 1);
+    Status s = WriteFileAtomically(dir.File(file), phs_model::ToYaml(models[r]));
     if (!s.ok()) return s;
   }
   return WriteFileAtomically(dir.File("result.json"), result.dump(1) + "\n");
+}
+
+std::vector<PhsParams> CorrectedModels(const ElementData& data, const BenchRuns& bench,
+                                       const PhsParams& corrected) {
+  std::vector<PhsParams> models = bench.Models(corrected);
+  for (size_t r = 0; r < models.size(); ++r) {
+    models[r].description =
+        "Identified from " + data.records[r].source + "; declared " + models[r].name;
+    models[r].name += "_identified";
+  }
+  return models;
 }
 
 /// Errors and residuals of both models.
@@ -193,9 +205,10 @@ Result<IdentifyOutcome> RunElementIdentify(const Manifest& manifest, const Searc
                                    manifest.options)}) {
     if (!s.ok()) return s.error();
   }
-  auto bench = BenchForward::Create(data.value(), declared.value(), manifest.free);
-  if (!bench.ok()) return bench.error();
-  Result<FitProblem> made = FitProblem::Create(bench.value(), declared.value(), options.rule);
+  auto runs = BenchRuns::Create(manifest, data.value(), declared.value());
+  if (!runs.ok()) return runs.error();
+  const BenchRuns& bench = *runs.value();
+  Result<FitProblem> made = FitProblem::Create(bench.forward(), bench.declared(), options.rule);
   if (!made.ok()) return made.error();
   FitProblem& problem = made.value();
   const std::vector<std::string> faults = FindFaults(manifest, data.value(), declared.value());
@@ -204,16 +217,15 @@ Result<IdentifyOutcome> RunElementIdentify(const Manifest& manifest, const Searc
   asked.formula = named.empty() || std::find(named.begin(), named.end(),
                                              effects::UnlistedInfo().name) != named.end();
   if (!faults.empty()) asked.effort.max_effects = 0, asked.formula = false;  // nothing to explain
-  Result<Identification> searched = Identify(&problem, declared.value(), asked, progress);
+  Result<Identification> searched = Identify(&problem, bench.declared(), asked, progress);
   if (!searched.ok()) return searched.error();
   const Identification& found = searched.value();
   IdentifyOutcome outcome;
   outcome.cancelled = found.cancelled;
   if (found.cancelled) return outcome;
-  const Result<Rows> before =
-      bench.value()->Predict(problem.Params(found.declared, found.before.values));
-  PhsParams corrected = problem.Params(found.corrected, found.after.values);
-  const Result<Rows> after = bench.value()->Predict(corrected);
+  const Result<Rows> before = bench.Predict(problem.Params(found.declared, found.before.values));
+  const PhsParams corrected = problem.Params(found.corrected, found.after.values);
+  const Result<Rows> after = bench.Predict(corrected);
   if (!before.ok()) return before.error();
   if (!after.ok()) return after.error();
   json& result = outcome.result;
@@ -221,8 +233,10 @@ Result<IdentifyOutcome> RunElementIdentify(const Manifest& manifest, const Searc
   const Unexplained left = UnexplainedOf(findings, found);
   result = Describe(manifest, data.value(), problem, found, findings, left, faults);
   search::PutRule(options.rule, &result);
-  const std::optional<Asked> asks =
-      AskValidation(data.value(), found.corrected, found.after, corrected, options);
+  std::optional<Asked> asks;
+  if (!bench.own()) {
+    asks = AskValidation(data.value(), found.corrected, found.after, corrected, options);
+  }
   result["validation_asks_for"] = AskedJson(asks);
   const Status tested = search::PutNextTest(
       problem, found, left, TestRigOf(manifest, data.value()), options.effort.threads,
@@ -232,10 +246,8 @@ Result<IdentifyOutcome> RunElementIdentify(const Manifest& manifest, const Searc
   AddAsked(asks, &result["next_test"]);
   result["candidates"] = search::CandidateList(found);
   result["model"] = "model.yaml";
-  corrected.name += "_identified";
-  corrected.description =
-      "Identified from " + data.value().records[0].source + "; declared " + declared.value().name;
-  if (Status s = WriteFiles(data.value(), &before.value(), after.value(), &corrected, result, dir);
+  if (Status s = WriteFiles(data.value(), &before.value(), after.value(),
+                            CorrectedModels(data.value(), bench, corrected), result, dir);
       !s.ok()) {
     return s.error();
   }
@@ -261,7 +273,7 @@ Result<IdentifyOutcome> RunElementRig(const Manifest& manifest, const ResultDir&
   outcome.summary =
       fmt::format("force_N  validation rmse {:.4g} N  nrmse {:.4f}  relative {:.3f} %\n",
                   score.score.rmse, score.score.nrmse, score.relative_percent);
-  if (Status s = WriteFiles(data.value(), nullptr, rows.value(), nullptr, outcome.result, dir);
+  if (Status s = WriteFiles(data.value(), nullptr, rows.value(), {}, outcome.result, dir);
       !s.ok()) {
     return s.error();
   }

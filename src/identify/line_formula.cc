@@ -172,17 +172,20 @@ class LineTerms final : public TermLibrary {
 std::vector<LinePlace> LinePlaces(const FitProblem& problem, const PhsParams& params) {
   const Result<FormulaFrame> frame = problem.forward().Frame(params, "p_bore_Pa");
   if (!frame.ok() || params.cylinders.empty()) return {};
-  const std::vector<hydraulics::ForcePlace>& at = frame.value().places.front();
   const auto& cylinder = params.cylinders.front();
   LinePlace bore, rod, across;
-  for (const auto& p : at) {
-    const auto widen = [](LinePlace* place, double rise) {
-      place->low = std::min(place->low, rise), place->high = std::max(place->high, rise);
-    };
-    widen(&bore, p.bore_rise), widen(&rod, p.rod_rise), widen(&across, p.bore_rise - p.rod_rise);
+  double end = 0;
+  const auto widen = [](LinePlace* place, double rise) {
+    place->low = std::min(place->low, rise), place->high = std::max(place->high, rise);
+  };
+  for (const auto& record : frame.value().places) {
+    for (const auto& p : record) {
+      widen(&bore, p.bore_rise), widen(&rod, p.rod_rise);
+      widen(&across, p.bore_rise - p.rod_rise);
+      end = std::max(end, p.time);
+    }
   }
   std::vector<LinePlace> out;
-  const double end = at.back().time;
   const bool has_bore = params.FindLine(cylinder.bore_line) >= 0;
   const bool has_rod = params.FindLine(cylinder.rod_line) >= 0;
   for (const FormulaUnit unit : {FormulaUnit::kVolume, FormulaUnit::kFlow}) {

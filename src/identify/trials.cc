@@ -97,6 +97,7 @@ std::vector<FullTrial> TryEffects(const FitProblem& problem, const FitProblem& c
     trial.fit = FitNear(
         problem, whole, trial.fit.values, trial.fit.slopes,
         {.first_own = static_cast<int>(whole.free.size()), .max_steps = 15, .final_slopes = true});
+    DropEdges(problem, model, trial.candidate->free.size(), &trial.form, &trial.fit);
   });
   return trials;
 }

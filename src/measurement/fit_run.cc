@@ -85,11 +85,11 @@ std::string Words(const std::vector<DataFinding>& findings) {
 
 }  // namespace
 
-Status CheckWindows(const RigRun& run) {
+Status CheckWindows(const RigRun& run, bool several) {
   for (const auto& [name, window] :
        {std::pair{"estimation", run.estimation}, std::pair{"validation", run.validation}}) {
     const int n = run.Last(window) - run.First(window);
-    if (n >= kMinSamples) continue;
+    if (n >= kMinSamples || (several && window.empty())) continue;
     return Error{run.source, fmt::format("{} samples in the {} window", n, name),
                  fmt::format("{} or more", kMinSamples),
                  "too little to tell an effect from noise; record longer or widen the window"};
@@ -110,17 +110,17 @@ void TakeOutput(Channel* channel, const RigRun& run, const std::vector<char>& in
   MarkStuck(channel, run, &data->findings);
   MarkSpikes(channel, &data->findings);
   MeasuredChannel out{channel->name, channel->y, channel->noise.level};
+  const bool fits = !run.estimation.empty();
   size_t good = 0, asked = 0;
   for (size_t i = 0; i < out.values.size(); ++i) {
     if (channel->bad[i] || input_lost[i]) out.values[i] = kNone;
-    if (!data->InEstimation(i)) continue;
+    if (!(fits ? data->InEstimation(i) : run.validation.Contains(data->time_s[i]))) continue;
     ++asked, good += std::isfinite(out.values[i]);
   }
   if (good < kMinSamples || 10 * good < asked) {
     data->findings.push_back(
-        {channel->name, fmt::format("only {} of {} samples of the estimation window can be used: "
-                                    "left out",
-                                    good, asked)});
+        {channel->name, fmt::format("only {} of {} samples of the {} window can be used: left out",
+                                    good, asked, fits ? "estimation" : "validation")});
     return;
   }
   data->outputs.push_back(std::move(out));
@@ -137,7 +137,8 @@ FitData StartData(const RigRun& run) {
   return data;
 }
 
-Result<FitData> ReadFitData(const Manifest& manifest, const hydraulics::PhsParams& params) {
+Result<FitData> ReadFitData(const Manifest& manifest, const hydraulics::PhsParams& params,
+                            bool several) {
   Result<rigs::RigKind> kind = rigs::ParseRigKind(manifest.rig);
   if (!kind.ok()) return kind.error();
   Result<rigs::RigModel> model = rigs::RigModel::Create(kind.value(), params, manifest.options);
@@ -146,7 +147,7 @@ Result<FitData> ReadFitData(const Manifest& manifest, const hydraulics::PhsParam
                                    model.value().output_names());
   if (!read.ok()) return read.error();
   RigRun& run = read.value();
-  if (Status s = CheckWindows(run); !s.ok()) return s.error();
+  if (Status s = CheckWindows(run, several); !s.ok()) return s.error();
   FitData data = StartData(run);
   data.kind = kind.value();
   data.options = manifest.options;
@@ -168,7 +169,9 @@ Result<FitData> ReadFitData(const Manifest& manifest, const hydraulics::PhsParam
   if (std::count(standstill.begin(), standstill.end(), 1) * run.step_s > kEnoughStandstill_s) {
     rest = std::move(standstill);
   }
-  if (Status s = CheckExcitation(data); !s.ok()) return s.error();
+  if (!run.estimation.empty()) {
+    if (Status s = CheckExcitation(data); !s.ok()) return s.error();
+  }
   if (run.pressure.present()) data.pressure_Pa = run.pressure.y;
   const std::vector<char> lost = LostInput(run.inputs);
   for (Channel& output : run.outputs) {

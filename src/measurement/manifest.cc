@@ -1,5 +1,6 @@
 #include "measurement/manifest.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -70,13 +71,14 @@ RunSpec ReadRun(YamlMap& map, const std::string& path) {
   return run;
 }
 
-/// One of the `runs:`; of a step table with a model and a setup of its own, and no windows.
+/// One of the `runs:`, which may have a model of its own; of a step table always, with a setup and
+/// no windows.
 RunSpec ReadOneOfRuns(YamlMap& map, const std::string& path, bool steps) {
   RunSpec run = ReadRun(map, path);
   if (map.Has("model")) run.model = BesideFile(path, map.Text("model"));
   run.setup = map.Integer("setup", 1, 1000000, 0);
-  if (!steps && (!run.model.empty() || run.setup != 0)) {
-    map.Fail("model", "a run of this rig has no model or setup of its own", "rig: steps");
+  if (!steps && run.setup != 0) {
+    map.Fail("setup", "a run of this rig has no setup of its own", "rig: steps");
   }
   if (steps && run.model.empty()) map.Text("model");
   if (steps && (!run.estimation.empty() || !run.validation.empty())) {
@@ -258,8 +260,12 @@ Result<Manifest> LoadManifest(const std::string& path, WindowNeed need) {
   m.rig = map.Word("rig", {"cylinder", "quarter", "full", "element", "steps", "bogie"});
   if (map.Has("model")) m.model = BesideFile(path, map.Text("model"));
   ReadDrive(map, need, &m);
-  const bool each_its_model = !m.runs.empty() && !m.runs.front().model.empty();
-  if (each_its_model) m.model = m.runs.front().model;
+  const bool each_its_model =
+      std::any_of(m.runs.begin(), m.runs.end(), [](const RunSpec& r) { return !r.model.empty(); });
+  for (RunSpec& run : m.runs) {
+    if (each_its_model && run.model.empty()) run.model = m.model;
+    if (m.model.empty()) m.model = run.model;
+  }
   if (m.model.empty()) {
     map.Fail("model", "is missing", "a name in models/phs, or a path", "model: quarter_setup2");
   }
@@ -274,8 +280,8 @@ Result<Manifest> LoadManifest(const std::string& path, WindowNeed need) {
   m.free = map.Texts("free");
   m.shared = map.Texts("shared");
   if (!m.shared.empty() && !each_its_model) {
-    map.Fail("shared", "there are no runs to share a number",
-             "rig: steps with runs:", "runs: [{model: …, data: …}, …]");
+    map.Fail("shared", "there are no runs to share a number", "runs: with a model each",
+             "runs: [{model: …, data: …}, …]");
   }
   ReadCandidates(map, &m);
   if (map.Has("limits")) m.limits = ReadLimits(map.Map("limits"));
@@ -289,6 +295,17 @@ Result<Manifest> LoadManifest(const std::string& path, WindowNeed need) {
   }
   if (Status s = map.Finish(); !s.ok()) return s.error();
   return m;
+}
+
+Manifest OfRun(const Manifest& manifest, size_t run) {
+  Manifest out = manifest;
+  out.runs = {manifest.runs[run]};
+  if (!out.runs.front().model.empty()) out.model = out.runs.front().model;
+  return out;
+}
+
+bool HasOwnModels(const Manifest& manifest) {
+  return !manifest.runs.empty() && !manifest.runs.front().model.empty();
 }
 
 Result<hydraulics::PhsParams> DeclaredModel(const Manifest& manifest, const std::string& name) {

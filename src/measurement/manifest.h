@@ -11,7 +11,7 @@
 // Beyond that, where wanted:
 //   runs: [{data: a.csv, estimation: [0, 60], validation: [60, 90]}, …]   instead of the three
 //   runs: [{model: quarter_setup2, data: table.csv}, …], shared: [lines.oil_volume_m3, …]
-//                                         step tables only: a model (and `setup:`) each; the
+//                                         a model (of a step table also `setup:`) each; the
 //                                         numbers that all runs share, the others are own
 //   columns: {x_m: x_mm, force_N: F_N}    names in the file, where they differ; the unit is read
 //                                         from the ending: _mm, _ms, _bar, _MPa, _kPa, _kN, …
@@ -63,7 +63,7 @@ struct Window {
 struct RunSpec {
   std::string data;  ///< path, already resolved against the manifest's folder
   Window estimation, validation;
-  std::string model;  ///< step tables: of this run; empty: the manifest's
+  std::string model;  ///< of this run; empty: the manifest's
   int setup = 0;      ///< step tables: of this run; 0: the manifest's
 };
 
@@ -81,7 +81,7 @@ struct Manifest {
   std::map<std::string, std::string> columns;  ///< our channel -> column of the file
   std::map<std::string, double> factors;       ///< our channel -> factor
   std::vector<std::string> free;
-  std::vector<std::string> shared;      ///< of step tables: numbers with one value for all runs
+  std::vector<std::string> shared;  ///< of runs with a model each: numbers with one value for all
   std::vector<std::string> candidates;  ///< of the catalogue; empty: all
   std::vector<OwnCandidate> own;        ///< the user's, beside them
   std::vector<std::string> extra;       ///< further channels, with unit; columns are in `columns`
@@ -109,6 +109,11 @@ enum class WindowNeed {
   kNone,        ///< to run only
 };
 Result<Manifest> LoadManifest(const std::string& path, WindowNeed need = WindowNeed::kEstimation);
+
+/// One run of a manifest, with its model, as a manifest of its own.
+Manifest OfRun(const Manifest& manifest, size_t run);
+/// True if the runs have models, and so numbers, of their own.
+bool HasOwnModels(const Manifest& manifest);
 
 /// The declared model of a manifest with its changes; a quarter model on the full rig is spread
 /// over its cylinders. `name`: that of one of its runs; empty: the manifest's.

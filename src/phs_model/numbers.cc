@@ -96,6 +96,7 @@ static bool SetBothDirections(PhsParams* params, const std::string& name, double
 }
 
 Result<double> GetParameter(const PhsParams& params, const std::string& name) {
+  if (const auto own = params.of_runs.find(name); own != params.of_runs.end()) return own->second;
   PhsParams copy = params;
   if (name.rfind("effects.", 0) == 0) {
     const size_t dot = name.find('.', 8);
@@ -116,6 +117,10 @@ Result<double> GetParameter(const PhsParams& params, const std::string& name) {
 }
 
 Status SetParameter(PhsParams* params, const std::string& name, double value) {
+  if (const auto own = params->of_runs.find(name); own != params->of_runs.end()) {
+    own->second = value;
+    return {};
+  }
   if (double* found = FindEffectValue(params, name)) {
     *found = value;
     return {};

@@ -150,6 +150,7 @@ TEST(EnergyOfForms, WorkIsStoredPlusLost) {
       {"cavitation", {{"release_Pa", 1.5e6}, {"release_time_s", 0.1}, {"dissolving_time_s", 0.6}}},
       {"accumulator_precharge", {{"precharge_Pa", 2.6e6}, {"spread_Pa", 4e5}}},
       {"diaphragm_stop", {{"min_gas_volume_m3", 12e-6}, {"spread", 0.3}}},
+      {"line_inertance", {{"laminar_Pas_per_m3", 4e9}, {"unsteady_share", 1}}},
       {"piston_leakage", {{"exponent", 0.5}}},
       {"piston_leakage", {{"return_ratio", 0.1}}},
       {"external_leakage", {{"exponent", 1.7}, {"rod_ratio", 3}}},
