@@ -19,8 +19,6 @@ constexpr RulePart kParts[] = {
     {"options", &SearchRule::options, "optional numbers of an effect are tried"},
     {"elsewhere", &SearchRule::elsewhere,
      "candidates are tried about a robust fit and with moved numbers held, too"},
-    {"sought_anew", &SearchRule::sought_anew,
-     "an effect accepted before is sought anew beside the later ones"},
     {"superfluous", &SearchRule::superfluous, "what the later ones made superfluous goes"},
     {"challenge", &SearchRule::challenge, "one formula may take the place of all listed effects"},
     {"names", &SearchRule::names, "a formula that is a listed effect gets its name"},

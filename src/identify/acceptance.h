@@ -32,7 +32,6 @@ struct SearchRule {
   bool physical_first = true;
   bool options = true;
   bool elsewhere = true;
-  bool sought_anew = true;
   bool superfluous = true;
   bool challenge = true;
   bool names = true;

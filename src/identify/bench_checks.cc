@@ -46,7 +46,7 @@ std::optional<Likeness> Compared(const ElementData& data, const PhsParams& decla
     const ElementRecord& record = data.records[r];
     for (size_t k = 0; k < record.fitted.size(); ++k) {
       if (!record.fitted[k]) continue;
-      const double y = record.row_force_N[k], p = rows.value()[r][k];
+      const double y = record.row_value[k], p = rows.value()[r][k];
       ++n, a += y, b += p, aa += y * y, bb += p * p, ab += y * p;
     }
   }
@@ -73,7 +73,8 @@ std::optional<Likeness> ComparedSwapped(const Manifest& manifest, const PhsParam
 std::vector<std::string> FindFaults(const Manifest& manifest, const ElementData& data,
                                     const PhsParams& declared) {
   constexpr double kGivesOut = -0.1, kFollows = 0.7, kDoesNot = 0.5, kPowers = 2;
-  const std::optional<Likeness> own = Compared(data, declared);
+  // A position follows a force in a way of its own: what is compared is judged by its sign alone.
+  const std::optional<Likeness> own = data.by_force ? std::nullopt : Compared(data, declared);
   if (own && own->correlation < kDoesNot) {
     const std::optional<Likeness> other = ComparedSwapped(manifest, declared);
     if (other && other->correlation > kFollows) {

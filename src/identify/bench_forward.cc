@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <limits>
 #include <numeric>
+#include <random>
 
 #include "identify/element_places.h"
+#include "measurement/redrawn_motion.h"
+#include "rigs/element_drive.h"
 
 namespace phs::identify::element {
 
@@ -32,15 +35,24 @@ BenchForward::BenchForward(const ElementData& data, FreeModel declared, Sizes si
   for (const ElementRecord& r : data_.records) {
     if (std::find(r.fitted.begin(), r.fitted.end(), 1) == r.fitted.end()) continue;
     search::MeasuredBlock& block = measured_.emplace_back();
-    block.channel = "force_N", block.noise = data_.noise_N;
+    block.channel = data_.compared, block.noise = data_.noise;
     for (size_t k = 0; k < r.fitted.size(); ++k) {
       const double nothing = std::numeric_limits<double>::quiet_NaN();
-      if (r.InEstimation(k)) block.values.push_back(r.fitted[k] ? r.row_force_N[k] : nothing);
+      if (r.InEstimation(k)) block.values.push_back(r.fitted[k] ? r.row_value[k] : nothing);
     }
   }
 }
 
 namespace {
+
+/// The force with fresh noise of its sensor; draw 0: as it is.
+std::vector<double> Disturbed(std::vector<double> force, double deviation, unsigned draw) {
+  std::mt19937 random(draw);
+  std::normal_distribution<double> normal;
+  if (draw == 0) return force;
+  for (double& f : force) f += deviation * normal(random);
+  return force;
+}
 
 /// A side channel at rest at its mean; empty stays empty.
 std::vector<double> Settled(const std::vector<double>& channel, size_t count) {
@@ -83,28 +95,70 @@ Status BenchForward::RunRecords(const PhsParams& params, double deviations, Chan
   return {};
 }
 
+Status BenchForward::RunByForce(const PhsParams& params, unsigned draw, Channels* full) const {
+  full->clear();
+  for (const ElementRecord& record : data_.records) {
+    Result<RigModel> rig = BenchOf(params, record);
+    if (!rig.ok()) return rig.status();
+    rigs::RigMotion motion = record.motion;
+    motion.position_m = {Disturbed(record.force_N, data_.force_noise_N, draw)};
+    const rigs::ElementStart start{record.start_m, record.start_m_s};
+    const Status s =
+        rigs::RunElementByForce(rig.value().system(), motion, start, 1, &full->emplace_back());
+    if (!s.ok()) return s;
+  }
+  return {};
+}
+
+Status BenchForward::RunFull(const PhsParams& params, Channels* full) const {
+  return data_.by_force ? RunByForce(params, 0, full) : RunRecords(params, 0, full);
+}
+
 Status BenchForward::Run(const PhsParams& params, Span span, Channels* out) const {
-  if (Status s = RunRecords(params, 0, out); !s.ok()) return s;
+  if (Status s = RunFull(params, out); !s.ok()) return s;
   if (span == Span::kEstimation) *out = OnFitted(*out);
   return {};
 }
 
 Status BenchForward::Uncertainty(const PhsParams& params, Span span, Channels* deviation) const {
-  Channels slow;
-  if (Status s = RunRecords(params, 1, deviation); !s.ok()) return s;
-  if (Status s = RunRecords(params, -1, &slow); !s.ok()) return s;
-  for (size_t r = 0; r < slow.size(); ++r) {
-    for (size_t i = 0; i < slow[r].size(); ++i) {
-      (*deviation)[r][i] = 0.5 * ((*deviation)[r][i] - slow[r][i]);
+  if (data_.by_force) {
+    if (Status s = SpreadOfDraws(params, deviation); !s.ok()) return s;
+  } else {
+    Channels slow;
+    if (Status s = RunRecords(params, 1, deviation); !s.ok()) return s;
+    if (Status s = RunRecords(params, -1, &slow); !s.ok()) return s;
+    for (size_t r = 0; r < slow.size(); ++r) {
+      for (size_t i = 0; i < slow[r].size(); ++i) {
+        (*deviation)[r][i] = 0.5 * ((*deviation)[r][i] - slow[r][i]);
+      }
     }
   }
   if (span == Span::kEstimation) *deviation = OnFitted(*deviation);
   return {};
 }
 
+Status BenchForward::SpreadOfDraws(const PhsParams& params, Channels* deviation) const {
+  constexpr double kReach = 0.05;  // [s]
+  Channels plain;
+  if (Status s = RunByForce(params, 0, &plain); !s.ok()) return s;
+  std::vector<Channels> drawn(plain.size());  // [record][draw]
+  for (unsigned draw = 1; draw <= measurement::RedrawnMotion::kDraws; ++draw) {
+    Channels one;
+    if (Status s = RunByForce(params, draw, &one); !s.ok()) return s;
+    for (size_t r = 0; r < one.size(); ++r) drawn[r].push_back(std::move(one[r]));
+  }
+  deviation->clear();
+  for (size_t r = 0; r < plain.size(); ++r) {
+    deviation->push_back(
+        measurement::DeviationOfDraws(drawn[r], plain[r], data_.records[r].motion.step_s, kReach));
+  }
+  return {};
+}
+
 Result<FormulaFrame> BenchForward::Frame(const PhsParams& params,
                                          const std::string& channel) const {
-  if (channel != "force_N" || params.friction.model == hydraulics::FrictionModel::kNone) {
+  if (channel != "force_N" || data_.by_force ||
+      params.friction.model == hydraulics::FrictionModel::kNone) {
     return ForwardModel::Frame(params, channel);
   }
   Result<FormulaPlaces> places = PlacesOf(data_, params);
@@ -135,13 +189,13 @@ std::vector<Candidate> BenchForward::Candidates(const PhsParams& params) const {
 std::shared_ptr<const search::ForwardModel> BenchForward::Driven(const rigs::RigMotion& motion,
                                                                  double until_s) const {
   const ElementRecord& made = data_.records.front();
-  if (made.extra != nullptr) return nullptr;
+  if (made.extra != nullptr || data_.by_force) return nullptr;
   struct Own {
     ElementData data;
     std::shared_ptr<const search::ForwardModel> forward;
   };
   const auto own = std::make_shared<Own>();
-  own->data.noise_N = data_.noise_N, own->data.position_noise_m = data_.position_noise_m;
+  own->data.noise = data_.noise, own->data.position_noise_m = data_.position_noise_m;
   own->data.has_pressure = data_.has_pressure, own->data.has_temperature = data_.has_temperature;
   own->data.compare_below_Hz = data_.compare_below_Hz;
   ElementRecord& r = own->data.records.emplace_back();
@@ -152,7 +206,8 @@ std::shared_ptr<const search::ForwardModel> BenchForward::Driven(const rigs::Rig
   r.speed_deviation.assign(count, 0.0), r.force_N.assign(count, 0.0);
   r.band = measurement::BandLimit(motion.step_s, data_.compare_below_Hz);
   for (size_t i = 0; i < count; i += static_cast<size_t>(r.band.stride())) {
-    r.row_sample.push_back(static_cast<int>(i)), r.row_force_N.push_back(0);
+    r.row_sample.push_back(static_cast<int>(i));
+    r.row_value.push_back(0), r.row_force_N.push_back(0);
     r.fitted.push_back(r.estimation.Contains(r.Time(static_cast<int>(i))));
   }
   r.scored.assign(r.fitted.size(), 0);
@@ -165,9 +220,21 @@ std::shared_ptr<const search::ForwardModel> BenchForward::Coarse(double) const {
   return std::shared_ptr<const search::ForwardModel>(new BenchForward(*this));
 }
 
+Result<Rows> BenchForward::Uncertain(const PhsParams& params) const {
+  Channels full;
+  Rows out;
+  if (!data_.by_force) return out;
+  if (Status s = SpreadOfDraws(params, &full); !s.ok()) return s.error();
+  for (size_t r = 0; r < full.size(); ++r) {
+    std::vector<double>& rows = out.emplace_back();
+    for (const int i : data_.records[r].row_sample) rows.push_back(full[r][static_cast<size_t>(i)]);
+  }
+  return out;
+}
+
 Result<Rows> BenchForward::Predict(const PhsParams& params) const {
   Channels full;
-  if (Status s = RunRecords(params, 0, &full); !s.ok()) return s.error();
+  if (Status s = RunFull(params, &full); !s.ok()) return s.error();
   Rows out;
   for (size_t r = 0; r < full.size(); ++r) out.push_back(data_.records[r].band.Apply(full[r]));
   return out;

@@ -23,7 +23,7 @@ class BenchForward final : public search::ForwardModel {
   const std::vector<search::MeasuredBlock>& Measured() const override { return measured_; }
   Status Run(const hydraulics::PhsParams& params, Span span, Channels* out) const override;
   /// Through what remains uncertain of the driving speed: where the force is steep over the speed a
-  /// row says little.
+  /// row says little; of a part that a force drives, through the noise of that force.
   Status Uncertainty(const hydraulics::PhsParams& params, Span span,
                      Channels* deviation) const override;
   Result<search::FormulaFrame> Frame(const hydraulics::PhsParams& params,
@@ -36,12 +36,19 @@ class BenchForward final : public search::ForwardModel {
 
   /// Force on every row of every record, in the band.
   Result<Rows> Predict(const hydraulics::PhsParams& params) const;
+  /// What the noise of the driving force makes of every row (standard deviation); empty where a
+  /// motion drives.
+  Result<Rows> Uncertain(const hydraulics::PhsParams& params) const;
 
  private:
   BenchForward(const ElementData& data, search::FreeModel declared, Sizes sizes);
   /// A signal at the full rate of every record -> on the fitted rows of those that have any.
   Channels OnFitted(const Channels& full) const;
   Status RunRecords(const hydraulics::PhsParams& params, double deviations, Channels* full) const;
+  /// Driven by the force as measured (draw 0) or with fresh noise of its sensor, always the same.
+  Status RunByForce(const hydraulics::PhsParams& params, unsigned draw, Channels* full) const;
+  Status RunFull(const hydraulics::PhsParams& params, Channels* full) const;
+  Status SpreadOfDraws(const hydraulics::PhsParams& params, Channels* deviation) const;
 
   const ElementData& data_;
   search::FreeModel declared_;

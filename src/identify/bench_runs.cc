@@ -1,5 +1,8 @@
 #include "identify/bench_runs.h"
 
+#include <algorithm>
+#include <iterator>
+
 namespace phs::identify::element {
 
 using hydraulics::PhsParams;
@@ -52,15 +55,23 @@ std::vector<PhsParams> BenchRuns::Models(const PhsParams& params) const {
   return out;
 }
 
-Result<Rows> BenchRuns::Predict(const PhsParams& params) const {
-  if (joined_ == nullptr) return all_->Predict(params);
+Result<Rows> BenchRuns::Each(Asked ask, const PhsParams& params) const {
+  if (joined_ == nullptr) return (all_.get()->*ask)(params);
   Rows out;
   for (size_t r = 0; r < parts_.size(); ++r) {
-    Result<Rows> own = parts_[r]->Predict(joined_->ParamsOf(params, r));
+    Result<Rows> own = (parts_[r].get()->*ask)(joined_->ParamsOf(params, r));
     if (!own.ok()) return own.error();
-    out.push_back(std::move(own.value().front()));
+    std::move(own.value().begin(), own.value().end(), std::back_inserter(out));
   }
   return out;
+}
+
+Result<Rows> BenchRuns::Predict(const PhsParams& params) const {
+  return Each(&BenchForward::Predict, params);
+}
+
+Result<Rows> BenchRuns::Uncertain(const PhsParams& params) const {
+  return Each(&BenchForward::Uncertain, params);
 }
 
 }  // namespace phs::identify::element

@@ -24,11 +24,15 @@ class BenchRuns {
   std::vector<hydraulics::PhsParams> Models(const hydraulics::PhsParams& params) const;
   /// Force on every row of every record, in the band.
   Result<Rows> Predict(const hydraulics::PhsParams& params) const;
+  /// BenchForward::Uncertain of every record.
+  Result<Rows> Uncertain(const hydraulics::PhsParams& params) const;
   /// True if each record has a part of its own.
   bool own() const { return joined_ != nullptr; }
 
  private:
+  using Asked = Result<Rows> (BenchForward::*)(const hydraulics::PhsParams&) const;
   BenchRuns() = default;
+  Result<Rows> Each(Asked ask, const hydraulics::PhsParams& params) const;
   std::vector<ElementData> records_;  ///< each alone; empty: one part for all
   std::vector<std::shared_ptr<const BenchForward>> parts_;
   std::shared_ptr<const BenchForward> all_;

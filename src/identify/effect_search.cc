@@ -4,7 +4,6 @@
 #include <atomic>
 #include <cmath>
 #include <mutex>
-#include <set>
 
 #include "effects/unlisted.h"
 #include "identify/accept.h"
@@ -42,11 +41,9 @@ class Search {
     for (int round = 0; round < options_.effort.max_effects && !cancelled_; ++round) {
       if (!IsBeyondChance(problem_.rule(), problem_.likelihood().MostGain(out_.after.powers), 1))
         break;
-      Stage(0.02 + 0.2 * round, 0.14);
+      Stage(0.02 + 0.2 * round, 0.2);
       if (!AddOne(round)) break;
       Reweigh();
-      Stage(0.16 + 0.2 * round, 0.06);
-      SeekAnew();
     }
     DropSuperfluous();
     Stage(0.85, 0.1);
@@ -126,9 +123,6 @@ class Search {
     KeepWorstPlace(problem_, out_.after, out_.corrected.params, &list);
     std::vector<FullTrial> trials = Try(out_.corrected, out_.after, list);
     if (cancelled_) return false;
-    for (const FullTrial& trial : trials) {
-      if (trial.promise < reference_) promising_.insert(trial.candidate->effect);
-    }
     const size_t first = out_.candidates.size();
     int best = -1;
     for (const FullTrial& trial : trials) {
@@ -180,53 +174,6 @@ class Search {
     out_.corrected = WithCandidate(model, trial.form);
     out_.after = trial.fit;
     out_.effects.push_back(std::move(accepted));
-  }
-
-  /// Each effect but the last is taken out and sought anew among all candidates.
-  void SeekAnew() {
-    const size_t count = out_.effects.size();
-    for (size_t i = 0; problem_.rule().sought_anew && i + 1 < count && !cancelled_; ++i) {
-      FreeModel model;
-      FitResult rest;
-      rest.values = ValuesWithout(out_, 0, &model);
-      rest = FitNear(problem_, model, rest.values, {}, {.max_steps = 4, .final_slopes = true});
-      if (!rest.ok) return;
-      const AcceptedEffect old = out_.effects.front();
-      std::vector<Candidate> list = problem_.forward().Candidates(model.params);
-      KeepWorstPlace(problem_, rest, model.params, &list);
-      std::erase_if(list, [this](const Candidate& c) { return !promising_.contains(c.effect); });
-      std::vector<FullTrial> trials = Try(model, rest, list);
-      FullTrial now{&old.candidate, old.candidate, {}, Reordered(model, old), 0};
-      const FullTrial* best = now.fit.ok ? &now : nullptr;
-      for (const FullTrial& trial : trials) {
-        if (!trial.fit.ok) continue;
-        const Evidence e = Compare(problem_, rest, trial.fit, static_cast<double>(list.size()));
-        if (!Refusal(problem_.rule(), e, trial.form, trial.fit).empty()) continue;
-        if (best == nullptr || Beats(problem_, trial.form, trial.fit, best->form, best->fit)) {
-          best = &trial;
-        }
-      }
-      if (best == nullptr || cancelled_) return;
-      out_.effects.erase(out_.effects.begin());
-      const Evidence e = Compare(problem_, rest, best->fit, static_cast<double>(list.size()));
-      if (best->candidate->effect != old.candidate.effect) {
-        Withdraw(old.candidate.effect, "another explains more beside the later ones",
-                 &out_.candidates);
-        out_.candidates.push_back(
-            {best->candidate->effect, VariantName(best->form), 0, 0, true, e, kAccepted});
-      }
-      Take(model, *best, e, trials);
-    }
-  }
-
-  /// The fit as it is with the first effect's numbers moved to the end of `model`.
-  FitResult Reordered(const FreeModel& model, const AcceptedEffect& first) const {
-    const size_t begin = out_.declared.free.size(), n = first.candidate.free.size();
-    std::vector<double> values = out_.after.values;
-    const auto at = values.begin() + static_cast<long>(begin);
-    std::rotate(at, at + static_cast<long>(n), values.end());
-    return FitNear(problem_, WithCandidate(model, first.candidate), values, {},
-                   {.max_steps = 2, .final_slopes = true});
   }
 
   /// Every effect must still earn its place beside the others.
@@ -295,8 +242,7 @@ class Search {
   std::atomic<bool> cancelled_{false};
   std::atomic<double> part_{0};
   double begin_ = 0, length_ = 0.02;
-  std::set<std::string> promising_;  ///< effects that have once explained something
-  double reference_ = 0;             ///< criterion of the model beneath, on the coarse record
+  double reference_ = 0;  ///< criterion of the model beneath, on the coarse record
 };
 
 }  // namespace

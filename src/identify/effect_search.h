@@ -2,10 +2,9 @@
 //
 // Forward: candidates are screened and fitted (trials.h) on top of the model so far, about its best
 // fit, a robust one, and with each declared number held that the fit has moved by a tenth; the best
-// that passes the rule of acceptance (accept.h) is added. After each further one, every effect
-// accepted before is taken out and sought anew among all candidates, so that a first choice made
-// while another was missing can be undone. Then what the others made superfluous goes, and what
-// remains is described by a formula. The validation window is not looked at.
+// that passes the rule of acceptance (accept.h) is added, and so on. Then what the others made
+// superfluous goes, and what remains is described by a formula. The validation window is not looked
+// at.
 #pragma once
 
 #include <functional>

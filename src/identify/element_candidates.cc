@@ -185,6 +185,8 @@ std::vector<Candidate> ListElementCandidates(const FreeModel& model, const Eleme
     // A mounting has friction behind it, or nothing.
     const bool of_friction = info.family == "friction" || info.family == "mounting";
     if (search::IsIn(model.params, info.name) || (of_friction && !rubs)) continue;
+    // What hangs between force and part: the mass that moves is free.
+    if (data.by_force && info.family == "element") continue;
     for (const EffectForm& form : info.search.bench) {
       if (!IsFor(form, model, data)) continue;
       out.push_back(MakeCandidate(info, form, scale));

@@ -7,8 +7,10 @@
 
 #include "measurement/channel_noise.h"
 #include "measurement/data_checks.h"
+#include "measurement/excitation.h"
 #include "measurement/motion_smoother.h"
 #include "measurement/rig_data.h"
+#include "measurement/sampling_check.h"
 
 namespace phs::identify::element {
 
@@ -28,56 +30,10 @@ namespace {
 
 constexpr int kMinRows = 100;
 
-/// Turns of the motion by more than `step` inside a window, and its span.
-struct Excitation {
-  int reversals = 0;
-  double span_m = 0;
-};
-
-Excitation CountReversals(const RigRun& run, const Window& window, double step) {
-  Excitation out;
-  const std::vector<double>& x = run.inputs[0].y;
-  int direction = 0;
-  double low = INFINITY, high = -INFINITY, turn = NAN;
-  for (int i = run.First(window); i < run.Last(window); ++i) {
-    const double at = x[static_cast<size_t>(i)];
-    low = std::min(low, at), high = std::max(high, at);
-    if (std::isnan(turn) || (at - turn) * direction > 0) turn = at;
-    if (std::abs(at - turn) <= step) continue;
-    out.reversals += direction != 0;
-    direction = at > turn ? 1 : -1;
-    turn = at;
-  }
-  out.span_m = std::max(0.0, high - low);
-  return out;
-}
-
-Status CheckExcitation(const std::vector<RigRun>& runs) {
-  int reversals = 0;
-  double span = 0;
-  for (const RigRun& run : runs) {
-    if (run.estimation.empty()) continue;
-    const double noise = WhiteNoise(run.inputs[0].y, run.inputs[0].bad);
-    const Excitation e = CountReversals(run, run.estimation, std::max(20 * noise, 1e-7));
-    reversals += e.reversals;
-    span = std::max(span, e.span_m > 2 * std::max(20 * noise, 1e-7) ? e.span_m : 0);
-  }
-  const std::string where = runs.front().source;
-  if (span == 0) {
-    return Error{where, "x_m does not move in the estimation window", "motion well above its noise",
-                 "nothing can be identified from a constant input; choose another window"};
-  }
-  if (reversals < 2) {
-    return Error{where, fmt::format("x_m reverses {} times in the estimation window", reversals),
-                 "2 reversals or more",
-                 "friction cannot be told from an offset without; choose a longer window"};
-  }
-  return {};
-}
-
-void TakeRows(const RigRun& run, double band_Hz, ElementRecord* record) {
+void TakeRows(const RigRun& run, double band_Hz, bool by_force, ElementRecord* record) {
   record->band = BandLimit(run.step_s, band_Hz);
   record->row_force_N = record->band.Apply(record->force_N);
+  record->row_value = by_force ? record->band.Apply(run.inputs[0].y) : record->row_force_N;
   const int n = run.num_samples, spread = record->band.spread();
   std::vector<int> bad_before(static_cast<size_t>(n) + 1, 0);
   for (int i = 0; i < n; ++i) {
@@ -95,7 +51,7 @@ void TakeRows(const RigRun& run, double band_Hz, ElementRecord* record) {
   }
 }
 
-Result<ElementRecord> MakeRecord(RigRun& run, double band_Hz) {
+Result<ElementRecord> MakeRecord(RigRun& run, double band_Hz, bool by_force) {
   ElementRecord record;
   record.source = run.source;
   record.estimation = run.estimation;
@@ -113,7 +69,8 @@ Result<ElementRecord> MakeRecord(RigRun& run, double band_Hz) {
   if (run.temperature.present()) record.motion.temperature_K = run.temperature.y;
   record.force_N = run.outputs[0].y;
   record.extra = run.extra;
-  TakeRows(run, band_Hz, &record);
+  record.start_m = smooth.position.front(), record.start_m_s = record.motion.speed_m_s[0].front();
+  TakeRows(run, band_Hz, by_force, &record);
   return record;
 }
 
@@ -144,6 +101,8 @@ Result<ElementData> ReadElementData(const Manifest& manifest) {
   ElementData data;
   data.compare_below_Hz = manifest.compare_below_Hz;
   data.candidates = manifest.candidates, data.own = manifest.own;
+  data.by_force = manifest.options.driven_by == rigs::Drive::kForce;
+  if (data.by_force) data.compared = "x_m";
   data.has_pressure = data.has_temperature = true;
   std::vector<RigRun> runs;
   for (const RunSpec& spec : manifest.runs) {
@@ -151,6 +110,11 @@ Result<ElementData> ReadElementData(const Manifest& manifest) {
     if (!read.ok()) return read.error();
     runs.push_back(std::move(read.value()));
     LeaveOutFaults(&runs.back());
+    if (Status s =
+            measurement::CheckSampling(runs.back().inputs[0], runs.back(), &runs.back().findings);
+        !s.ok()) {
+      data.too_fast = s.error();
+    }
     const RigRun& run = runs.back();
     data.has_pressure &= run.pressure.present();
     data.has_temperature &= run.temperature.present();
@@ -159,27 +123,31 @@ Result<ElementData> ReadElementData(const Manifest& manifest) {
           {f.channel, (manifest.runs.size() > 1 ? run.source + ": " : "") + f.text});
     }
   }
-  if (Status s = CheckExcitation(runs); !s.ok()) return s.error();
-  double square = 0, position = 0;
+  std::vector<const RigRun*> all;
+  for (const RigRun& run : runs) all.push_back(&run);
+  if (Status s = measurement::CheckExcitation(all, 0); !s.ok()) return s.error();
+  double square = 0;
   for (RigRun& run : runs) {
-    Result<ElementRecord> record = MakeRecord(run, manifest.compare_below_Hz);
+    Result<ElementRecord> record = MakeRecord(run, manifest.compare_below_Hz, data.by_force);
     if (!record.ok()) return record.error();
     // White noise of the full rate, as much of it as the band lets through.
     const double share = record.value().band.passes_all()
                              ? 1
                              : std::min(1.0, 2 * manifest.compare_below_Hz * run.step_s);
-    const double noise = std::max(WhiteNoise(run.outputs[0].y, run.outputs[0].bad),
-                                  Quantum(run.outputs[0].y) / std::sqrt(12.0)) *
-                         std::sqrt(share);
-    square += noise * noise / static_cast<double>(runs.size());
-    position = std::max(position, WhiteNoise(run.inputs[0].y, run.inputs[0].bad));
+    const auto noise = [](const Channel& c) {
+      return std::max(WhiteNoise(c.y, c.bad), Quantum(c.y) / std::sqrt(12.0));
+    };
+    const Channel& compared = data.by_force ? run.inputs[0] : run.outputs[0];
+    square += std::pow(noise(compared), 2) * share / static_cast<double>(runs.size());
+    data.force_noise_N = std::max(data.force_noise_N, noise(run.outputs[0]));
+    data.position_noise_m =
+        std::max(data.position_noise_m, WhiteNoise(run.inputs[0].y, run.inputs[0].bad));
     data.records.push_back(std::move(record.value()));
   }
-  data.noise_N = std::sqrt(square);
-  data.position_noise_m = position;
-  if (!(data.noise_N > 0)) {
-    return Error{manifest.runs.front().data, "force_N never changes: the channel is dead",
-                 "a force that follows the motion", "check the column"};
+  data.noise = std::sqrt(square);
+  if (!(data.noise > 0)) {
+    return Error{manifest.runs.front().data, data.compared + " never changes: the channel is dead",
+                 "a channel that follows the motion", "check the column"};
   }
   for (const bool fitted : {true, false}) {
     if (data.CountRows(fitted) >= kMinRows) continue;

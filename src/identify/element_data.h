@@ -1,6 +1,7 @@
 // Measured runs of a part on a bench (rig: element), made ready for fitting.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,8 +20,10 @@ struct ElementRecord {
   rigs::RigMotion motion;               ///< smoothed, full rate
   std::vector<double> speed_deviation;  ///< standard deviation of motion.speed_m_s[0]
   std::vector<double> force_N;          ///< full rate, gaps bridged
+  double start_m = 0, start_m_s = 0;    ///< where a force takes it up
   measurement::BandLimit band{1, 0};
   std::vector<double> row_force_N;   ///< in the band
+  std::vector<double> row_value;     ///< of what is compared, in the band
   std::vector<int> row_sample;       ///< full-rate sample of each row
   std::vector<char> fitted, scored;  ///< row in the estimation, in the validation window
   std::shared_ptr<const hydraulics::ExtraSeries> extra;  ///< further channels; null: none
@@ -33,13 +36,17 @@ struct ElementRecord {
 
 struct ElementData {
   std::vector<ElementRecord> records;
-  double noise_N = 0;  ///< of the compared force
-  double position_noise_m = 0;
+  bool by_force = false;             ///< the force drives and the position is compared
+  std::string compared = "force_N";  ///< or "x_m"
+  double noise = 0;                  ///< of what is compared, in the band
+  double force_noise_N = 0, position_noise_m = 0;
   bool has_pressure = false, has_temperature = false;
   double compare_below_Hz = 0;
   std::vector<std::string> candidates;             ///< effects to look for; empty: all
   std::vector<measurement::OwnCandidate> own;      ///< and the user's own
   std::vector<measurement::DataFinding> findings;  ///< what was found wrong, and left out
+  /// A motion that lies above a quarter of its sampling rate most of the time.
+  std::optional<Error> too_fast;
 
   int CountRows(bool fitted) const;
 };

@@ -22,6 +22,7 @@ namespace {
 struct WindowRows {
   std::vector<double> residual;
   std::vector<std::pair<size_t, size_t>> at;  ///< record, full-rate sample
+  std::vector<size_t> row;                    ///< of its record
   Eigen::VectorXd vector() const {
     return Eigen::Map<const Eigen::VectorXd>(residual.data(),
                                              static_cast<Eigen::Index>(residual.size()));
@@ -35,11 +36,17 @@ WindowRows Collect(const ElementData& data, const Rows& predicted, bool fitted) 
     const std::vector<char>& in = fitted ? record.fitted : record.scored;
     for (size_t k = 0; k < in.size(); ++k) {
       if (!in[k]) continue;
-      out.residual.push_back(record.row_force_N[k] - predicted[r][k]);
+      out.residual.push_back(record.row_value[k] - predicted[r][k]);
       out.at.emplace_back(r, static_cast<size_t>(record.row_sample[k]));
+      out.row.push_back(k);
     }
   }
   return out;
+}
+
+/// Of the sensor and, where `uncertain` says it, of what drives.
+double NoiseAt(const ElementData& data, const Rows& uncertain, size_t r, size_t k) {
+  return uncertain.empty() ? data.noise : std::hypot(data.noise, uncertain[r][k]);
 }
 
 /// Travel since the last reversal, with the sign of the motion [m], at the full rate.
@@ -64,7 +71,7 @@ RowScore ScoreRows(const ElementData& data, const Rows& predicted, bool fitted) 
     for (size_t k = 0; k < in.size(); ++k) {
       if (!in[k]) continue;
       time.push_back(static_cast<double>(time.size()));
-      measured.push_back(record.row_force_N[k]);
+      measured.push_back(record.row_value[k]);
       model.push_back(predicted[r][k]);
     }
   }
@@ -84,7 +91,7 @@ json ToJson(const RowScore& score) {
   return out;
 }
 
-RowMap MapRows(const ElementData& data, const Rows& predicted, bool fitted) {
+RowMap MapRows(const ElementData& data, const Rows& predicted, const Rows& uncertain, bool fitted) {
   const WindowRows rows = Collect(data, predicted, fitted);
   std::vector<std::pair<std::string, std::vector<double>>> variables;
   const auto add = [&](const std::string& name, auto value) {
@@ -105,6 +112,7 @@ RowMap MapRows(const ElementData& data, const Rows& predicted, bool fitted) {
   const double independent =
       search::EffectiveSamples(rows.vector(), 0, static_cast<int>(rows.residual.size()));
   RowMap out;
+  out.channel = data.compared;
   out.shares = ShareByVariable(rows.residual, independent, variables);
   for (const VariableShare& v : out.shares) {
     if (v.share > 0.03 && v.p_value < 1e-3 && out.depends_on.size() < 4) {
@@ -112,8 +120,11 @@ RowMap MapRows(const ElementData& data, const Rows& predicted, bool fitted) {
     }
   }
   double square = 0;
-  for (const double r : rows.residual) square += r * r / static_cast<double>(rows.residual.size());
-  out.over_noise = std::sqrt(square) / data.noise_N;
+  for (size_t j = 0; j < rows.residual.size(); ++j) {
+    const double noise = NoiseAt(data, uncertain, rows.at[j].first, rows.row[j]);
+    square += std::pow(rows.residual[j] / noise, 2) / static_cast<double>(rows.residual.size());
+  }
+  out.over_noise = std::sqrt(square);
   out.whiteness_p = search::WhitenessP(rows.residual);
   return out;
 }
@@ -121,7 +132,7 @@ RowMap MapRows(const ElementData& data, const Rows& predicted, bool fitted) {
 json ToJson(const RowMap& map) {
   json share = json::object(), p = json::object();
   for (const VariableShare& v : map.shares) share[v.variable] = v.share, p[v.variable] = v.p_value;
-  return {{"channel", "force_N"},
+  return {{"channel", map.channel},
           {"depends_on", map.depends_on},
           {"explained_share", share},
           {"p_values", p},
@@ -129,7 +140,7 @@ json ToJson(const RowMap& map) {
           {"whiteness_p", map.whiteness_p}};
 }
 
-LeftOver LeftOfRows(const ElementData& data, const Rows& predicted) {
+LeftOver LeftOfRows(const ElementData& data, const Rows& predicted, const Rows& uncertain) {
   double square = 0, following = 0, count = 0;
   for (size_t r = 0; r < data.records.size(); ++r) {
     const ElementRecord& record = data.records[r];
@@ -144,7 +155,7 @@ LeftOver LeftOfRows(const ElementData& data, const Rows& predicted) {
     for (size_t k = 0; k < record.scored.size(); ++k) {
       const auto i = static_cast<size_t>(record.row_sample[k]);
       if (!record.validation.Contains(record.Time(record.row_sample[k]))) continue;
-      const double over = (record.row_force_N[k] - predicted[r][k]) / data.noise_N;
+      const double over = (record.row_value[k] - predicted[r][k]) / NoiseAt(data, uncertain, r, k);
       residual.push_back(record.scored[k] ? over : std::numeric_limits<double>::quiet_NaN());
       if (record.scored[k]) square += over * over, ++present;
       for (size_t s = 0; s < driven.size(); ++s) signals[s].push_back((*driven[s])[i]);
@@ -175,7 +186,7 @@ std::string FormulaText(const search::Identification& found) {
   return {};
 }
 
-Status WriteRows(const std::string& path, const ElementData& data, const Rows* force) {
+Status WriteRows(const std::string& path, const ElementData& data, const Rows* predicted) {
   std::vector<std::string> names = {"t_s", "x_m", "force_N"};
   if (data.has_pressure) names.push_back("p_Pa");
   if (data.has_temperature) names.push_back("temperature_K");
@@ -190,8 +201,9 @@ Status WriteRows(const std::string& path, const ElementData& data, const Rows* f
       const auto i = static_cast<size_t>(record.row_sample[k]);
       size_t c = 0;
       columns[c++].push_back(record.Time(record.row_sample[k]) + shift);
-      columns[c++].push_back(m.position_m[0][i]);
-      columns[c++].push_back(force != nullptr ? (*force)[r][k] : record.row_force_N[k]);
+      const double compared = predicted != nullptr ? (*predicted)[r][k] : record.row_value[k];
+      columns[c++].push_back(data.by_force ? compared : m.position_m[0][i]);
+      columns[c++].push_back(data.by_force ? record.row_force_N[k] : compared);
       if (data.has_pressure) columns[c++].push_back(m.pressure_Pa[i]);
       if (data.has_temperature) columns[c++].push_back(m.temperature_K[i]);
       if (c < columns.size()) columns[c].push_back(static_cast<double>(r + 1));

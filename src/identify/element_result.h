@@ -22,23 +22,24 @@ struct RowScore {
 RowScore ScoreRows(const ElementData& data, const Rows& predicted, bool fitted);
 nlohmann::ordered_json ToJson(const RowScore& score);
 
-/// On what the rows' residual depends.
+/// On what the rows' residual depends; `uncertain`: BenchForward::Uncertain.
 struct RowMap {
+  std::string channel;                  ///< that is compared
   std::vector<std::string> depends_on;  ///< variables, the strongest first
   std::vector<VariableShare> shares;    ///< of all variables
   double over_noise = 0;                ///< rms over the noise of the force
   double whiteness_p = 1;               ///< Ljung–Box
 };
-RowMap MapRows(const ElementData& data, const Rows& predicted, bool fitted);
+RowMap MapRows(const ElementData& data, const Rows& predicted, const Rows& uncertain, bool fitted);
 nlohmann::ordered_json ToJson(const RowMap& map);
 
 /// What the scored rows leave, over the noise.
-LeftOver LeftOfRows(const ElementData& data, const Rows& predicted);
+LeftOver LeftOfRows(const ElementData& data, const Rows& predicted, const Rows& uncertain);
 /// The formula with its fitted coefficients; empty without.
 std::string FormulaText(const search::Identification& found);
 
 /// t_s, x_m, force_N (and p_Pa, temperature_K) on the compared rows; several runs one after the
-/// other with a column `run`. `force` null: as measured.
-Status WriteRows(const std::string& path, const ElementData& data, const Rows* force);
+/// other with a column `run`. `predicted` of what is compared; null: as measured.
+Status WriteRows(const std::string& path, const ElementData& data, const Rows* predicted);
 
 }  // namespace phs::identify::element

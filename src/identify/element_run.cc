@@ -39,7 +39,9 @@ json BenchHead(const Manifest& manifest, const ElementData& data) {
   json head = {{"rig", manifest.rig},
                {"declared", manifest.model},
                {"data", data.records.size() == 1 ? sources[0] : sources},
-               {"noise", {{"x_m", data.position_noise_m}, {"force_N", data.noise_N}}},
+               {"noise",
+                {{"x_m", data.position_noise_m},
+                 {"force_N", data.by_force ? data.force_noise_N : data.noise}}},
                {"data_findings", search::FindingList(data.findings)}};
   if (data.compare_below_Hz > 0) head["compare_below_Hz"] = data.compare_below_Hz;
   if (data.records.size() == 1) {
@@ -61,6 +63,8 @@ search::TestRig TestRigOf(const Manifest& manifest, const ElementData& data) {
                              positions, speeds, forces, std::numeric_limits<double>::infinity());
 }
 
+std::string UnitOf(const std::string& channel) { return channel.substr(channel.rfind('_') + 1); }
+
 std::string BenchSummary(const json& result) {
   std::string out;
   out += search::VerdictLines(result);
@@ -80,11 +84,11 @@ std::string BenchSummary(const json& result) {
     out += "\n";
   }
   for (const char* key : {"channels_estimation", "channels"}) {
-    const json& s = result[key]["force_N"];
-    out += fmt::format("force_N {:10} rmse {:.4g} -> {:.4g} N  relative {:.3f} -> {:.3f} %\n",
+    const auto [channel, s] = *result[key].items().begin();
+    out += fmt::format("{} {:10} rmse {:.4g} -> {:.4g} {}  relative {:.3f} -> {:.3f} %\n", channel,
                        std::string(key) == "channels" ? "validation" : "estimation",
                        s["before"]["rmse"].get<double>(), s["after"]["rmse"].get<double>(),
-                       s["before"]["relative_percent"].get<double>(),
+                       UnitOf(channel), s["before"]["relative_percent"].get<double>(),
                        s["after"]["relative_percent"].get<double>());
   }
   out += search::NextTestLines(result);
@@ -139,15 +143,16 @@ struct BenchFindings {
   LeftOver left_before, left_after;
 };
 
-BenchFindings Look(const ElementData& data, const Rows& before, const Rows& after) {
-  return {ScoreRows(data, before, true),  ScoreRows(data, after, true),
-          ScoreRows(data, before, false), ScoreRows(data, after, false),
-          MapRows(data, before, true),    MapRows(data, after, false),
-          LeftOfRows(data, before),       LeftOfRows(data, after)};
+BenchFindings Look(const ElementData& data, const Rows& before, const Rows& after,
+                   const Rows& uncertain) {
+  return {ScoreRows(data, before, true),          ScoreRows(data, after, true),
+          ScoreRows(data, before, false),         ScoreRows(data, after, false),
+          MapRows(data, before, uncertain, true), MapRows(data, after, uncertain, false),
+          LeftOfRows(data, before, uncertain),    LeftOfRows(data, after, uncertain)};
 }
 
 Unexplained UnexplainedOf(const BenchFindings& f, const Identification& found) {
-  return {.channel = "force_N",
+  return {.channel = f.map_after.channel,
           .nrmse = f.after.score.nrmse,
           .whiteness_p = f.map_after.whiteness_p,
           .over_noise = f.map_after.over_noise,
@@ -160,8 +165,8 @@ VerdictFacts FactsOf(const BenchFindings& f, const FitProblem& problem, const Id
                      std::vector<std::string> faults, std::vector<std::string>* drives) {
   *drives = search::WhatDrives(problem, found);
   faults.insert(faults.end(), drives->begin(), drives->end());
-  return {{{"force_N", f.left_before.over_noise, f.map_after.over_noise, f.after.score.nrmse,
-            f.left_after.following}},
+  return {{{f.map_after.channel, f.left_before.over_noise, f.map_after.over_noise,
+            f.after.score.nrmse, f.left_after.following}},
           search::NamedEffects(found),
           search::FittedNumbers(found),
           std::move(faults)};
@@ -172,9 +177,9 @@ json Describe(const Manifest& manifest, const ElementData& data, const FitProble
               const Identification& found, const BenchFindings& f, const Unexplained& left,
               std::vector<std::string> faults) {
   json result = BenchHead(manifest, data);
-  result["channels_estimation"]["force_N"] = {{"before", ToJson(f.estimation_before)},
-                                              {"after", ToJson(f.estimation_after)}};
-  result["channels"]["force_N"] = {{"before", ToJson(f.before)}, {"after", ToJson(f.after)}};
+  result["channels_estimation"][data.compared] = {{"before", ToJson(f.estimation_before)},
+                                                  {"after", ToJson(f.estimation_after)}};
+  result["channels"][data.compared] = {{"before", ToJson(f.before)}, {"after", ToJson(f.after)}};
   const size_t declared = found.declared.free.size();
   result["effects"] = search::EffectList(found);
   result["fitted"] = search::Parameters(found.corrected, found.after, 0, declared, true);
@@ -189,6 +194,16 @@ json Describe(const Manifest& manifest, const ElementData& data, const FitProble
   result["drives"] = drives;
   search::PutVerdict(facts, &result);
   return result;
+}
+
+SearchOptions ForBench(const SearchOptions& options, const ElementData& data,
+                       const std::vector<std::string>& faults) {
+  SearchOptions asked = options;
+  const auto& named = data.candidates;
+  asked.formula = named.empty() || std::find(named.begin(), named.end(),
+                                             effects::UnlistedInfo().name) != named.end();
+  if (!faults.empty()) asked.effort.max_effects = 0, asked.formula = false;  // nothing to explain
+  return asked;
 }
 
 }  // namespace
@@ -212,12 +227,9 @@ Result<IdentifyOutcome> RunElementIdentify(const Manifest& manifest, const Searc
   if (!made.ok()) return made.error();
   FitProblem& problem = made.value();
   const std::vector<std::string> faults = FindFaults(manifest, data.value(), declared.value());
-  SearchOptions asked = options;
-  const auto& named = data.value().candidates;
-  asked.formula = named.empty() || std::find(named.begin(), named.end(),
-                                             effects::UnlistedInfo().name) != named.end();
-  if (!faults.empty()) asked.effort.max_effects = 0, asked.formula = false;  // nothing to explain
-  Result<Identification> searched = Identify(&problem, bench.declared(), asked, progress);
+  if (faults.empty() && data.value().too_fast) return *data.value().too_fast;
+  Result<Identification> searched =
+      Identify(&problem, bench.declared(), ForBench(options, data.value(), faults), progress);
   if (!searched.ok()) return searched.error();
   const Identification& found = searched.value();
   IdentifyOutcome outcome;
@@ -228,8 +240,11 @@ Result<IdentifyOutcome> RunElementIdentify(const Manifest& manifest, const Searc
   const Result<Rows> after = bench.Predict(corrected);
   if (!before.ok()) return before.error();
   if (!after.ok()) return after.error();
+  const Result<Rows> uncertain = bench.Uncertain(corrected);
+  if (!uncertain.ok()) return uncertain.error();
   json& result = outcome.result;
-  const BenchFindings findings = Look(data.value(), before.value(), after.value());
+  const BenchFindings findings =
+      Look(data.value(), before.value(), after.value(), uncertain.value());
   const Unexplained left = UnexplainedOf(findings, found);
   result = Describe(manifest, data.value(), problem, found, findings, left, faults);
   search::PutRule(options.rule, &result);
@@ -246,11 +261,9 @@ Result<IdentifyOutcome> RunElementIdentify(const Manifest& manifest, const Searc
   AddAsked(asks, &result["next_test"]);
   result["candidates"] = search::CandidateList(found);
   result["model"] = "model.yaml";
-  if (Status s = WriteFiles(data.value(), &before.value(), after.value(),
-                            CorrectedModels(data.value(), bench, corrected), result, dir);
-      !s.ok()) {
-    return s.error();
-  }
+  const Status written = WriteFiles(data.value(), &before.value(), after.value(),
+                                    CorrectedModels(data.value(), bench, corrected), result, dir);
+  if (!written.ok()) return written.error();
   outcome.summary = BenchSummary(result);
   return outcome;
 }
@@ -267,12 +280,13 @@ Result<IdentifyOutcome> RunElementRig(const Manifest& manifest, const ResultDir&
   IdentifyOutcome outcome;
   outcome.result = BenchHead(manifest, data.value());
   const RowScore score = ScoreRows(data.value(), rows.value(), false);
-  outcome.result["channels"]["force_N"] = ToJson(score);
-  outcome.result["channels_estimation"]["force_N"] =
+  const std::string& channel = data.value().compared;
+  outcome.result["channels"][channel] = ToJson(score);
+  outcome.result["channels_estimation"][channel] =
       ToJson(ScoreRows(data.value(), rows.value(), true));
   outcome.summary =
-      fmt::format("force_N  validation rmse {:.4g} N  nrmse {:.4f}  relative {:.3f} %\n",
-                  score.score.rmse, score.score.nrmse, score.relative_percent);
+      fmt::format("{}  validation rmse {:.4g} {}  nrmse {:.4f}  relative {:.3f} %\n", channel,
+                  score.score.rmse, UnitOf(channel), score.score.nrmse, score.relative_percent);
   if (Status s = WriteFiles(data.value(), nullptr, rows.value(), {}, outcome.result, dir);
       !s.ok()) {
     return s.error();

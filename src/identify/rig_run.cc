@@ -83,11 +83,13 @@ std::string ComparisonLines(const json& result) {
   return text;
 }
 
-/// A bench whose force was measured, too.
+/// A bench of which not only what drives it was measured.
 bool IsMeasuredBench(const Manifest& manifest) {
   if (manifest.rig != "element" || manifest.signal) return false;
-  const auto run = measurement::ReadRigRun(manifest.runs.front(), manifest, {"x_m"}, {"force_N"},
-                                           measurement::OutputNeed::kNone);
+  const bool by_force = manifest.options.driven_by == rigs::Drive::kForce;
+  const auto run =
+      measurement::ReadRigRun(manifest.runs.front(), manifest, {by_force ? "force_N" : "x_m"},
+                              {by_force ? "x_m" : "force_N"}, measurement::OutputNeed::kNone);
   return !run.ok() || run.value().outputs.front().present();
 }
 

@@ -9,7 +9,9 @@
 #include "base/words.h"
 #include "measurement/channel_noise.h"
 #include "measurement/data_checks.h"
+#include "measurement/excitation.h"
 #include "measurement/rig_data.h"
+#include "measurement/sampling_check.h"
 #include "measurement/standstill.h"
 
 namespace phs::measurement {
@@ -25,40 +27,6 @@ void Restrict(const std::vector<char>& by, std::vector<char>* flags) {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr int kMinSamples = 200;
-
-Status CheckExcitation(const FitData& data) {
-  for (const MeasuredChannel& input : data.inputs) {
-    double low = 1e300, high = -1e300, turn = 0;
-    int reversals = 0, direction = 0;
-    bool first = true;
-    const double step = std::max(20 * input.noise, 1e-7);
-    for (size_t i = 0; i < data.time_s.size(); ++i) {
-      const double t = data.time_s[i], x = input.values[i];
-      if (t < data.estimation[0] || t >= data.estimation[1] || !std::isfinite(x)) continue;
-      low = std::min(low, x), high = std::max(high, x);
-      if (first) turn = x, first = false;
-      if ((x - turn) * direction > 0) turn = x;
-      if (std::abs(x - turn) <= step) continue;
-      if (direction != 0) ++reversals;
-      direction = x > turn ? 1 : -1, turn = x;
-    }
-    if (high - low < 2 * step) {
-      return Error{data.source,
-                   fmt::format("{} does not move in the estimation window ({:.2g} m)", input.name,
-                               high - low),
-                   "motion well above its noise",
-                   "nothing can be identified from a constant input; choose another window"};
-    }
-    if (reversals < 2) {
-      return Error{
-          data.source,
-          fmt::format("{} reverses {} times in the estimation window", input.name, reversals),
-          "2 reversals or more",
-          "friction and stiffness cannot be told apart without; choose a longer window"};
-    }
-  }
-  return {};
-}
 
 /// Samples at which the driving motion is bridged over more than a few samples: what the model is
 /// driven with there is not what happened.
@@ -159,6 +127,7 @@ Result<FitData> ReadFitData(const Manifest& manifest, const hydraulics::PhsParam
   for (Channel& input : run.inputs) {
     MendInputScale(params, &input, &data.findings);
     MarkSpikes(&input, &data.findings);
+    if (Status s = CheckSampling(input, run, &data.findings); !s.ok()) return s.error();
     const double noise = std::max(WhiteNoise(input.y, input.bad), Quantum(input.y) / 3.46);
     data.inputs.push_back({input.name, input.y, noise});
     data.motion.push_back(SmoothPosition(input.y, input.bad, run.step_s, std::max(noise, 1e-12)));
@@ -169,8 +138,8 @@ Result<FitData> ReadFitData(const Manifest& manifest, const hydraulics::PhsParam
   if (std::count(standstill.begin(), standstill.end(), 1) * run.step_s > kEnoughStandstill_s) {
     rest = std::move(standstill);
   }
-  if (!run.estimation.empty()) {
-    if (Status s = CheckExcitation(data); !s.ok()) return s.error();
+  for (size_t a = 0; a < run.inputs.size(); ++a) {
+    if (Status s = CheckExcitation({&run}, a); !s.ok()) return s.error();
   }
   if (run.pressure.present()) data.pressure_Pa = run.pressure.y;
   const std::vector<char> lost = LostInput(run.inputs);

@@ -102,8 +102,9 @@ void ReadDriven(YamlMap& map, const std::string& rig, WindowNeed need, rigs::Rig
     map.Fail("actuators", "are not four on rig: " + rig, "rig: full");
   }
   if (options->driven_by == rigs::Drive::kPosition) return;
+  if (rig == "element" && options->driven_by == rigs::Drive::kForce) return;
   if (rig != "cylinder" && rig != "quarter") {
-    map.Fail("driven_by", "is not for rig: " + rig, "cylinder, quarter");
+    map.Fail("driven_by", "is not for rig: " + rig, "cylinder, quarter; force: element, too");
   }
   if (need == WindowNeed::kEstimation) {
     map.Fail("driven_by", "nothing is fitted to a rig driven by " + word, "position",

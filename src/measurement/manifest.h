@@ -33,6 +33,7 @@
 //   actuators: 4                          full rig: all pistons driven, no beam
 //   driven_by: force, moving_mass_kg: 30  one cylinder: a force instead of a position; `pressure`:
 //                                         position and both pressures given, force predicted
+//   driven_by: force                      a part on a bench: the force is given, x_m predicted
 //   phs_parameters: {temperature_K: 253}  changes of the declared model, as in a scenario; with
 //   effects: {…}, failures: [{…}]         effects beside its own, and failures at their times
 //   compare_with: quarter_sine            phs rig: another manifest, whose prediction this one is

@@ -28,6 +28,12 @@ struct ElementPlaces {
 /// Force of the gas spring at `x` [m], 0 at x = 0; `part`: gas_length_m not 0.
 double GasSpringForce(const hydraulics::ElementParams& part, double x);
 
+/// What friction sees at sample `at`, between two of them by straight lines; `extra` holds further channels.
+hydraulics::FrictionPlace ElementPlace(const hydraulics::PhsSystem& system, const RigMotion& motion,
+                                       double at, double* extra);
+/// Force of the part without mass and friction; `pressure`: above static [Pa].
+double ElementForce(const hydraulics::ElementParams& part, double x, double v, double pressure);
+
 /// Force [N] at every sample. `speed`: of x, same length. `places` may be null.
 void RunElementBench(const hydraulics::PhsSystem& system, const RigMotion& motion,
                      const std::vector<double>& speed, std::vector<double>* force,

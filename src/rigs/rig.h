@@ -22,7 +22,8 @@ struct BeamParams {
   double hinge_friction_Nm = 0;       ///< >= 0, regularised over 1e-4 rad/s
 };
 
-/// What is given of the driven cylinder. Force and pressure: rigs with one cylinder, for phs rig.
+/// What is given of the driven cylinder, or of a part on a bench (position or force). Of rigs with
+/// one cylinder force and pressure are for phs rig.
 enum class Drive { kPosition, kForce, kPressure };
 
 struct RigOptions {

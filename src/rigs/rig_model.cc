@@ -10,6 +10,7 @@
 #include "phs_model/phs_model.h"
 #include "rigs/driven_rigs.h"
 #include "rigs/element_bench.h"
+#include "rigs/element_drive.h"
 #include "rigs/hinged_beam.h"
 #include "rigs/rig_channels.h"
 #include "rigs/rig_cylinder.h"
@@ -25,6 +26,7 @@ using hydraulics::PhsSystem;
 namespace {
 
 std::vector<std::string> InputNames(RigKind kind, const RigOptions& options) {
+  if (kind == RigKind::kElement && options.driven_by == Drive::kForce) return {"force_N"};
   if (kind == RigKind::kElement) return {"x_m"};
   if (kind == RigKind::kFull) {
     std::vector<std::string> names;
@@ -40,6 +42,7 @@ std::vector<std::string> InputNames(RigKind kind, const RigOptions& options) {
 
 std::vector<std::string> OutputNames(RigKind kind, const PhsParams& params,
                                      const RigOptions& options) {
+  if (kind == RigKind::kElement && options.driven_by == Drive::kForce) return {"x_m"};
   if (kind == RigKind::kElement) return {"force_N"};
   if (options.driven_by == Drive::kPressure) return {"piston_m", "load_cell_N"};
   if (kind != RigKind::kFull) return {"piston_m", "load_cell_N", "p_bore_Pa", "p_rod_Pa"};
@@ -59,8 +62,10 @@ Status CheckDrive(RigKind kind, const RigOptions& options) {
     return Error{"actuators", "this rig has one cylinder", "rig: full"};
   }
   if (options.driven_by == Drive::kPosition) return {};
+  if (kind == RigKind::kElement && options.driven_by == Drive::kForce) return {};
   if (kind != RigKind::kCylinder && kind != RigKind::kQuarter) {
-    return Error{"driven_by", "is for one cylinder with its lines", "rig: cylinder, quarter"};
+    return Error{"driven_by", "is for one cylinder with its lines", "rig: cylinder, quarter",
+                 "a part on a bench: position or force"};
   }
   if (!(options.moving_mass_kg > 0)) {
     return Error{"moving_mass_kg", "is not positive", "> 0"};
@@ -268,6 +273,12 @@ Status RigModel::Run(const RigMotion& motion, RigPrediction* prediction,
       }
       break;
     case RigKind::kElement:
+      if (impl_->options.driven_by == Drive::kForce) {
+        const Status done = RunElementByForce(impl_->system, motion, {}, impl_->options.substeps,
+                                              &prediction->channels[0]);
+        if (!done.ok()) return done;
+        break;
+      }
       RunElementBench(impl_->system, motion, speed[0], &prediction->channels[0], nullptr);
       break;
     default:

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "base/table.h"
 #include "identify/bogie_data.h"
 #include "identify/bogie_run.h"
 #include "phs_model/phs_model.h"
@@ -109,6 +110,32 @@ TEST_F(BogieTest, CantErrorIsNamedAndTheModelRunsAsItIs) {
 }
 
 // bo_bo_measured: gas 7.76e-6 m3 in the cross lines, 8.85e-6 m3 in the others.
+TEST_F(BogieTest, FittedOnARunAndScoredOnAFasterOne) {
+  Measure("", kOff);
+  auto faster = vehicle::LoadScenario(scratch_.File("truth.yaml")).value();
+  faster.speed_m_s *= 1.1;
+  ASSERT_TRUE(MeasureBogie(faster, BogieSensors(true), 0.02, 10, scratch_.File("faster.csv")));
+  Write("manifest.yaml", "rig: bogie\nmodel: " + scratch_.File("declared.yaml") +
+                             "\nruns:\n  - {data: run.csv, estimation: [0.4, 10]}\n"
+                             "  - {data: faster.csv, validation: [0.4, 9]}\n"
+                             "free: [friction.scale, lines.gas_volume_m3]\n");
+  auto dir = ResultDir::Create(scratch_.File("out"), true);
+  SearchOptions options;
+  options.effort.max_effects = 0;
+  const auto outcome = IdentifyBogie(LoadManifest(scratch_.File("manifest.yaml")).value(), options,
+                                     nullptr, dir.value());
+  ASSERT_TRUE(outcome.ok()) << outcome.error().Line();
+  ASSERT_TRUE(dir.value().Commit().ok());
+  const ordered_json& result = outcome.value().result;
+  EXPECT_NEAR(result["fitted"]["friction.scale"]["value"].get<double>(), 1.15, 0.1);
+  EXPECT_NEAR(result["fitted"]["lines.gas_volume_m3"]["value"].get<double>(), 14.5e-6, 1e-6);
+  EXPECT_LT(result["channels"]["piston1_m"]["after"]["nrmse"].get<double>(), 0.05)
+      << "of the faster run";
+  const auto table = ReadCsv(scratch_.File("out/predicted.csv"));
+  ASSERT_TRUE(table.ok());
+  EXPECT_EQ(table.value().columns[static_cast<size_t>(table.value().Find("run"))].back(), 2);
+}
+
 TEST_F(BogieTest, LinesThatDifferStayApart) {
   const auto model = LoadBogieModel("curve_r550", {}, {});
   ASSERT_TRUE(model.ok()) << model.error().Line();
