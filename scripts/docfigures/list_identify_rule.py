@@ -8,14 +8,27 @@ DOCUMENT = "docs/identify_rule.md"
 WHOLE = "as it is"
 
 
-def by_variant(phs):
-    """{variant: {(suite, set): row}} of the variants that were run on every set."""
-    with open(phs.source / "tests/rigdata/rule_study.csv", newline="") as file:
+def by_variant(phs, name):
+    """{variant: {(suite, set): row}}."""
+    with open(phs.source / "tests/rigdata" / name, newline="") as file:
         rows = parted(csv.DictReader(file))
     all_of = {}
     for row in rows:
         all_of.setdefault(row["variant"], {})[row["suite"], row["set"]] = row
-    return {variant: of for variant, of in all_of.items() if len(of) == len(all_of[WHOLE])}
+    return all_of
+
+
+def further(phs):
+    """Rows of two parts on further records: pairs, and effects on no list."""
+    all_of = by_variant(phs, "rule_study_more.csv")
+    whole = all_of.pop(WHOLE)
+    rows = []
+    for variant, of in all_of.items():
+        for kind, words in (("pair", "pairs"), ("off_list", "effects on no list")):
+            own = {key: row for key, row in of.items() if row["kind"] == kind and key in whole}
+            if own:
+                rows.append([variant, words, str(len(own))] + counted(own, {key: whole[key] for key in own})[2:4])
+    return table(["the rule", "records of", "how many", "sets that accept otherwise", "of them better / worse"], rows)
 
 
 def is_right(row):
@@ -38,12 +51,13 @@ HEAD = ["right", "false alarms", "sets that accept otherwise", "of them better /
 
 
 def figures(phs):
-    all_of = by_variant(phs)
+    all_of = by_variant(phs, "rule_study.csv")
     whole = all_of[WHOLE]
+    all_of = {variant: of for variant, of in all_of.items() if len(of) == len(whole)}
     parts = [[variant] + counted(of, whole) for variant, of in all_of.items()
              if variant == WHOLE or variant.startswith("without")]
     numbers = [[variant] + counted(of, whole) for variant, of in all_of.items()
                if variant.endswith(("doubled", "halved"))]
     clean = sum(row["kind"] == "clean" for row in whole.values())
     return {"parts": table(["the rule"] + HEAD, parts), "numbers": table(["number"] + HEAD, numbers),
-            "sets": str(len(whole)), "clean": str(clean)}
+            "further": further(phs), "sets": str(len(whole)), "clean": str(clean)}
