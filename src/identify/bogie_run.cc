@@ -40,7 +40,9 @@ SearchOptions ForBogie(const SearchOptions& asked, double step_s) {
   options.formula = false;  // no single cylinder whose force could follow one
   options.effort.elsewhere = false;
   options.effort.coarse_step_s = 2 * step_s;
-  options.effort.coarse_fits = std::min(asked.effort.coarse_fits, 6);
+  options.effort.coarse_fits = std::min(asked.effort.coarse_fits, 3);
+  options.effort.full_fits = std::min(asked.effort.full_fits, 3);
+  options.effort.starts = 1;
   return options;
 }
 
@@ -69,7 +71,10 @@ Result<IdentifyOutcome> IdentifyBogie(const Manifest& manifest, const SearchOpti
                                       const Progress& progress, const ResultDir& dir) {
   auto loaded = LoadBogieCase(manifest);
   if (!loaded.ok()) return loaded.error();
-  const BogieCase& c = loaded.value();
+  BogieCase& c = loaded.value();
+  auto step = BogieForward(c.data, c.model).FitStep(c.model.phs);
+  if (!step.ok()) return step.error();
+  c.model.fit_step_s = step.value();
   const auto forward = std::make_shared<const BogieForward>(c.data, c.model);
   auto problem = FitProblem::Create(forward, c.model.phs, options.rule);
   if (!problem.ok()) return problem.error();
