@@ -12,7 +12,10 @@
 // is not quite held so moves no curve; what it does to the forces is not followed.
 #pragma once
 
+#include <deque>
+#include <mutex>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "identify/effect_variants.h"
@@ -34,6 +37,8 @@ struct BogieModel {
   double start_m = 0;                   ///< place of the leading wheelset when a run starts
   double friction = 0;                  ///< of wheel on rail
   double track_length_m = 0;
+  /// Step of the runs of a fit; 0: the scenario's, as of every run whose numbers are reported.
+  double fit_step_s = 0;
 };
 
 /// Loads scenario and PHS and looks at one instant of the run. Errors: what the files say wrongly,
@@ -49,6 +54,17 @@ Result<vehicle::Scenario> ScenarioWith(const BogieModel& model,
 /// "load1_N", "pL1_Pa". Empty: none.
 std::string RunChannelOf(const BogieModel& model, const std::string& column);
 
+/// The last runs by what was run.
+class KeptRuns {
+ public:
+  bool Find(const std::string& key, Channels* out);
+  void Keep(const std::string& key, const Channels& run);
+
+ private:
+  std::mutex mutex_;
+  std::deque<std::pair<std::string, Channels>> runs_;
+};
+
 class BogieForward final : public RecordForward {
  public:
   /// `data` must outlive it; its driving motion is the place of the leading wheelset.
@@ -57,19 +73,30 @@ class BogieForward final : public RecordForward {
   FreeModel Declared(const hydraulics::PhsParams& declared) const override;
   std::vector<Candidate> Candidates(const hydraulics::PhsParams& params) const override;
   std::shared_ptr<const ForwardModel> Coarse(double step_s) const override;
+  /// The longest stable step, if by it the run up to the end of the estimation window differs by no
+  /// more than a tenth of the noise in any channel; else 0.
+  Result<double> FitStep(const hydraulics::PhsParams& params) const;
 
  private:
   Status RunSpan(const hydraulics::PhsParams& params, Span span, Channels* out) const override;
-  /// What the creep theory leaves open: rms difference over the span between two laws of creep that
-  /// agree where slip is small (Kalker's linear theory) and differ towards saturation.
+  /// Nothing measured drives it but the place.
   Status UncertaintySpan(const hydraulics::PhsParams& params, Span span,
                          Channels* deviation) const override;
+  /// Other laws than its own that agree where slip, or presliding, is small and where all slides,
+  /// and differ between.
+  Status TheorySpan(const hydraulics::PhsParams& params, Span span,
+                    std::vector<Channels>* differences) const override;
+  /// On the rows of the span, from the last runs where it is one of them.
   Status RunScenario(vehicle::Scenario scenario, Span span, Channels* out) const;
-  size_t Rows(Span span) const;
+  /// Every sample from the first on, so many.
+  Status Simulate(const vehicle::Scenario& scenario, size_t samples, Channels* out,
+                  double* largest_step_s = nullptr) const;
+  size_t Samples(Span span) const;
 
   const measurement::FitData& data_;
   BogieModel model_;
   int stride_ = 1;
+  std::shared_ptr<KeptRuns> kept_;  ///< shared with what Coarse() gave
 };
 
 }  // namespace phs::identify::search

@@ -35,13 +35,26 @@ Result<BogieCase> LoadBogieCase(const Manifest& manifest, bool several = false) 
   return c;
 }
 
+/// The same, with the step of the runs of a fit.
+Result<BogieCase> LoadBogieToFit(const Manifest& manifest, bool several) {
+  auto loaded = LoadBogieCase(manifest, several);
+  if (!loaded.ok() || manifest.runs.front().estimation.empty()) return loaded;
+  BogieCase& c = loaded.value();
+  auto step = BogieForward(c.data, c.model).FitStep(c.model.phs);
+  if (!step.ok()) return step.error();
+  c.model.fit_step_s = step.value();
+  return loaded;
+}
+
 /// Slow model: fewer runs.
 SearchOptions ForBogie(const SearchOptions& asked, double step_s) {
   SearchOptions options = asked;
   options.formula = false;  // no single cylinder whose force could follow one
   options.effort.elsewhere = false;
   options.effort.coarse_step_s = 2 * step_s;
-  options.effort.coarse_fits = std::min(asked.effort.coarse_fits, 6);
+  options.effort.coarse_fits = std::min(asked.effort.coarse_fits, 3);
+  options.effort.full_fits = std::min(asked.effort.full_fits, 3);
+  options.effort.starts = 1;
   return options;
 }
 
@@ -73,7 +86,7 @@ Result<IdentifyOutcome> IdentifyBogieRuns(const Manifest& manifest, const Search
                                           const Progress& progress, const ResultDir& dir) {
   std::vector<BogieCase> cases;
   for (size_t r = 0; r < manifest.runs.size(); ++r) {
-    auto loaded = LoadBogieCase(measurement::OfRun(manifest, r), true);
+    auto loaded = LoadBogieToFit(measurement::OfRun(manifest, r), true);
     if (!loaded.ok()) return loaded.error();
     cases.push_back(std::move(loaded).value());
   }
@@ -93,7 +106,7 @@ Result<IdentifyOutcome> IdentifyBogieRuns(const Manifest& manifest, const Search
 Result<IdentifyOutcome> IdentifyBogie(const Manifest& manifest, const SearchOptions& options,
                                       const Progress& progress, const ResultDir& dir) {
   if (manifest.runs.size() > 1) return IdentifyBogieRuns(manifest, options, progress, dir);
-  auto loaded = LoadBogieCase(manifest);
+  auto loaded = LoadBogieToFit(manifest, false);
   if (!loaded.ok()) return loaded.error();
   const BogieCase& c = loaded.value();
   const auto forward = std::make_shared<const BogieForward>(c.data, c.model);

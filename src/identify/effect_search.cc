@@ -80,7 +80,7 @@ class Search {
   Status SetWeights(const FreeModel& model, const std::vector<double>& values) {
     const auto params = problem_.Params(model, values);
     for (FitProblem* p : {&problem_, &coarse_}) {
-      Result<SampleWeights> weights = p->CalcWeights(params);
+      Result<Weighting> weights = p->CalcWeights(params);
       if (!weights.ok()) return weights.status();
       p->SetWeights(std::move(weights.value()));
     }

@@ -49,9 +49,16 @@ class ForwardModel {
   /// What would have been measured. Errors: numbers that the model refuses.
   virtual Status Run(const hydraulics::PhsParams& params, Span span, Channels* out) const = 0;
   /// By how much (standard deviation) the outputs over the span are uncertain though the model be
-  /// right: through what drives it, or through what its theory leaves open.
+  /// right: through what drives it.
   virtual Status Uncertainty(const hydraulics::PhsParams& params, Span span,
                              Channels* deviation) const = 0;
+  /// What its theory leaves open: the outputs over the span by another respectable theory less those
+  /// by its own, one set for each. None: nothing is left open.
+  virtual Status TheoryDifferences(const hydraulics::PhsParams& /*params*/, Span /*span*/,
+                                   std::vector<Channels>* differences) const {
+    differences->clear();
+    return {};
+  }
   /// What a formula for a channel may depend on. Error: it has no such channel, or no single
   /// cylinder.
   virtual Result<FormulaFrame> Frame(const hydraulics::PhsParams& params,

@@ -170,6 +170,36 @@ Status JoinedForward::Uncertainty(const PhsParams& params, Span span, Channels* 
   return Each(&ForwardModel::Uncertainty, params, span, deviation);
 }
 
+Status JoinedForward::TheoryDifferences(const PhsParams& params, Span span,
+                                        std::vector<Channels>* differences) const {
+  differences->clear();
+  std::vector<std::vector<Channels>> runs;
+  size_t most = 0;
+  for (size_t r = 0; r < parts_.size(); ++r) {
+    if (span == Span::kEstimation && !fitted_[r]) continue;
+    std::vector<Channels>& own = runs.emplace_back();
+    const Status done = parts_[r].forward->TheoryDifferences(ParamsOf(params, r), span, &own);
+    if (!done.ok()) return done;
+    if (own.empty()) return {};
+    most = std::max(most, own.size());
+  }
+  for (size_t t = 0; t < most; ++t) {
+    std::vector<Channels> one;
+    for (std::vector<Channels>& own : runs) {
+      one.push_back(t < own.size() ? own[t] : own.front());
+      if (t < own.size()) continue;  // a theory that this run does not know
+      for (std::vector<double>& row : one.back()) std::fill(row.begin(), row.end(), 0.0);
+    }
+    if (span == Span::kWhole) {
+      differences->push_back(Join(one));
+      continue;
+    }
+    Channels& all = differences->emplace_back();
+    for (Channels& run : one) std::move(run.begin(), run.end(), std::back_inserter(all));
+  }
+  return {};
+}
+
 Result<FormulaFrame> JoinedForward::Frame(const PhsParams& params,
                                           const std::string& channel) const {
   FormulaFrame frame;

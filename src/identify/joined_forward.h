@@ -36,6 +36,9 @@ class JoinedForward final : public ForwardModel {
   Status Run(const hydraulics::PhsParams& params, Span span, Channels* out) const override;
   Status Uncertainty(const hydraulics::PhsParams& params, Span span,
                      Channels* deviation) const override;
+  /// One error for all runs.
+  Status TheoryDifferences(const hydraulics::PhsParams& params, Span span,
+                           std::vector<Channels>* differences) const override;
   Result<FormulaFrame> Frame(const hydraulics::PhsParams& params,
                              const std::string& channel) const override;
   bool TellsLines() const override;

@@ -1,27 +1,75 @@
 #include "identify/likelihood.h"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 
 namespace phs::identify {
 
-Likelihood::Likelihood(std::vector<Block> blocks, double noise_known)
-    : blocks_(std::move(blocks)),
-      floor_(1 + noise_known),
-      most_worth_(2 / (noise_known * noise_known)) {
+Likelihood::Likelihood(std::vector<Block> blocks, double noise_known,
+                       const std::vector<Eigen::VectorXd>& theories)
+    : blocks_(std::move(blocks)) {
   for (const Block& block : blocks_) {
     bands_.emplace_back(block.count);
     first_.push_back(size_);
     size_ += bands_.back().size();
   }
+  theory_.resize(size_, static_cast<Eigen::Index>(theories.size()));
+  for (size_t t = 0; t < theories.size(); ++t) {
+    theory_.col(static_cast<Eigen::Index>(t)) = InOctaves(theories[t]);
+  }
+  SetFloors(noise_known);
+  if (theories.empty()) return;
+  const Eigen::VectorXd weight = Weights(floor_).array().square();
+  const Eigen::MatrixXd weighted = theory_.transpose() * weight.asDiagonal();
+  Eigen::MatrixXd normal = weighted * theory_;
+  normal.diagonal().array() += 1;
+  along_ = normal.ldlt().solve(weighted);
 }
 
-Eigen::VectorXd Likelihood::Transform(const Eigen::VectorXd& residual) const {
+/// Of theories in all blocks, and what each octave is worth.
+void Likelihood::SetFloors(double noise_known) {
+  std::vector<BandPowers> open;
+  for (Eigen::Index t = 0; t < theory_.cols(); ++t) open.push_back(Powers(theory_.col(t)));
+  std::vector<std::vector<double>> doubt;  // g of each band of each block
+  std::vector<double> sharing;             // their sum over the blocks
+  for (size_t b = 0; b < blocks_.size(); ++b) {
+    const auto count = static_cast<size_t>(bands_[b].num_bands());
+    std::vector<double>& floor = floor_.rows().emplace_back(count, 1 + noise_known);
+    doubt.emplace_back(count, 0.0);
+    sharing.resize(std::max(sharing.size(), count), 0.0);
+    for (size_t k = 0; k < count; ++k) {
+      double power = 0, squares = 0;
+      for (const BandPowers& one : open) {
+        const double u = one(b, static_cast<int>(k));
+        power += u, squares += u * u;
+      }
+      floor[k] += power;
+      doubt[b][k] = squares / ((1 + power) * (1 + power));
+      sharing[k] += doubt[b][k];
+    }
+  }
+  for (const std::vector<double>& own : doubt) {
+    std::vector<double>& most_worth = most_worth_.rows().emplace_back();
+    for (size_t k = 0; k < own.size(); ++k) {
+      const double shared = 2 * std::max(1.0, sharing[k]) * own[k];
+      most_worth.push_back(2 / (noise_known * noise_known + shared));
+    }
+  }
+}
+
+Eigen::VectorXd Likelihood::InOctaves(const Eigen::VectorXd& residual) const {
   Eigen::VectorXd out(size_);
   for (size_t b = 0; b < blocks_.size(); ++b) {
     out.segment(first_[b], bands_[b].size()) =
         bands_[b].Transform(residual.segment(blocks_[b].begin, blocks_[b].count));
   }
+  return out;
+}
+
+Eigen::VectorXd Likelihood::Transform(const Eigen::VectorXd& residual) const {
+  Eigen::VectorXd out = InOctaves(residual);
+  if (theory_.cols() > 0) out -= theory_ * (along_ * out).eval();
   return out;
 }
 
@@ -49,7 +97,8 @@ BandPowers Likelihood::Powers(const Eigen::VectorXd& coefficients) const {
 
 double Likelihood::Worth(size_t block, int band) const {
   const double n = blocks_[block].present * (bands_[block].end(band) - bands_[block].begin(band));
-  return n * most_worth_ / (n + most_worth_);
+  const double most = most_worth_(block, band);
+  return n * most / (n + most);
 }
 
 Eigen::VectorXd Likelihood::Weights(const BandPowers& powers) const {
@@ -70,7 +119,7 @@ Eigen::VectorXd Likelihood::Deviations(const BandPowers& powers) const {
     for (int k = 0; k < bands_[b].num_bands(); ++k) {
       const int count = bands_[b].end(k) - bands_[b].begin(k);
       out.segment(first_[b] + bands_[b].begin(k), count)
-          .setConstant(std::sqrt(std::max(floor_, powers(b, k))));
+          .setConstant(std::sqrt(std::max(floor_(b, k), powers(b, k))));
     }
   }
   return out;
@@ -81,7 +130,7 @@ double Likelihood::MinusTwoLog(const BandPowers& powers, int block) const {
   for (size_t b = 0; b < blocks_.size(); ++b) {
     if (block >= 0 && static_cast<size_t>(block) != b) continue;
     for (int k = 0; k < bands_[b].num_bands(); ++k) {
-      const double power = powers(b, k), variance = std::max(floor_, power);
+      const double power = powers(b, k), variance = std::max(floor_(b, k), power);
       sum += Worth(b, k) * (std::log(variance) + power / variance);
     }
   }
@@ -92,7 +141,7 @@ double Likelihood::MostGain(const BandPowers& powers) const {
   double sum = 0;
   for (size_t b = 0; b < blocks_.size(); ++b) {
     for (int k = 0; k < bands_[b].num_bands(); ++k) {
-      const double over = powers(b, k) / floor_;
+      const double over = powers(b, k) / floor_(b, k);
       if (over > 1) sum += Worth(b, k) * std::log(over);
     }
   }
@@ -105,7 +154,7 @@ std::vector<double> Likelihood::Excess(const BandPowers& powers) const {
     double sum = 0;
     for (int k = 0; k < bands_[b].num_bands(); ++k) {
       sum += blocks_[b].present * (bands_[b].end(k) - bands_[b].begin(k)) *
-             std::max(0.0, powers(b, k) - floor_);
+             std::max(0.0, powers(b, k) - floor_(b, k));
     }
     out.push_back(sum);
   }

@@ -14,6 +14,17 @@
 // discrepancy is right to better than e. Without that the fastest octave, with half of all
 // coefficients, would outvote all others for the sake of a per cent (a likelihood tempered so is
 // the coarsened posterior of Miller and Dunson 2019, J. Am. Stat. Assoc. 114, 1113).
+//
+// Where the theory of the model leaves something open (forward_model.h), the difference d_t between
+// it and each other one is one draw of an error of unknown size, common to all blocks. So
+// - what lies along d_t takes no part: coefficients c become c - D a, with the a that minimises
+//   sum m/n (c - D a)²/S + a² (S of noise and theory alone);
+// - what an error of another shape leaves is no evidence: S_b >= 1 + e + sum U_t, U_t the power of d_t
+//   over the noise;
+// - the power of one draw is known to its own size twice (the variance of chi² with one degree of
+//   freedom is 2), of all blocks of an octave together: e² + 2 C g_b in the place of e² in m_b,
+//   g_b = sum U_t²/(1 + sum U_t)², C = sum of g over the blocks of the octave, >= 1. An octave that
+//   theory governs counts for about one sample, however many coefficients and channels it has.
 #pragma once
 
 #include <Eigen/Core>
@@ -44,14 +55,16 @@ class BandPowers {
 
 class Likelihood {
  public:
-  /// `noise_known`: e, as in Acceptance.
-  Likelihood(std::vector<Block> blocks, double noise_known);
+  /// `noise_known`: e, as in Acceptance. `theories`: d of each theory beside the model's own, on the
+  /// rows of a residual.
+  Likelihood(std::vector<Block> blocks, double noise_known,
+             const std::vector<Eigen::VectorXd>& theories = {});
 
   const std::vector<Block>& blocks() const { return blocks_; }
   const OctaveBands& bands(size_t block) const { return bands_[block]; }
   /// Coefficients of all blocks.
   int size() const { return size_; }
-  /// Rows of a residual -> coefficients, block after block.
+  /// Rows of a residual -> coefficients, block after block, without what lies along a theory.
   Eigen::VectorXd Transform(const Eigen::VectorXd& residual) const;
   Eigen::MatrixXd Transform(const Eigen::MatrixXd& jacobian) const;
   /// Mean squares of the bands of these coefficients, over the rows that were measured.
@@ -77,12 +90,17 @@ class Likelihood {
   std::vector<int> Parts(int parts) const;
 
  private:
+  void SetFloors(double noise_known);
+  Eigen::VectorXd InOctaves(const Eigen::VectorXd& residual) const;
+
   std::vector<Block> blocks_;
   std::vector<OctaveBands> bands_;
   std::vector<int> first_;  ///< coefficient of each block
   int size_ = 0;
-  double floor_;       ///< power that is noise
-  double most_worth_;  ///< 2/e²
+  BandPowers floor_;        ///< power that is noise or left open by theory
+  BandPowers most_worth_;   ///< 2/e²
+  Eigen::MatrixXd theory_;  ///< D: a column for each
+  Eigen::MatrixXd along_;   ///< coefficients -> a
 };
 
 }  // namespace phs::identify

@@ -46,4 +46,12 @@ Status RecordForward::Uncertainty(const hydraulics::PhsParams& params, Span span
   return done;
 }
 
+Status RecordForward::TheoryDifferences(const hydraulics::PhsParams& params, Span span,
+                                        std::vector<Channels>* differences) const {
+  Status done = TheorySpan(params, span, differences);
+  if (!done.ok() || span != Span::kEstimation) return done;
+  for (Channels& one : *differences) one = OnRows(one);
+  return done;
+}
+
 }  // namespace phs::identify::search

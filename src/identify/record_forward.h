@@ -12,6 +12,8 @@ class RecordForward : public ForwardModel {
   Status Run(const hydraulics::PhsParams& params, Span span, Channels* out) const final;
   Status Uncertainty(const hydraulics::PhsParams& params, Span span,
                      Channels* deviation) const final;
+  Status TheoryDifferences(const hydraulics::PhsParams& params, Span span,
+                           std::vector<Channels>* differences) const final;
 
  protected:
   /// `data` must outlive it. `stride`: every so manyth sample is run.
@@ -20,6 +22,11 @@ class RecordForward : public ForwardModel {
   virtual Status RunSpan(const hydraulics::PhsParams& params, Span span, Channels* out) const = 0;
   virtual Status UncertaintySpan(const hydraulics::PhsParams& params, Span span,
                                  Channels* deviation) const = 0;
+  virtual Status TheorySpan(const hydraulics::PhsParams& /*params*/, Span /*span*/,
+                            std::vector<Channels>* differences) const {
+    differences->clear();
+    return {};
+  }
   /// Of each fitted row in what RunSpan gives for kEstimation.
   const std::vector<int>& rows() const { return rows_; }
   /// Samples of the record between two of a clock of about `step_s`.

@@ -91,13 +91,12 @@ Probes Probed(const FitProblem& problem, const FreeModel& model, const std::vect
 
 /// Some steps really taken from the best starts.
 Trial TakeSteps(const FitProblem& problem, const FreeModel& model, const std::vector<Point>& points,
-                const Candidate& candidate, const Probes& best) {
+                const Candidate& candidate, const Probes& best, size_t starts) {
   Trial trial;
   trial.candidate = &candidate;
   const FreeModel whole = WithCandidate(model, candidate);
-  constexpr size_t kStarts = 3;
   std::vector<Probe> probes = best.promised;
-  if (probes.size() > kStarts) probes.resize(kStarts);
+  if (probes.size() > starts) probes.resize(starts);
   probes.push_back(best.present);
   for (const Probe& probe : probes) {
     if (probe.values.empty()) continue;
@@ -172,7 +171,8 @@ std::vector<Trial> ScreenCandidates(const FitProblem& coarse, const FreeModel& m
   coarse.ForEach(static_cast<int>(tried.size()), [&](int i) {
     if (!go_on(kProbes + (kShare - kProbes) * done++ / static_cast<double>(tried.size()))) return;
     const size_t k = tried[static_cast<size_t>(i)];
-    trials[static_cast<size_t>(i)] = TakeSteps(coarse, model, points, list[k], probes[k]);
+    trials[static_cast<size_t>(i)] =
+        TakeSteps(coarse, model, points, list[k], probes[k], static_cast<size_t>(effort.starts));
   });
   std::erase_if(trials, [](const Trial& t) { return !t.coarse.ok; });
   SortByPromise(&trials);

@@ -31,6 +31,7 @@ struct Effort {
   double coarse_step_s = 0.02;  ///< clock of the coarse record
   int coarse_fits = 16;         ///< variants fitted to the coarse record per round
   int full_fits = 4;            ///< … and to the whole one
+  int starts = 3;               ///< of a variant, from which steps are really taken
   bool elsewhere = true;        ///< candidates are tried away from the best fit too
 };
 

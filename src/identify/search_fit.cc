@@ -35,6 +35,15 @@ std::vector<std::string> UsuallyFree(const PhsParams& declared) {
   return names;
 }
 
+/// A difference between theories, weighted, on the rows of a residual.
+Eigen::VectorXd OnResidual(const SampleWeights& weight, const Channels& difference) {
+  std::vector<double> rows;
+  for (size_t b = 0; b < weight.size(); ++b) {
+    for (size_t k = 0; k < weight[b].size(); ++k) rows.push_back(weight[b][k] * difference[b][k]);
+  }
+  return Eigen::Map<const Eigen::VectorXd>(rows.data(), static_cast<Eigen::Index>(rows.size()));
+}
+
 }  // namespace
 
 FreeModel DeclaredModel(const PhsParams& declared, std::vector<std::string> names) {
@@ -64,19 +73,24 @@ Result<FitProblem> FitProblem::Create(std::shared_ptr<const ForwardModel> forwar
   FitProblem problem;
   problem.rule_ = rule;
   problem.forward_ = std::move(forward);
-  Result<SampleWeights> weights = problem.CalcWeights(declared);
-  if (!weights.ok()) return weights.error();
-  problem.weight_ = std::move(weights.value());
+  Result<Weighting> weighting = problem.CalcWeights(declared);
+  if (!weighting.ok()) return weighting.error();
+  problem.SetWeights(std::move(weighting.value()));
+  return problem;
+}
+
+void FitProblem::SetWeights(Weighting weighting) {
+  weight_ = std::move(weighting.sample);
   std::vector<Block> blocks;
-  for (const std::vector<double>& w : problem.weight_) {
+  num_rows_ = 0;
+  for (const std::vector<double>& w : weight_) {
     const auto there = std::count_if(w.begin(), w.end(), [](double x) { return x > 0; });
     const auto rows = static_cast<int>(w.size());
-    blocks.push_back({problem.num_rows_, rows, static_cast<double>(there) / std::max(rows, 1)});
-    problem.num_rows_ += rows;
+    blocks.push_back({num_rows_, rows, static_cast<double>(there) / std::max(rows, 1)});
+    num_rows_ += rows;
   }
-  problem.likelihood_ =
-      std::make_shared<const Likelihood>(std::move(blocks), rule.accept.noise_known);
-  return problem;
+  likelihood_ = std::make_shared<const Likelihood>(std::move(blocks), rule_.accept.noise_known,
+                                                   weighting.theories);
 }
 
 Result<FitProblem> FitProblem::Coarse(const PhsParams& declared, double step_s) const {
@@ -88,19 +102,26 @@ void FitProblem::ForEach(int n, const std::function<void(int)>& work) const {
   for (int i = 0; i < n; ++i) work(i);
 }
 
-Result<SampleWeights> FitProblem::CalcWeights(const PhsParams& params) const {
+Result<Weighting> FitProblem::CalcWeights(const PhsParams& params) const {
   Channels uncertain;
   const Status done = forward_->Uncertainty(params, ForwardModel::Span::kEstimation, &uncertain);
   if (!done.ok()) return done.error();
-  SampleWeights weight;
+  Weighting out;
   for (size_t b = 0; b < uncertain.size(); ++b) {
     const MeasuredBlock& block = forward_->Measured()[b];
-    std::vector<double>& row = weight.emplace_back(block.values.size(), 0.0);
+    std::vector<double>& row = out.sample.emplace_back(block.values.size(), 0.0);
     for (size_t k = 0; k < row.size(); ++k) {
       if (std::isfinite(block.values[k])) row[k] = 1 / std::hypot(block.noise, uncertain[b][k]);
     }
   }
-  return weight;
+  std::vector<Channels> differences;
+  const Status known =
+      forward_->TheoryDifferences(params, ForwardModel::Span::kEstimation, &differences);
+  if (!known.ok()) return known.error();
+  for (const Channels& difference : differences) {
+    out.theories.push_back(OnResidual(out.sample, difference));
+  }
+  return out;
 }
 
 int FitProblem::FindOutput(const std::string& name) const {

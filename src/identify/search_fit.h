@@ -63,6 +63,12 @@ struct FitResult {
 
 using SampleWeights = std::vector<std::vector<double>>;  ///< [block][row], 0 = missing
 
+/// What a residual is measured by.
+struct Weighting {
+  SampleWeights sample;
+  std::vector<Eigen::VectorXd> theories;  ///< differences, weighted (likelihood.h)
+};
+
 /// Measured rows, their weights and the model: everything a fit needs. Thread-safe for reading.
 class FitProblem {
  public:
@@ -105,9 +111,9 @@ class FitProblem {
   void SetThreads(ThreadBudget* threads) { threads_ = threads; }
   void ForEach(int n, const std::function<void(int)>& work) const;
   /// Weights with this model's sensitivity to what is uncertain of its motion.
-  Result<SampleWeights> CalcWeights(const hydraulics::PhsParams& params) const;
+  Result<Weighting> CalcWeights(const hydraulics::PhsParams& params) const;
   const SampleWeights& weights() const { return weight_; }
-  void SetWeights(SampleWeights weights) { weight_ = std::move(weights); }
+  void SetWeights(Weighting weighting);
 
  private:
   SearchRule rule_;

@@ -111,5 +111,29 @@ TEST(Likelihood, OneOctaveCannotOutvoteTheOthers) {
   EXPECT_GT(before - likelihood.MinusTwoLog(powers), 5 * fast);
 }
 
+// Two blocks, a theory that turns both by a slow wave: that wave, however strong, is no evidence,
+// and a wave of another shape in these octaves hardly is; white noise is what it was.
+TEST(Likelihood, WhatTheoryLeavesOpenIsNoEvidence) {
+  constexpr int n = 512;
+  Eigen::VectorXd theory(2 * n), other(2 * n);
+  for (int i = 0; i < 2 * n; ++i) {
+    theory[i] = 4 * std::sin(2 * M_PI * i / 256.0);
+    other[i] = 4 * std::cos(2 * M_PI * i / 256.0);
+  }
+  const std::vector<Block> blocks = {{0, n, 1.0}, {n, n, 1.0}};
+  const Likelihood plain(blocks, 0.1), open(blocks, 0.1, {theory});
+  const Eigen::VectorXd noise = White(2 * n, 11);
+  const auto gain = [&](const Likelihood& of, const Eigen::VectorXd& residual) {
+    return of.MinusTwoLog(residual) - of.MinusTwoLog(noise);
+  };
+  EXPECT_GT(gain(plain, noise + 3 * theory), 100);
+  EXPECT_LT(std::abs(gain(open, noise + 3 * theory)), 1);
+  EXPECT_LT(gain(open, noise + other), 0.1 * gain(plain, noise + other));
+  EXPECT_GT(open.Worth(0, 0), 0.9 * plain.Worth(0, 0))
+      << "the fastest octave is not governed by it";
+  const int last = open.bands(0).num_bands() - 1;
+  EXPECT_LT(open.Worth(0, last) + open.Worth(1, last), 1.1);
+}
+
 }  // namespace
 }  // namespace phs::identify

@@ -1,0 +1,68 @@
+// `rig: bogie` on records of the independent multibody program (tests/rigdata/bogie_curve).
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include "base/data_path.h"
+#include "identify/bogie_run.h"
+#include "tests/base/scratch_dir.h"
+#include "tests/rigdata/bogie_curve/truth.h"
+
+namespace phs::identify::search {
+namespace {
+
+class BogieIndependentTest : public testing::Test {
+ protected:
+  /// A measured run of R = 550 m with something hidden, or nothing: what is found in it.
+  nlohmann::ordered_json Identified(uint64_t seed, const std::string& hide, double value,
+                                    const std::string& candidates) const {
+    bogie_curve::Truth truth = bogie_curve::DeclaredTruth("r550");
+    bogie_curve::DrawOffDeclared(seed, &truth);
+    if (!hide.empty()) bogie_curve::Hide(hide, value, &truth);
+    const bogie_curve::TrackLine track(truth.design);
+    bogie_curve::RunWish wish;
+    wish.last_s = track.Length() - 5;
+    const auto wheel = FindData("profile", "models/profiles", "S1002", {".prw"});
+    EXPECT_TRUE(wheel.ok());
+    const std::string profiles = std::filesystem::path(wheel.value()).parent_path();
+    bogie_curve::MeasuredRun run =
+        bogie_curve::Measure(bogie_curve::MakeBogie(truth, track, profiles), wish);
+    bogie_curve::AddInstruments(seed, &run);
+    std::ofstream(scratch_.File("run.csv")) << bogie_curve::Csv(run);
+    std::ofstream(scratch_.File("manifest.yaml"))
+        << "rig: bogie\nmodel: measured_r550\ndata: run.csv\nestimation: [0.2, 13]\n"
+        << "validation: [13, 24.5]\ncandidates: [" << candidates << "]\n";
+    const auto manifest = measurement::LoadManifest(scratch_.File("manifest.yaml"));
+    EXPECT_TRUE(manifest.ok());
+    auto dir = ResultDir::Create(scratch_.File("out"), true);
+    SearchOptions options;
+    options.effort.max_effects = 1;
+    const auto outcome = IdentifyBogie(manifest.value(), options, nullptr, dir.value());
+    EXPECT_TRUE(outcome.ok()) << outcome.error().Line();
+    return outcome.value().result;
+  }
+  ScratchDir scratch_;
+};
+
+// White noise as large as Polach's law makes of it had `wheel_rail_friction` of 0.20 accepted; one
+// difference of theories in each channel, `line_resistance`.
+TEST_F(BogieIndependentTest, NothingIsNamedInACleanRecord) {
+  const auto result = Identified(1, "", 0, "line_resistance, wheel_rail_friction");
+  EXPECT_TRUE(result["effects"].empty()) << result["effects"].dump(1);
+  EXPECT_EQ(result["verdict"], "sufficient") << result["reasons"].dump(1);
+}
+
+TEST_F(BogieIndependentTest, ALeakIsNamed) {
+  if (std::getenv("PHS_LONG_TESTS") == nullptr) GTEST_SKIP() << "PHS_LONG_TESTS is not set";
+  const auto result = Identified(5, "leak_L2", 3e-12, "external_leakage, cant_error");
+  ASSERT_EQ(result["effects"].size(), 1u) << result["candidates"].dump(1);
+  EXPECT_EQ(result["effects"][0]["name"], "external_leakage");
+  EXPECT_NEAR(result["effects"][0]["parameters"]["conductance_m3_per_Pas"]["value"].get<double>(),
+              3e-12, 5e-13);
+}
+
+}  // namespace
+}  // namespace phs::identify::search
