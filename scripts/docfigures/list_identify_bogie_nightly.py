@@ -1,4 +1,4 @@
-"""docs/identify_bogie.md: hollow wheels found in a measured curve."""
+"""docs/identify_bogie.md: what is found in the record of the independent bogie, and in that of hollow wheels."""
 from docfigures.form import number, table
 
 DOCUMENT = "docs/identify_bogie.md"
@@ -6,30 +6,35 @@ ROWS = (("lateral position, lead / trail", ("lead_lateral_m", "trail_lateral_m")
         ("angle of attack, lead / trail", ("lead_angle_of_attack_rad", "trail_angle_of_attack_rad"),
          1e3, 2, "mrad"),
         ("cylinder force 1 / 3", ("load1_N", "load3_N"), 1e-3, 2, "kN"),
-        ("pressure L2 / L3", ("pL2_Pa", "pL3_Pa"), 1e-6, 2, "MPa"),
-        ("Y, lead left / right", ("lead_left_Y_N", "lead_right_Y_N"), 1e-3, 2, "kN"))
+        ("Q, lead left / right", ("lead_left_Q_N", "lead_right_Q_N"), 1e-3, 2, "kN"))
+
+
+def effect_words(effect):
+    """Name and first number with its interval; a length in mm."""
+    name, value = next(iter(effect["parameters"].items()))
+    factor, unit, digits = (1e3, " mm", 1) if name.endswith("_m") else (1, "", 3)
+    low, high = (number(factor * value[end], digits) for end in ("low", "high"))
+    return f"`{effect['name']}` {number(factor * value['value'], digits)}{unit} [{low}, {high}]"
 
 
 def figures(phs):
-    r = phs.result("identify models/rigs/bogie_worn.yaml", "result.json")
+    r = phs.result("identify hidden_bogie", "result.json")
+    worn = phs.result("identify bogie_worn", "result.json")
+    best = max((c for c in worn["candidates"] if "delta_bic" in c), key=lambda c: c["delta_bic"])
 
     def cell(names, which, factor, decimals, unit):
         return " / ".join(number(factor * r["channels"][n][which]["rmse"], decimals)
                           for n in names) + " " + unit
 
-    first = r["effects"][0]
-    name, value = next(iter(first["parameters"].items()))
-    scale = r["fitted"]["friction.scale"]
     return {
-        "found": (f"`{first['name']}` {number(1e3 * value['value'], 3)} mm "
-                  f"[{number(1e3 * value['low'], 3)}, {number(1e3 * value['high'], 3)}]"
-                  if name.endswith("_m") else f"`{first['name']}`"),
-        "bic": number(first["evidence"]["delta_bic"]),
-        "gain": number(100 * first["evidence"]["estimation_gain"]) + " %",
-        "count": number(len(r["effects"])),
-        "table": table(["validation (the other curve), rms", "declared, fitted", "corrected"],
+        "verdict": f"*{r['verdict'].replace('_', ' ')}*",
+        "found": ", ".join(effect_words(e) for e in r["effects"]) or "nothing",
+        "bic": ", ".join(number(e["evidence"]["delta_bic"]) for e in r["effects"]),
+        "table": table(["validation, rms", "declared, fitted", "corrected"],
                        [[words, cell(names, "before", factor, decimals, unit),
                          cell(names, "after", factor, decimals, unit)]
                         for words, names, factor, decimals, unit in ROWS]),
-        "scale": f"{number(scale['value'], 2)} [{number(scale['low'], 2)}, {number(scale['high'], 2)}]",
+        "worn_verdict": f"*{worn['verdict'].replace('_', ' ')}*",
+        "worn_found": ", ".join(effect_words(e) for e in worn["effects"]) or "nothing",
+        "worn_best": f"`{best['name']}`, ΔBIC {number(best['delta_bic'])}, refused: {best['verdict']}",
     }

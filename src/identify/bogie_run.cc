@@ -54,7 +54,7 @@ SearchOptions ForBogie(const SearchOptions& asked, double step_s) {
   options.effort.coarse_step_s = 2 * step_s;
   options.effort.coarse_fits = std::min(asked.effort.coarse_fits, 3);
   options.effort.full_fits = std::min(asked.effort.full_fits, 3);
-  options.effort.starts = 1;
+  options.effort.starts = 2;
   return options;
 }
 

@@ -47,6 +47,7 @@ std::vector<double> EvenHalfWidths(const Likelihood& likelihood, const BandPower
     }
     first += bands.size();
   }
+  variance += follows.rightCols(follows.cols() - first).rowwise().squaredNorm();  // of theories
   std::vector<double> half;
   for (Eigen::Index i = 0; i < count; ++i) {
     const double freedom = doubt[i] > 0 ? variance[i] * variance[i] / doubt[i] : 1e9;

@@ -20,7 +20,7 @@ Likelihood::Likelihood(std::vector<Block> blocks, double noise_known,
   }
   SetFloors(noise_known);
   if (theories.empty()) return;
-  const Eigen::VectorXd weight = Weights(floor_).array().square();
+  const Eigen::VectorXd weight = Weights(floor_).head(size_).array().square();
   const Eigen::MatrixXd weighted = theory_.transpose() * weight.asDiagonal();
   Eigen::MatrixXd normal = weighted * theory_;
   normal.diagonal().array() += 1;
@@ -69,12 +69,16 @@ Eigen::VectorXd Likelihood::InOctaves(const Eigen::VectorXd& residual) const {
 
 Eigen::VectorXd Likelihood::Transform(const Eigen::VectorXd& residual) const {
   Eigen::VectorXd out = InOctaves(residual);
-  if (theory_.cols() > 0) out -= theory_ * (along_ * out).eval();
+  if (theory_.cols() == 0) return out;
+  const Eigen::VectorXd along = along_ * out;
+  out -= theory_ * along;
+  out.conservativeResize(size());
+  out.tail(along.size()) = along;
   return out;
 }
 
 Eigen::MatrixXd Likelihood::Transform(const Eigen::MatrixXd& jacobian) const {
-  Eigen::MatrixXd out(size_, jacobian.cols());
+  Eigen::MatrixXd out(size(), jacobian.cols());
   for (Eigen::Index k = 0; k < jacobian.cols(); ++k) {
     out.col(k) = Transform(Eigen::VectorXd(jacobian.col(k)));
   }
@@ -92,6 +96,7 @@ BandPowers Likelihood::Powers(const Eigen::VectorXd& coefficients) const {
       row.push_back(square / (count * std::max(blocks_[b].present, 1e-3)));
     }
   }
+  out.theory = coefficients.tail(coefficients.size() - size_).squaredNorm();
   return out;
 }
 
@@ -114,7 +119,7 @@ Eigen::VectorXd Likelihood::Weights(const BandPowers& powers) const {
 }
 
 Eigen::VectorXd Likelihood::Deviations(const BandPowers& powers) const {
-  Eigen::VectorXd out(size_);
+  Eigen::VectorXd out = Eigen::VectorXd::Ones(size());
   for (size_t b = 0; b < blocks_.size(); ++b) {
     for (int k = 0; k < bands_[b].num_bands(); ++k) {
       const int count = bands_[b].end(k) - bands_[b].begin(k);
@@ -126,7 +131,7 @@ Eigen::VectorXd Likelihood::Deviations(const BandPowers& powers) const {
 }
 
 double Likelihood::MinusTwoLog(const BandPowers& powers, int block) const {
-  double sum = 0;
+  double sum = block < 0 ? powers.theory : 0;
   for (size_t b = 0; b < blocks_.size(); ++b) {
     if (block >= 0 && static_cast<size_t>(block) != b) continue;
     for (int k = 0; k < bands_[b].num_bands(); ++k) {
@@ -138,7 +143,7 @@ double Likelihood::MinusTwoLog(const BandPowers& powers, int block) const {
 }
 
 double Likelihood::MostGain(const BandPowers& powers) const {
-  double sum = 0;
+  double sum = powers.theory;
   for (size_t b = 0; b < blocks_.size(); ++b) {
     for (int k = 0; k < bands_[b].num_bands(); ++k) {
       const double over = powers(b, k) / floor_(b, k);
@@ -171,7 +176,7 @@ double Likelihood::Count() const {
 
 std::vector<int> Likelihood::Parts(int parts) const {
   std::vector<int> out;
-  out.reserve(static_cast<size_t>(size_));
+  out.reserve(static_cast<size_t>(size()));
   for (size_t b = 0; b < blocks_.size(); ++b) {
     for (int k = 0; k < bands_[b].num_bands(); ++k) {
       for (int i = bands_[b].begin(k); i < bands_[b].end(k); ++i) {
@@ -179,6 +184,7 @@ std::vector<int> Likelihood::Parts(int parts) const {
       }
     }
   }
+  for (int t = 0; size_ + t < size(); ++t) out.push_back(t % parts);
   return out;
 }
 

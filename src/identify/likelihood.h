@@ -17,8 +17,8 @@
 //
 // Where the theory of the model leaves something open (forward_model.h), the difference d_t between
 // it and each other one is one draw of an error of unknown size, common to all blocks. So
-// - what lies along d_t takes no part: coefficients c become c - D a, with the a that minimises
-//   sum m/n (c - D a)²/S + a² (S of noise and theory alone);
+// - what lies along d_t costs its amplitude: -2 ln L is that of c - D a, and a², with the a that
+//   minimises sum m/n (c - D a)²/S + a² (S of noise and theory alone);
 // - what an error of another shape leaves is no evidence: S_b >= 1 + e + sum U_t, U_t the power of d_t
 //   over the noise;
 // - the power of one draw is known to its own size twice (the variance of chi² with one degree of
@@ -48,6 +48,7 @@ class BandPowers {
   }
   std::vector<std::vector<double>>& rows() { return power_; }
   const std::vector<std::vector<double>>& rows() const { return power_; }
+  double theory = 0;  ///< sum of the squared amplitudes along theories
 
  private:
   std::vector<std::vector<double>> power_;
@@ -62,9 +63,10 @@ class Likelihood {
 
   const std::vector<Block>& blocks() const { return blocks_; }
   const OctaveBands& bands(size_t block) const { return bands_[block]; }
-  /// Coefficients of all blocks.
-  int size() const { return size_; }
-  /// Rows of a residual -> coefficients, block after block, without what lies along a theory.
+  /// Coefficients of all blocks, and amplitudes along the theories.
+  int size() const { return size_ + static_cast<int>(theory_.cols()); }
+  /// Rows of a residual -> coefficients, block after block, without what lies along a theory; then
+  /// the amplitudes a.
   Eigen::VectorXd Transform(const Eigen::VectorXd& residual) const;
   Eigen::MatrixXd Transform(const Eigen::MatrixXd& jacobian) const;
   /// Mean squares of the bands of these coefficients, over the rows that were measured.
@@ -96,7 +98,7 @@ class Likelihood {
   std::vector<Block> blocks_;
   std::vector<OctaveBands> bands_;
   std::vector<int> first_;  ///< coefficient of each block
-  int size_ = 0;
+  int size_ = 0;            ///< coefficients of all blocks
   BandPowers floor_;        ///< power that is noise or left open by theory
   BandPowers most_worth_;   ///< 2/e²
   Eigen::MatrixXd theory_;  ///< D: a column for each

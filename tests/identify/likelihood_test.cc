@@ -111,8 +111,9 @@ TEST(Likelihood, OneOctaveCannotOutvoteTheOthers) {
   EXPECT_GT(before - likelihood.MinusTwoLog(powers), 5 * fast);
 }
 
-// Two blocks, a theory that turns both by a slow wave: that wave, however strong, is no evidence,
-// and a wave of another shape in these octaves hardly is; white noise is what it was.
+// Two blocks, a theory that turns both by a slow wave: that wave costs the square of its amplitude,
+// as a normal error's does, and a wave of another shape in these octaves hardly anything; white
+// noise is what it was.
 TEST(Likelihood, WhatTheoryLeavesOpenIsNoEvidence) {
   constexpr int n = 512;
   Eigen::VectorXd theory(2 * n), other(2 * n);
@@ -127,7 +128,9 @@ TEST(Likelihood, WhatTheoryLeavesOpenIsNoEvidence) {
     return of.MinusTwoLog(residual) - of.MinusTwoLog(noise);
   };
   EXPECT_GT(gain(plain, noise + 3 * theory), 100);
-  EXPECT_LT(std::abs(gain(open, noise + 3 * theory)), 1);
+  EXPECT_LT(std::abs(gain(open, noise + theory)), 2);
+  EXPECT_NEAR(gain(open, noise + 3 * theory), 9, 2);
+  EXPECT_NEAR(gain(open, noise + 6 * theory), 36, 4);
   EXPECT_LT(gain(open, noise + other), 0.1 * gain(plain, noise + other));
   EXPECT_GT(open.Worth(0, 0), 0.9 * plain.Worth(0, 0))
       << "the fastest octave is not governed by it";
