@@ -52,8 +52,8 @@ class ForwardModel {
   /// right: through what drives it.
   virtual Status Uncertainty(const hydraulics::PhsParams& params, Span span,
                              Channels* deviation) const = 0;
-  /// What its theory leaves open: the outputs over the span by another respectable theory less those
-  /// by its own, one set for each. None: nothing is left open.
+  /// What its theory leaves open: the outputs over the span by another respectable theory less
+  /// those by its own, one set for each. None: nothing is left open.
   virtual Status TheoryDifferences(const hydraulics::PhsParams& /*params*/, Span /*span*/,
                                    std::vector<Channels>* differences) const {
     differences->clear();

@@ -25,8 +25,8 @@ using WriteRunModel = std::function<Status(size_t run, const std::string& file,
 std::vector<std::string> SharedNumbers(const measurement::Manifest& manifest,
                                        const JoinedPart& first);
 
-/// The loop and its results. Models: model.yaml of the first run, model_2.yaml … where the runs have
-/// models of their own.
+/// The loop and its results. Models: model.yaml of the first run, model_2.yaml … where the runs
+/// have models of their own.
 Result<IdentifyOutcome> SearchJoined(const measurement::Manifest& manifest,
                                      const std::vector<RunToJoin>& runs,
                                      const SearchOptions& options, const Progress& progress,

@@ -19,8 +19,8 @@
 // it and each other one is one draw of an error of unknown size, common to all blocks. So
 // - what lies along d_t costs its amplitude: -2 ln L is that of c - D a, and a², with the a that
 //   minimises sum m/n (c - D a)²/S + a² (S of noise and theory alone);
-// - what an error of another shape leaves is no evidence: S_b >= 1 + e + sum U_t, U_t the power of d_t
-//   over the noise;
+// - what an error of another shape leaves is no evidence: S_b >= 1 + e + sum U_t, U_t the power of
+//   d_t over the noise;
 // - the power of one draw is known to its own size twice (the variance of chi² with one degree of
 //   freedom is 2), of all blocks of an octave together: e² + 2 C g_b in the place of e² in m_b,
 //   g_b = sum U_t²/(1 + sum U_t)², C = sum of g over the blocks of the octave, >= 1. An octave that
@@ -56,8 +56,8 @@ class BandPowers {
 
 class Likelihood {
  public:
-  /// `noise_known`: e, as in Acceptance. `theories`: d of each theory beside the model's own, on the
-  /// rows of a residual.
+  /// `noise_known`: e, as in Acceptance. `theories`: d of each theory beside the model's own, on
+  /// the rows of a residual.
   Likelihood(std::vector<Block> blocks, double noise_known,
              const std::vector<Eigen::VectorXd>& theories = {});
 

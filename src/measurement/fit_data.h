@@ -26,8 +26,8 @@ struct FitData {
   std::vector<OwnCandidate> own;        ///< and the user's own
   std::vector<std::string> free;        ///< numbers of the declared model; empty = the usual
   std::string source;
-  std::vector<double> time_s;      ///< uniform
-  std::vector<double> row_time_s;  ///< of the file's rows; empty: as time_s
+  std::vector<double> time_s;           ///< uniform
+  std::vector<double> row_time_s;       ///< of the file's rows; empty: as time_s
   std::vector<double> run, run_time_s;  ///< several runs joined: number from 1 and own time
   double step_s = 0;
   std::array<double, 2> estimation = {0, 0}, validation = {0, 0};  ///< [s]

@@ -1,13 +1,14 @@
-// Is a motion sampled often enough? What moves faster than a quarter of the sampling rate has two or
-// three samples a turn: its speed and acceleration between them are not known, and a model driven by
-// it answers to another motion.
+// Is a motion sampled often enough? What moves faster than a quarter of the sampling rate has two
+// or three samples a turn: its speed and acceleration between them are not known, and a model
+// driven by it answers to another motion.
 //
 // The position is looked at in stretches of 64 samples (Hann's window, straight line taken out). Of
-// the mean square of the speed, (2 pi f)² P(f), the share above a quarter of the rate counts. Noise, and
-// what an uneven clock makes of a motion, is taken as white within a stretch: its level is the lowest
-// power between a quarter and half of the rate, of the stretch itself or of the median one, whichever
-// is higher. A stretch is judged where its speed is 20 times that [mean square], so that noise does
-// not pass for a tenth. Motion as white as noise up to half of the rate cannot be told from noise.
+// the mean square of the speed, (2 pi f)² P(f), the share above a quarter of the rate counts.
+// Noise, and what an uneven clock makes of a motion, is taken as white within a stretch: its level
+// is the lowest power between a quarter and half of the rate, of the stretch itself or of the
+// median one, whichever is higher. A stretch is judged where its speed is 20 times that [mean
+// square], so that noise does not pass for a tenth. Motion as white as noise up to half of the rate
+// cannot be told from noise.
 #pragma once
 
 #include <vector>

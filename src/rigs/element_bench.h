@@ -28,7 +28,8 @@ struct ElementPlaces {
 /// Force of the gas spring at `x` [m], 0 at x = 0; `part`: gas_length_m not 0.
 double GasSpringForce(const hydraulics::ElementParams& part, double x);
 
-/// What friction sees at sample `at`, between two of them by straight lines; `extra` holds further channels.
+/// What friction sees at sample `at`, between two of them by straight lines; `extra` holds further
+/// channels.
 hydraulics::FrictionPlace ElementPlace(const hydraulics::PhsSystem& system, const RigMotion& motion,
                                        double at, double* extra);
 /// Force of the part without mass and friction; `pressure`: above static [Pa].

@@ -74,8 +74,8 @@ class DrivenPart {
   MountedFriction friction_;
 };
 
-/// Steps per sample with which the part swings on its spring by at most a tenth of a radian each: what
-/// the method is then off by, 0.04 (w h)² of a swing, is half a thousandth.
+/// Steps per sample with which the part swings on its spring by at most a tenth of a radian each:
+/// what the method is then off by, 0.04 (w h)² of a swing, is half a thousandth.
 int StepsFor(const hydraulics::ElementParams& part, double step_s) {
   constexpr double kMost = 0.1;
   const double gas = part.gas_force_N == 0

@@ -24,7 +24,8 @@ struct ElementStart {
 };
 
 /// `motion.position_m[0]` holds P [N], its other channels are those of the bench. Position [m] at
-/// every sample. `substeps`: steps per sample at least; more where the part swings faster on its spring. Error: no mass, a law at the driven end.
+/// every sample. `substeps`: steps per sample at least; more where the part swings faster on its
+/// spring. Error: no mass, a law at the driven end.
 Status RunElementByForce(const hydraulics::PhsSystem& system, const RigMotion& motion,
                          const ElementStart& start, int substeps, std::vector<double>* position);
 

@@ -13,8 +13,8 @@
 // `piston_m,load_cell_N,p_bore_Pa,p_rod_Pa` from `actuator_m`; full `piston1_m…piston4_m,
 // load1_N…load4_N,pL1_Pa…pL4_Pa` from `actuator1_m,actuator2_m`; element `force_N` from `x_m`
 // (optionally `v_m_s`, `p_Pa`, `temperature_K`), or `x_m` from `force_N` (element_drive.h). One
-// cylinder may be driven by `force_N` instead, or its `p_bore_Pa, p_rod_Pa` given beside `actuator_m` (RigOptions::driven_by). Signs: extension > 0, tension > 0; pressures
-// absolute.
+// cylinder may be driven by `force_N` instead, or its `p_bore_Pa, p_rod_Pa` given beside
+// `actuator_m` (RigOptions::driven_by). Signs: extension > 0, tension > 0; pressures absolute.
 #pragma once
 
 #include <memory>

@@ -154,7 +154,8 @@ TEST_F(BogieTest, LinesThatDifferStayApart) {
   EXPECT_THAT(oil.value().free, ElementsAre("lines.oil_volume_m3")) << "alike in all";
 }
 
-// The longer step of a fit is told by no sensor; where numbers make it too long, the own one is taken.
+// The longer step of a fit is told by no sensor; where numbers make it too long, the own one is
+// taken.
 TEST_F(BogieTest, AFitTakesLongerStepsAndKnowsThreeOtherTheories) {
   Measure("", kOff);
   auto model = LoadBogieModel(scratch_.File("declared.yaml"), {}, {});
