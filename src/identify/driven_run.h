@@ -1,5 +1,4 @@
-// Rigs driven by a measured motion (cylinder, quarter, full, element): from data and declared model
-// to results.
+// From a record and a model to results, for rigs and bogies alike.
 #pragma once
 
 #include <functional>
@@ -38,10 +37,5 @@ Result<IdentifyOutcome> SearchAndWrite(const measurement::Manifest& manifest,
                                        const hydraulics::PhsParams& declared, FitProblem* problem,
                                        const SearchOptions& options, const Progress& progress,
                                        const WriteModel& write_model, const ResultDir& dir);
-
-/// Identification; see RunIdentify.
-Result<IdentifyOutcome> IdentifyDriven(const measurement::Manifest& manifest,
-                                       const SearchOptions& options, const Progress& progress,
-                                       const ResultDir& dir);
 
 }  // namespace phs::identify::search

@@ -1,8 +1,8 @@
 #include "identify/identify_run.h"
 
 #include "identify/bogie_run.h"
-#include "identify/driven_run.h"
 #include "identify/element_run.h"
+#include "identify/rig_identify.h"
 #include "measurement/manifest.h"
 
 namespace phs::identify::search {

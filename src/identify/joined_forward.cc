@@ -150,7 +150,7 @@ Status JoinedForward::Each(Asked ask, const PhsParams& params, Span span, Channe
   for (size_t r = 0; r < parts_.size(); ++r) {
     if (span == Span::kEstimation && !fitted_[r]) continue;
     Channels run;
-    const Status done = (parts_[r].forward.get()->*ask)(ParamsOf(params, r), span, &run);
+    Status done = (parts_[r].forward.get()->*ask)(ParamsOf(params, r), span, &run);
     if (!done.ok()) return done;
     if (span == Span::kWhole) {
       whole.push_back(std::move(run));
@@ -178,7 +178,7 @@ Status JoinedForward::TheoryDifferences(const PhsParams& params, Span span,
   for (size_t r = 0; r < parts_.size(); ++r) {
     if (span == Span::kEstimation && !fitted_[r]) continue;
     std::vector<Channels>& own = runs.emplace_back();
-    const Status done = parts_[r].forward->TheoryDifferences(ParamsOf(params, r), span, &own);
+    Status done = parts_[r].forward->TheoryDifferences(ParamsOf(params, r), span, &own);
     if (!done.ok()) return done;
     if (own.empty()) return {};
     most = std::max(most, own.size());

@@ -52,11 +52,11 @@ Status CheckExcitation(const std::vector<const RigRun*>& runs, size_t input) {
                  "nothing can be identified from a constant input; choose another window"};
   }
   if (asked && all.reversals < 2) {
-    return Error{where,
-                 fmt::format("{} reverses {} times in the estimation window", name, all.reversals),
-                 "2 reversals or more",
-                 "friction cannot be told from an offset or a stiffness without; choose a longer "
-                 "window"};
+    return Error{
+        where, fmt::format("{} reverses {} times in the estimation window", name, all.reversals),
+        "2 reversals or more",
+        "friction and stiffness cannot be told apart, nor friction from an offset, without; "
+        "choose a longer window"};
   }
   return {};
 }
