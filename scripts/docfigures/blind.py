@@ -1,9 +1,10 @@
-"""Scores on blind sets, counted anew from the table of every set (tests/rigdata/score_blind.csv)."""
+"""Scores on blind sets, counted anew from the tables of every set in tests/rigdata."""
 import csv
 
 from docfigures.form import number, table
 
-COLUMNS = {"holdout": "`holdout`", "first_hand": "first hand", "second_hand": "second hand"}
+COLUMNS = {"holdout": "`holdout`", "first_hand": "first hand", "second_hand": "second hand",
+           "third_hand": "third hand"}
 VERDICTS = ("sufficient", "explained", "not_described", "undecidable")
 
 
@@ -13,8 +14,8 @@ def parted(rows):
              "accepted": set(row["accepted"].split("+")) - {"nothing"}} for row in rows]
 
 
-def sets(phs):
-    with open(phs.source / "tests/rigdata/score_blind.csv", newline="") as file:
+def sets(phs, name="score_blind.csv"):
+    with open(phs.source / "tests/rigdata" / name, newline="") as file:
         return parted(csv.DictReader(file))
 
 
@@ -44,7 +45,7 @@ MEASURES = (
 
 
 def share(good, all_):
-    return f"{good} of {all_}"
+    return f"{good} of {all_}" if all_ else "–"
 
 
 def middle_and_mean(rows):
@@ -53,11 +54,12 @@ def middle_and_mean(rows):
 
 
 def score_table(rows):
-    parts = [[row for row in rows if row["suite"] == suite] for suite in COLUMNS] + [rows]
+    suites = [suite for suite in COLUMNS if any(row["suite"] == suite for row in rows)]
+    parts = [[row for row in rows if row["suite"] == suite] for suite in suites] + [rows]
     lines = [[what, asked] + [share(*of(part, kind, good)) for part in parts]
              for what, asked, kind, good in MEASURES]
     lines.append(["error over that of the true model, median (mean)", "1.10"] + [middle_and_mean(p) for p in parts])
-    return table(["", "asked", *COLUMNS.values(), "pooled"], lines)
+    return table(["", "asked", *(COLUMNS[suite] for suite in suites), "pooled"], lines)
 
 
 def with_verdict(rows, verdict, *outcomes):

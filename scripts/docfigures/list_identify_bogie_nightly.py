@@ -12,7 +12,7 @@ ROWS = (("lateral position, lead / trail", ("lead_lateral_m", "trail_lateral_m")
 def effect_words(effect):
     """Name and first number with its interval; a length in mm."""
     name, value = next(iter(effect["parameters"].items()))
-    factor, unit, digits = (1e3, " mm", 1) if name.endswith("_m") else (1, "", 3)
+    factor, unit, digits = (1e3, " mm", 2) if name.endswith("_m") else (1, "", 3)
     low, high = (number(factor * value[end], digits) for end in ("low", "high"))
     return f"`{effect['name']}` {number(factor * value['value'], digits)}{unit} [{low}, {high}]"
 
@@ -20,7 +20,6 @@ def effect_words(effect):
 def figures(phs):
     r = phs.result("identify hidden_bogie", "result.json")
     worn = phs.result("identify bogie_worn", "result.json")
-    best = max((c for c in worn["candidates"] if "delta_bic" in c), key=lambda c: c["delta_bic"])
 
     def cell(names, which, factor, decimals, unit):
         return " / ".join(number(factor * r["channels"][n][which]["rmse"], decimals)
@@ -36,5 +35,5 @@ def figures(phs):
                         for words, names, factor, decimals, unit in ROWS]),
         "worn_verdict": f"*{worn['verdict'].replace('_', ' ')}*",
         "worn_found": ", ".join(effect_words(e) for e in worn["effects"]) or "nothing",
-        "worn_best": f"`{best['name']}`, ΔBIC {number(best['delta_bic'])}, refused: {best['verdict']}",
+        "worn_bic": ", ".join(number(e["evidence"]["delta_bic"]) for e in worn["effects"]),
     }

@@ -6,7 +6,9 @@ DOCUMENT = "docs/identify_score.md"
 
 def figures(phs):
     rows = sets(phs)
-    out = {"scores": score_table(rows), "sets": str(len(rows))}
+    present = sets(phs, "score_present.csv")
+    out = {"scores": score_table(rows), "sets": str(len(rows)), "present": score_table(present),
+           "present_sets": str(len(present))}
     for verdict in VERDICTS:
         out[verdict] = str(with_verdict(rows, verdict))
     clean = [row for row in rows if row["kind"] == "clean"]

@@ -60,6 +60,12 @@ std::vector<std::string> TakenApart(const PhsParams& params, const std::vector<s
   return out;
 }
 
+/// All that a run depends on. What theories move is in no file, so not in its text either.
+std::string KeyOf(const Scenario& s, size_t samples) {
+  return fmt::format("{} {} {}\n{}", samples, s.track_errors.cant_m, s.track_errors.widening_m,
+                     vehicle::ToYaml(s));
+}
+
 /// The scenario by other theories that are as respectable as its own, one of each kind:
 /// - creep: Polach's law in the place of FASTSIM or its table (the same where slip is small);
 /// - seals: how they hold before they slide is assumed in every PHS model: a bristle half as stiff
@@ -201,7 +207,7 @@ Status BogieForward::RunScenario(Scenario scenario, Span span, Channels* out) co
   const bool longer = span == Span::kEstimation && model_.fit_step_s > 0;
   const double own_step_s = scenario.timestep_s;
   if (longer) scenario.timestep_s = model_.fit_step_s;
-  const std::string key = std::to_string(samples) + vehicle::ToYaml(scenario);
+  const std::string key = KeyOf(scenario, samples);
   if (!kept_->Find(key, out)) {
     Status done = Simulate(scenario, samples, out);
     if (!done.ok() && longer) {  // too stiff for the longer step

@@ -26,7 +26,7 @@ std::vector<RunningEffect> MakeTable() {
                               {"half_width_m", "m", 0.03, 0.01, 0.06, 0.02, 0.05, "w"},
                               {"centre_m", "m", 0, -0.03, 0.03, -0.02, 0.02, "y0"}},
                              nullptr,
-                             {.bogie = {{.free = {{"depth_m", 2e-4, 1e-3, 2}}}}}},
+                             {.bogie = {{.free = {{"depth_m", 2e-4, 1e-3, 4}}}}}},
                   [](const Values& v, Scenario* s) {
                     s->wear = {v.at("depth_m"), v.at("half_width_m"), v.at("centre_m")};
                   }});

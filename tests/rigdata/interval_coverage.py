@@ -8,7 +8,8 @@ SUITE/truth, the results in SUITE/results. Counted are the five numbers of the d
 known in every set (oil and gas of both lines, scale of friction), in sets whose hidden effects were found exactly,
 clean ones included: an interval says nothing where the model is another. Nor is a number counted beside an effect of its
 own kind (a line's gas beside a diaphragm that stops, the scale of friction beside Stribeck's): what is left of it then is
-a matter of the effect's form, which differs between generator and catalogue. Prints how many hold the truth, for each
+a matter of the effect's form, which differs between generator and catalogue. Of the effects' own amounts those count
+whose form generator and catalogue write alike (effect_truth.py). Prints how many hold the truth, for each
 number and for sets without and with effects, with the exact binomial interval (Clopper and Pearson 1934), and of
 what misses, by how many of its own half widths. Exit: 0 counted, 2 wrong usage, 3 nothing to count.
 """
@@ -16,6 +17,7 @@ import math
 import sys
 
 from blind_sets import scored_sets, share_interval
+from effect_truth import true_amounts
 
 # The declared numbers of quarter_setup2 and the name of their factor in the truth.
 NUMBERS = {
@@ -38,6 +40,26 @@ def is_touched(number, hidden):
     return bool(set(hidden) & (FRICTION if number.startswith("friction") else HYDRAULIC))
 
 
+def numbers_of(truth, result, hidden):
+    """(row of the table, number, its true value, what was said) of all that counts."""
+    for number, (declared, factor) in NUMBERS.items():
+        if number in result["fitted"] and not is_touched(number, hidden):
+            yield number, number, declared * truth["factors_on_declared"][factor], result["fitted"][number]
+    found = {effect["name"]: effect["parameters"] for effect in result["effects"]}
+    for effect in truth["effects"]:
+        for number, value in true_amounts(effect).items():
+            if number in found[effect["name"]]:
+                yield "effects' amounts", f"{effect['name']}.{number}", value, found[effect["name"]][number]
+
+
+def in_half_widths(value, fit):
+    """How far beyond the fitted value the truth lies; logarithmic where all is positive, as the intervals are."""
+    side = fit["high"] if value > fit["value"] else fit["low"]
+    if min(value, fit["value"], side) <= 0:
+        return (value - fit["value"]) / (side - fit["value"])
+    return math.log(value / fit["value"]) / math.log(side / fit["value"])
+
+
 def main():
     suites = sys.argv[1:]
     if not suites or any(s.startswith("-") for s in suites):
@@ -50,20 +72,14 @@ def main():
             if result is None or hidden != sorted(e["name"] for e in result["effects"]):
                 continue
             kind = "with effects" if hidden else "clean"
-            for number, (declared, factor) in NUMBERS.items():
-                if number not in result["fitted"] or is_touched(number, hidden):
-                    continue
-                fit = result["fitted"][number]
-                value = declared * truth["factors_on_declared"][factor]
+            for row, number, value, fit in numbers_of(truth, result, hidden):
                 good = fit["low"] <= value <= fit["high"]
-                for row in (number, f"all, {kind}", "all"):
-                    count = held.setdefault(row, [0, 0])
+                for of in (row,) if row not in NUMBERS else (row, f"all, {kind}", "all"):
+                    count = held.setdefault(of, [0, 0])
                     count[0] += good
                     count[1] += 1
                 if not good:
-                    side = fit["high"] if value > fit["value"] else fit["low"]
-                    off = math.log(value / fit["value"]) / math.log(side / fit["value"])
-                    misses.append((f"{suite}/{name}", number, off, ", ".join(hidden) or "clean"))
+                    misses.append((f"{suite}/{name}", number, in_half_widths(value, fit), ", ".join(hidden) or "clean"))
     if not held:
         print("interval_coverage: no scored set whose effects were found exactly", file=sys.stderr)
         return 3

@@ -18,7 +18,8 @@ from concurrent.futures import ThreadPoolExecutor
 from blind_sets import read
 
 NUMBERS = {"false_alarms": 0.01, "least_share": 0.33, "noise_known": 0.1}
-PARTS = ("cross_validation", "beyond_zero", "structures", "physical_first", "sought_anew", "superfluous", "elsewhere",
+FACTORS = {"quartered": 0.25, "halved": 0.5, "doubled": 2, "quadrupled": 4}
+PARTS = ("cross_validation", "beyond_zero", "structures", "physical_first", "superfluous", "elsewhere",
          "challenge", "names", "formula", "options")
 FIELDS = ("suite", "set", "kind", "hidden", "variant", "accepted", "verdict", "processor_s")
 
@@ -28,8 +29,9 @@ def variants():
     all_of = {"as it is": [], "without share": ["--rule", "least_share=0"]}
     all_of.update({f"without {part}": ["--without", part] for part in PARTS})
     for name, value in NUMBERS.items():
-        for words, factor in (("doubled", 2), ("halved", 0.5)):
-            all_of[f"{name} {words}"] = ["--rule", f"{name}={factor * value:g}"]
+        for words, factor in FACTORS.items():
+            if name != "least_share" or factor * value < 1:
+                all_of[f"{name} {words}"] = ["--rule", f"{name}={factor * value:g}"]
     return all_of
 
 

@@ -51,11 +51,29 @@ void AddSpring(const SpringNumbers& n, const SpringPlace& at, const MotionState&
   (*moment)[at.a] -= m + arm_a.cross(f);
 }
 
+WheelOnRail Larger(const WheelOnRail& wheel, double by) {
+  WheelRailPair pair = wheel.pair();
+  pair.radius += by;
+  return WheelOnRail(std::move(pair));
+}
+
+// What one box's springs have beyond those of the guidance: half of it sits in either box.
+SpringNumbers BeyondGuidance(const SpringNumbers& guidance, double factor) {
+  SpringNumbers out;
+  out.along = 0.5 * (factor - 1) * guidance.along;
+  out.rest_z = guidance.rest_z;
+  return out;
+}
+
 }  // namespace
 
 BogieMotion::BogieMotion(BogieNumbers numbers, const TrackLine& track, WheelOnRail wheel,
                          SteeringOil oil)
-    : numbers_(std::move(numbers)), track_(track), wheel_(std::move(wheel)), oil_(std::move(oil)) {}
+    : numbers_(std::move(numbers)),
+      track_(track),
+      wheel_(std::move(wheel)),
+      odd_wheel_(Larger(wheel_, numbers_.wheel_larger)),
+      oil_(std::move(oil)) {}
 
 MotionState BogieMotion::Start() const {
   const double r = wheel_.pair().radius, half = numbers_.wheel_base / 2;
@@ -81,6 +99,12 @@ void BogieMotion::AddSprings(const MotionState& state, Rates* rates) const {
     const double x = axle == kLead ? half : -half;
     AddSpring(numbers_.guidance, {kFrame, axle, {x, 0, -kFrameCentre}, Vector3d::Zero()}, state,
               &rates->force, &rates->moment);
+  }
+  if (numbers_.box_spring != 1) {
+    const double b = numbers_.box_arm;
+    AddSpring(BeyondGuidance(numbers_.guidance, numbers_.box_spring),
+              {kFrame, kLead, {half, b, -kFrameCentre}, {0, b, 0}}, state, &rates->force,
+              &rates->moment);
   }
   AddSpring(numbers_.secondary,
             {kFrame, kBody, {0, 0, kSpringPlane - kFrameCentre}, {0, 0, -kBodyCentre}}, state,
@@ -138,7 +162,7 @@ BogieMotion::OnTrack BogieMotion::RailLoads(const MotionState& state, int axle) 
   turn += (state.spin[static_cast<size_t>(axle - kLead)] - turn.dot(e)) * e;
   out.axle = {at.y(), at.z(),    angle.x(), angle.z(), out.axes.transpose() * state.speed[axle],
               turn,   pose.twist};
-  out.load = LoadAxle(wheel_, out.axle);
+  out.load = LoadAxle(axle == kLead ? odd_wheel_ : wheel_, wheel_, out.axle);
   return out;
 }
 

@@ -45,6 +45,8 @@ struct BogieNumbers {
                           {3.5e6, 1.0e8, 1.0e8},
                           {1.0e5, 1.85e5, 1.85e5},
                           0.0919337};
+  double box_spring = 1;    // springs of the leading left box over the others'
+  double wheel_larger = 0;  // radius of the leading left wheel over the others' [m]
   double speed = 80 / 3.6;  // held by both axles' drives [m/s]
   double start = -100;      // where the middle of the bogie begins [m]
 };
@@ -101,7 +103,7 @@ class BogieMotion {
 
   BogieNumbers numbers_;
   const TrackLine& track_;
-  WheelOnRail wheel_;
+  WheelOnRail wheel_, odd_wheel_;  // odd: the leading left one
   SteeringOil oil_;
 };
 

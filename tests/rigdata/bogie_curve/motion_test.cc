@@ -30,6 +30,21 @@ TEST(BogieMotion, StandsOnItsFourWheels) {
   EXPECT_NEAR(r.lateral[0], 0, 1e-6);
 }
 
+// A box whose springs are stiffer carries more, and with it the corner across; a wheel that is
+// larger, too.
+TEST(BogieMotion, AStifferBoxAndALargerWheelCarryMore) {
+  for (const char* hidden : {"box_spring", "wheel_larger"}) {
+    Truth truth = DeclaredTruth("r550");
+    truth.bogie.start = -80;
+    Hide(hidden, std::string(hidden) == "box_spring" ? 1.3 : 1e-3, &truth);
+    const TrackLine track(truth.design);
+    const BogieReading r = After(MakeBogie(truth, track, kProfiles), 0);
+    const double across = r.Q[0][0] + r.Q[1][1], other = r.Q[0][1] + r.Q[1][0];
+    EXPECT_GT(across, other + 300) << hidden;
+    EXPECT_NEAR(across + other, 52000 * 9.81, 0.005 * 52000 * 9.81) << hidden;
+  }
+}
+
 // In the curve the axles take the radial position: the bending of 3.1 m on R = 550 m is 5.64 mrad,
 // which is a piston's way of 0.9 m times half of it.
 TEST(BogieMotion, TakesTheRadialPosition) {

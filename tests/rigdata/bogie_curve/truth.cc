@@ -44,6 +44,10 @@ const std::vector<Hideable>& HideableList() {
        [](double v, Truth* t) { t->steering.seal.viscous = v; }},
       {"cant", "cant of the curve beyond the declared [m]",
        [](double v, Truth* t) { t->design.cant += v; }},
+      {"box_spring", "springs of the leading left box over the others'",
+       [](double v, Truth* t) { t->bogie.box_spring = v; }},
+      {"wheel_larger", "radius of the leading left wheel beyond the others' [m]",
+       [](double v, Truth* t) { t->bogie.wheel_larger = v; }},
       {"rail_friction", "friction of wheel on rail", [](double v, Truth* t) { t->friction = v; }},
   };
   return list;

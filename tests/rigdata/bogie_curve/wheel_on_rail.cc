@@ -105,9 +105,10 @@ WheelLoad WheelOnRail::Load(const AxlePlace& axle) const {
   return load;
 }
 
-AxleLoad LoadAxle(const WheelOnRail& wheel, const AxleInTrack& axle) {
+AxleLoad LoadAxle(const WheelOnRail& left, const WheelOnRail& right, const AxleInTrack& axle) {
   AxleLoad out;
   for (size_t side = 0; side < 2; ++side) {
+    const WheelOnRail& wheel = side == 0 ? left : right;
     // Axes of one wheel: y to its field side, z down; a left wheel in a mirror.
     const double o = side == 0 ? 1 : -1;
     const Vector3d polar(1, o, -1), axial(-o, -1, o);

@@ -88,6 +88,6 @@ struct AxleLoad {
   std::array<WheelLoad, 2> wheel;  // left, right; in the axes of each wheel
   Vector3d force = Vector3d::Zero(), moment = Vector3d::Zero();
 };
-AxleLoad LoadAxle(const WheelOnRail& wheel, const AxleInTrack& axle);
+AxleLoad LoadAxle(const WheelOnRail& left, const WheelOnRail& right, const AxleInTrack& axle);
 
 }  // namespace bogie_curve

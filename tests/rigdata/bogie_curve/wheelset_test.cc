@@ -37,18 +37,22 @@ double TouchRadius(const WheelOnRail& w) {
   return w.pair().radius - kCone * (TouchHalfBase(w) - w.pair().half_tape);
 }
 
+struct Wheels {
+  const WheelOnRail &left, &right;
+};
+
 struct Rolling {
   double z, roll, side_speed, yaw_speed, spin;
 };
 
 // What is left of the forces on an axle: vertical, roll, lateral, yaw, about the axle.
-Five Left(const WheelOnRail& w, double y, double yaw, const Rolling& r) {
+Five Left(const Wheels& w, double y, double yaw, const Rolling& r) {
   AxleInTrack axle;
   axle.y = y, axle.z = r.z, axle.roll = r.roll, axle.yaw = yaw;
   axle.speed = {kSpeed, r.side_speed, 0};
   const Vector3d e(-std::sin(yaw), std::cos(yaw) * std::cos(r.roll), std::sin(r.roll));
   axle.turn = r.spin * e + Vector3d(0, 0, r.yaw_speed);
-  const AxleLoad load = LoadAxle(w, axle);
+  const AxleLoad load = LoadAxle(w.left, w.right, axle);
   Five left;
   left << load.force.z() - kLoad, load.moment.x(), load.force.y(), load.moment.z(),
       load.moment.dot(e);
@@ -56,7 +60,7 @@ Five Left(const WheelOnRail& w, double y, double yaw, const Rolling& r) {
 }
 
 // Newton on five of the numbers of a rolling axle, named by pointers.
-void Solve(const WheelOnRail& w, double* y, double* yaw, Rolling* r,
+void Solve(const Wheels& w, double* y, double* yaw, Rolling* r,
            const std::array<double*, 5>& unknown, const std::array<double, 5>& step) {
   for (int i = 0; i < 30; ++i) {
     const Five left = Left(w, *y, *yaw, *r);
@@ -85,7 +89,7 @@ TEST(LoneWheelset, RunsOnKlingelsWave) {
   double y = 0, yaw = 8e-4, s = 0, crossed = -1, half_wave = 0;
   const double h = 0.2;  // [m]
   const auto rate = [&](double at_y, double at_yaw) {
-    Solve(w, &at_y, &at_yaw, &r, {&r.z, &r.roll, &r.side_speed, &r.yaw_speed, &r.spin},
+    Solve({w, w}, &at_y, &at_yaw, &r, {&r.z, &r.roll, &r.side_speed, &r.yaw_speed, &r.spin},
           {1e-7, 1e-7, 1e-5, 1e-5, 1e-5});
     return std::array<double, 2>{r.side_speed / kSpeed, r.yaw_speed / kSpeed};
   };
@@ -111,12 +115,31 @@ TEST(LoneWheelset, RollsFreelyRoundACurveAtItsLine) {
     Rolling r = FirstGuess(w);
     r.yaw_speed = kSpeed / radius;
     double y = 0, yaw = 0;
-    Solve(w, &y, &yaw, &r, {&r.z, &r.roll, &y, &yaw, &r.spin}, {1e-7, 1e-7, 1e-6, 1e-7, 1e-5});
+    Solve({w, w}, &y, &yaw, &r, {&r.z, &r.roll, &y, &yaw, &r.spin}, {1e-7, 1e-7, 1e-6, 1e-7, 1e-5});
     // A left curve: to the right.
     const double r0 = TouchRadius(w), base = TouchHalfBase(w);
     const double line = -r0 * base / (Conicity(base, r0) * radius);
     EXPECT_NEAR(y / line, 1, 0.01) << radius;
     EXPECT_NEAR(yaw, 0, 1e-5);
+  }
+}
+
+// An axle with a larger left wheel rolls straight where both radii are alike, to the right by
+// d/(2 conicity); and as it leans to the right by d/(2 b), its treads lie to the left by r times
+// that.
+TEST(LoneWheelset, RunsOffTheMiddleOnUnlikeWheels) {
+  const WheelOnRail w = ConeOnArc();
+  for (const double d : {1e-4, -3e-5}) {
+    WheelRailPair pair = w.pair();
+    pair.radius += d;
+    const WheelOnRail left(pair);
+    Rolling r = FirstGuess(w);
+    double y = 0, yaw = 0;
+    Solve({left, w}, &y, &yaw, &r, {&r.z, &r.roll, &y, &yaw, &r.spin},
+          {1e-7, 1e-7, 1e-6, 1e-7, 1e-5});
+    const double base = TouchHalfBase(w), radius = TouchRadius(w);
+    const double line = -d / 2 * (1 / Conicity(base, radius) + radius / base);
+    EXPECT_NEAR(y / line, 1, 0.03) << d;
   }
 }
 
@@ -128,7 +151,7 @@ TEST(WheelOnRail, LeftAndRightMirrorEachOther) {
   AxleInTrack other = one;
   other.y *= -1, other.roll *= -1, other.yaw *= -1;
   other.speed.y() *= -1, other.turn.x() *= -1, other.turn.z() *= -1;
-  const AxleLoad a = LoadAxle(w, one), b = LoadAxle(w, other);
+  const AxleLoad a = LoadAxle(w, w, one), b = LoadAxle(w, w, other);
   ASSERT_GT(a.force.norm(), 1e4);
   EXPECT_EQ(a.force.y(), -b.force.y());
   EXPECT_EQ(a.force.z(), b.force.z());
