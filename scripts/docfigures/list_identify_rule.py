@@ -57,7 +57,7 @@ def figures(phs):
     parts = [[variant] + counted(of, whole) for variant, of in all_of.items()
              if variant == WHOLE or variant.startswith("without")]
     numbers = [[variant] + counted(of, whole) for variant, of in all_of.items()
-               if variant.endswith(("doubled", "halved"))]
+               if variant.endswith(("quartered", "halved", "doubled", "quadrupled"))]
     clean = sum(row["kind"] == "clean" for row in whole.values())
     return {"parts": table(["the rule"] + HEAD, parts), "numbers": table(["number"] + HEAD, numbers),
             "further": further(phs), "sets": str(len(whole)), "clean": str(clean)}

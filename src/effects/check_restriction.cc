@@ -90,6 +90,7 @@ const EffectInfo& CheckRestrictionInfo() {
                   {.free = {{"oil_share", 0.2}}},
                   {.free = {{"rod_ratio", 1}}, .of_sides = true},
               },
+          .contains = {"line_resistance"},
       }};
   return info;
 }

@@ -82,6 +82,8 @@ struct EffectSearch {
   /// What the model declares of the first number: there the effect does nothing, and distances
   /// (Walk::kEitherWay) are shares of it. Null: nothing; then the parameter's default.
   double (*declared)(const PhsParams& params) = nullptr;
+  /// Effects that are special cases of it: the larger one stands only where it explains more.
+  std::vector<std::string> contains = {};
 };
 
 }  // namespace phs::hydraulics

@@ -66,13 +66,24 @@ bool IsOfInstrument(const Candidate& form) {
   return info != nullptr && info->family == "instrument";
 }
 
+bool Contains(const Candidate& form, const Candidate& other) {
+  const hydraulics::EffectInfo* info = effects::Catalogue().FindFor(form.params);
+  if (info == nullptr) return false;
+  const std::vector<std::string>& parts = info->search.contains;
+  return std::find(parts.begin(), parts.end(), other.effect) != parts.end();
+}
+
 bool Beats(const FitProblem& problem, const Candidate& form, const FitResult& fit,
            const Candidate& other, const FitResult& other_fit) {
   const double ahead = Criterion(problem, other_fit.score, other_fit.values.size()) -
                        Criterion(problem, fit.score, fit.values.size());
   const SearchRule& rule = problem.rule();
-  if (!rule.physical_first || IsOfInstrument(form) == IsOfInstrument(other)) return ahead > 0;
-  return IsOfInstrument(form) ? IsBeyondChance(rule, ahead, 1) : !IsBeyondChance(rule, -ahead, 1);
+  const auto second = [&rule](const Candidate& a, const Candidate& b) {
+    return Contains(a, b) || (rule.physical_first && IsOfInstrument(a) && !IsOfInstrument(b));
+  };
+  if (second(form, other)) return IsBeyondChance(rule, ahead, 1);
+  if (second(other, form)) return !IsBeyondChance(rule, -ahead, 1);
+  return ahead > 0;
 }
 
 std::string Refusal(const SearchRule& rule, const Evidence& evidence, const Candidate& form,

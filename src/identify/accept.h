@@ -33,8 +33,12 @@ bool IsThere(const Candidate& form, const FitResult& fit, size_t base);
 /// True of what a sensor says beyond the truth, not the rig.
 bool IsOfInstrument(const Candidate& form);
 
+/// True if the second is a special case of the first, as its row says.
+bool Contains(const Candidate& form, const Candidate& other);
+
 /// True if the first explains more than the second, as the criterion counts; a physical cause gives
-/// way to an instrument's fault only where that is ahead beyond chance.
+/// way to an instrument's fault, and a special case to what contains it, only where that is ahead
+/// beyond chance.
 bool Beats(const FitProblem& problem, const Candidate& form, const FitResult& fit,
            const Candidate& other, const FitResult& other_fit);
 

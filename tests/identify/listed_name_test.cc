@@ -67,23 +67,32 @@ TEST(ListedName, AWaveInForceOverPositionIsOnNoList) {
   EXPECT_FALSE(name) << name->form.effect;
 }
 
-TEST(ListedName, AnInstrumentGoesFirstOnlyBeyondChance) {
+/// The first goes before the second though it explains less, and gives way beyond chance only.
+void ExpectGivesWayOnlyBeyondChance(const std::string& first, const std::string& second) {
   const FitData data = Record(Declared());
   const auto problem = ProblemOf(data, Declared());
-  Candidate sensor, leak;
-  sensor.effect = sensor.params.name = "sensor_drift";
-  leak.effect = leak.params.name = "external_leakage";
+  Candidate preferred, other;
+  preferred.effect = preferred.params.name = first;
+  other.effect = other.params.name = second;
   FitResult better, worse;
   better.values = worse.values = {1};
   better.score = 100, worse.score = 105;
   const auto beats = [&](const Candidate& a, const FitResult& fa, const Candidate& b,
                          const FitResult& fb) { return Beats(problem.value(), a, fa, b, fb); };
-  EXPECT_FALSE(beats(sensor, better, leak, worse)) << "5 of 2 ln L may be chance";
-  EXPECT_TRUE(beats(leak, worse, sensor, better));
+  EXPECT_FALSE(beats(other, better, preferred, worse)) << "5 of 2 ln L may be chance";
+  EXPECT_TRUE(beats(preferred, worse, other, better));
   worse.score = 120;
-  EXPECT_TRUE(beats(sensor, better, leak, worse));
-  EXPECT_FALSE(beats(leak, worse, sensor, better));
-  EXPECT_TRUE(beats(leak, better, leak, worse));
+  EXPECT_TRUE(beats(other, better, preferred, worse));
+  EXPECT_FALSE(beats(preferred, worse, other, better));
+  EXPECT_TRUE(beats(preferred, better, preferred, worse));
+}
+
+TEST(ListedName, AnInstrumentGoesFirstOnlyBeyondChance) {
+  ExpectGivesWayOnlyBeyondChance("external_leakage", "sensor_drift");
+}
+
+TEST(ListedName, ASpecialCaseGivesWayToWhatContainsItOnlyBeyondChance) {
+  ExpectGivesWayOnlyBeyondChance("line_resistance", "check_restriction");
 }
 
 /// A search that has found this formula.

@@ -11,17 +11,13 @@ import os
 import sys
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../scripts"))
-from docfigures.blind import outcome, parted  # noqa: E402
+from docfigures.blind import parted  # noqa: E402
+from docfigures.list_identify_rule import WHOLE, is_right  # noqa: E402
 from rule_study import FACTORS, NUMBERS  # noqa: E402
 
-WHOLE = "as it is"
 CURVES = (("right", "#1f5fa8"), ("accepts otherwise", "#c8641e"), ("false alarms", "#a01f3c"))
+TICKS = {0.25: "¼", 0.5: "½", 1: "1", 2: "2", 4: "4"}
 PANEL, HEIGHT, LEFT, TOP, GAP = 200, 150, 46, 44, 34
-
-
-def is_right(row):
-    """Nothing on a clean set, all that is hidden and nothing else, a formula for what is on no list."""
-    return row["hidden"] == row["accepted"] or outcome(row) == "formula" and row["accepted"] == {"unlisted"}
 
 
 def read_table(path):
@@ -55,7 +51,7 @@ def panel(x0, number, points, most):
         if x0 == LEFT:
             out.append(f'<text x="{x0 - 6}" y="{up(n) + 4:.1f}" text-anchor="end">{n}</text>')
     for factor, _ in points:
-        out.append(f'<text x="{across[factor]:.1f}" y="{TOP + HEIGHT + 16}" text-anchor="middle">× {factor:g}</text>')
+        out.append(f'<text x="{across[factor]:.1f}" y="{TOP + HEIGHT + 16}" text-anchor="middle">× {TICKS[factor]}</text>')
     for k, (_, colour) in enumerate(CURVES):
         line = " ".join(f"{across[factor]:.1f},{up(of[k]):.1f}" for factor, of in points)
         out.append(f'<polyline points="{line}" fill="none" stroke="{colour}" stroke-width="2"/>')
@@ -71,7 +67,7 @@ def draw(table):
     for k, number in enumerate(NUMBERS):
         out += panel(LEFT + k * (PANEL + GAP), number, curves_of(table, number), most)
     for k, (name, colour) in enumerate(CURVES):
-        x, y = LEFT + 230 * k, TOP + HEIGHT + 38
+        x, y = LEFT + 235 * k, TOP + HEIGHT + 38
         out.append(f'<path d="M{x} {y - 4}h22" stroke="{colour}" stroke-width="2"/>'
                    f'<text x="{x + 28}" y="{y}">{name}, of {most} records</text>')
     return "\n".join(out + ["</svg>"]) + "\n"

@@ -8,6 +8,7 @@ import unittest
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, HERE)
+import rule_plot  # noqa: E402
 from blind_sets import share_interval  # noqa: E402
 
 DECLARED = {"L1.oil_volume_m3": 1.1e-3, "L2.oil_volume_m3": 1.1e-3, "L1.gas_volume_m3": 16.16e-6,
@@ -78,6 +79,12 @@ class Suites(unittest.TestCase):
         self.assertIn("| right effect first, single effects | 2 of 2 ", text)
         self.assertIn("| false alarms, clean sets | 1 of 2 ", text)
         self.assertIn("| pairs found completely | 0 of 1 ", text)
+
+
+class Pictures(unittest.TestCase):
+    def test_the_picture_of_the_rule_is_that_of_its_table(self):  # else: rule_plot.py rule_study.csv docs/pictures/…
+        with open(os.path.join(HERE, "../../docs/pictures/identify_rule.svg")) as file:
+            self.assertEqual(file.read(), rule_plot.draw(rule_plot.read_table(os.path.join(HERE, "rule_study.csv"))))
 
 
 if __name__ == "__main__":
