@@ -162,13 +162,15 @@ class Search {
     AcceptedEffect accepted{trial.form, evidence, {}};
     for (const FullTrial& other : others) {
       if (!other.fit.ok || other.candidate->effect == trial.candidate->effect) continue;
-      if (Contains(other.form, trial.form)) continue;  // it can always show what its part does
       const double behind = Criterion(problem_, other.fit.score, other.fit.values.size()) -
                             Criterion(problem_, trial.fit.score, trial.fit.values.size());
       if (IsBeyondChance(problem_.rule(), behind, 1)) continue;
+      const bool larger = Contains(other.form, trial.form);  // it shows all that its part does
       const std::string& name = other.candidate->effect;
-      std::vector<std::string>& known = accepted.confusable_with;
+      std::vector<std::string>& known =
+          larger ? accepted.special_case_of : accepted.confusable_with;
       if (std::find(known.begin(), known.end(), name) == known.end()) known.push_back(name);
+      if (larger) continue;
       accepted.rivals.push_back(
           {other.form,
            {other.fit.values.end() - static_cast<long>(other.form.free.size()),

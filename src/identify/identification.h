@@ -31,6 +31,8 @@ struct AcceptedEffect {
   Candidate candidate;
   Evidence evidence;
   std::vector<std::string> confusable_with;
+  /// Effects that contain it and that chance may have put behind it.
+  std::vector<std::string> special_case_of = {};
   std::vector<Rival> rivals = {};  ///< the same
 };
 

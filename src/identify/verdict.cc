@@ -87,6 +87,10 @@ Verdict Judge(const VerdictFacts& facts) {
     if (removed <= kMost) return Undescribed(facts, std::move(reasons));
   }
   for (const NamedEffect& effect : facts.effects) {
+    if (!effect.special_case_of.empty()) {
+      reasons.push_back(effect.name + " is a special case of " + JoinWords(effect.special_case_of) +
+                        ", for which this record does not ask");
+    }
     if (effect.rivals.empty()) continue;
     reasons.push_back(effect.name + " explains no more than " + JoinWords(effect.rivals));
   }

@@ -29,6 +29,7 @@ struct ChannelLeft {
 struct NamedEffect {
   std::string name;
   std::vector<std::string> rivals;
+  std::vector<std::string> special_case_of = {};  ///< what contains it, not told from it
 };
 
 /// A declared number after its fit.

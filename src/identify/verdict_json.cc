@@ -8,7 +8,7 @@ namespace phs::identify::search {
 std::vector<NamedEffect> NamedEffects(const Identification& found) {
   std::vector<NamedEffect> out;
   for (const AcceptedEffect& effect : found.effects) {
-    out.push_back({effect.candidate.effect, effect.confusable_with});
+    out.push_back({effect.candidate.effect, effect.confusable_with, effect.special_case_of});
   }
   return out;
 }

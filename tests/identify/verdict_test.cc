@@ -65,6 +65,13 @@ TEST(Verdict, UndecidableWhereAnotherExplainsAsMuch) {
   EXPECT_THAT(Judge(facts).reasons, Contains(HasSubstr("mount_compliance")));
 }
 
+TEST(Verdict, WhatContainsAnEffectIsSaidAndNoRival) {
+  VerdictFacts facts = Facts(10, 1.1);
+  facts.effects = {{"line_resistance", {}, {"check_restriction"}}};
+  EXPECT_EQ(Judge(facts).word, "explained");
+  EXPECT_THAT(Judge(facts).reasons, Contains(HasSubstr("special case of check_restriction")));
+}
+
 TEST(Verdict, FaultsAndNumbersAtTheirEndsAreNeverSufficient) {
   VerdictFacts facts = Facts(1, 1);
   facts.faults = {"a turned sign"};
