@@ -97,6 +97,10 @@ bool IsMeasuredBench(const Manifest& manifest) {
 
 Result<RigOutcome> RunRig(const Manifest& manifest, const ResultDir& dir) {
   if (manifest.rig == "steps") return RunSteps(manifest, dir);
+  if (manifest.runs.size() > 1 && manifest.rig != "element") {
+    return Error{manifest.path + ": runs", "phs rig compares one run", "data:, or runs: of a bench",
+                 "a manifest for each run; phs identify takes them as one"};
+  }
   if (manifest.rig == "bogie") {
     if (manifest.signal) {
       return Error{manifest.path + ": signal", "a bogie runs on its track, not by signals",

@@ -151,6 +151,14 @@ TEST_F(RigRunTest, RefusesBrokenData) {
                 "step_actuator_mm");
 }
 
+TEST_F(RigRunTest, RefusesSeveralRunsWhereItComparesOne) {
+  const std::string model = Write("model.yaml", kQuarter);
+  const auto outcome = Execute(
+      "rig: quarter\nmodel: " + model + "\nruns: [{data: one.csv}, {data: two.csv}]\n", "out");
+  ASSERT_FALSE(outcome.ok());
+  EXPECT_THAT(outcome.error().Line(), HasSubstr("runs: phs rig compares one run"));
+}
+
 TEST_F(RigRunTest, StepTablesByTheThesisNames) {
   const std::string table = Write(
       "t.csv",
