@@ -47,6 +47,19 @@ def counted(of, whole):
             f"{better} / {worse}", verdicts]
 
 
+def literals(phs):
+    """How many literals were moved, on how many records, and those that changed any (tests/rigdata/literal_study.py)."""
+    with open(phs.source / "tests/rigdata/literal_study.csv", newline="") as file:
+        rows = list(csv.DictReader(file))
+    said = {}
+    for row in rows:
+        said.setdefault(row["literal"], {})[row["factor"], row["suite"], row["set"]] = row["accepted"], row["verdict"]
+    whole = {key[1:]: words for key, words in said.pop(WHOLE).items()}
+    other = [name for name, of in said.items() if any(words != whole[key[1:]] for key, words in of.items())]
+    return {"literals": str(len(said)), "literal_records": str(len(whole)),
+            "literals_other": ", ".join(f"`{name}`" for name in other) or "none"}
+
+
 HEAD = ["right", "false alarms", "sets that accept otherwise", "of them better / worse", "other verdict"]
 
 
@@ -60,4 +73,4 @@ def figures(phs):
                if variant.endswith(("quartered", "halved", "doubled", "quadrupled"))]
     clean = sum(row["kind"] == "clean" for row in whole.values())
     return {"parts": table(["the rule"] + HEAD, parts), "numbers": table(["number"] + HEAD, numbers),
-            "further": further(phs), "sets": str(len(whole)), "clean": str(clean)}
+            "further": further(phs), **literals(phs), "sets": str(len(whole)), "clean": str(clean)}
