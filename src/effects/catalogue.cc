@@ -11,6 +11,7 @@
 #include "effects/entrained_air.h"
 #include "effects/external_leakage.h"
 #include "effects/gas_thermal.h"
+#include "effects/gas_volume.h"
 #include "effects/hose_expansion.h"
 #include "effects/line_inertance.h"
 #include "effects/line_resistance.h"
@@ -23,6 +24,7 @@
 #include "effects/presliding.h"
 #include "effects/pressure_area.h"
 #include "effects/pressure_friction.h"
+#include "effects/seal_friction.h"
 #include "effects/sensor_delay.h"
 #include "effects/sensor_drift.h"
 #include "effects/sensor_gain.h"
@@ -45,12 +47,12 @@ class Table final : public hydraulics::EffectTable {
       : effects_{// hydraulic
                  PistonLeakageInfo(), ExternalLeakageInfo(), LineResistanceInfo(),
                  LineInertanceInfo(), CheckRestrictionInfo(), ThrottleInfo(), EntrainedAirInfo(),
-                 HoseExpansionInfo(), GasThermalInfo(), AccumulatorPrechargeInfo(),
+                 HoseExpansionInfo(), GasVolumeInfo(), GasThermalInfo(), AccumulatorPrechargeInfo(),
                  DiaphragmStopInfo(), CavitationInfo(),
                  // friction
-                 StribeckInfo(), PreslidingInfo(), PressureFrictionInfo(), PositionFrictionInfo(),
-                 DwellFrictionInfo(), ViscousFrictionInfo(), AsymmetricFrictionInfo(),
-                 TemperatureFrictionInfo(),
+                 SealFrictionInfo(), StribeckInfo(), PreslidingInfo(), PressureFrictionInfo(),
+                 PositionFrictionInfo(), DwellFrictionInfo(), ViscousFrictionInfo(),
+                 AsymmetricFrictionInfo(), TemperatureFrictionInfo(),
                  // mounting
                  BacklashInfo(), MountComplianceInfo(), BushViscoelasticInfo(),
                  // instrument

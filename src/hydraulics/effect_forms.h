@@ -53,7 +53,8 @@ struct EffectForm {
   int amounts = 1;
   /// On a bench: it needs these channels (p_Pa, temperature_K) or these free numbers of the part.
   std::vector<std::string> needs = {};
-  /// On a bench: not where the part has one of these free already, which say the same.
+  /// On a bench: not where the part has one of these free already, which say the same. On a bogie:
+  /// not at a line that has one of these free by itself.
   std::vector<std::string> beside = {};
   bool of_static_friction = false;  ///< on a bench: of a part whose friction has no state
 };

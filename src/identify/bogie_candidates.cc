@@ -1,5 +1,7 @@
 #include "identify/bogie_candidates.h"
 
+#include <algorithm>
+
 #include "effects/catalogue.h"
 
 namespace phs::identify::search {
@@ -8,30 +10,62 @@ using hydraulics::EffectForm;
 using hydraulics::EffectInfo;
 using hydraulics::Places;
 
+namespace {
+
+/// Where an effect may stand in a bogie, by what its row says.
+std::vector<std::string> PlacesOf(const EffectInfo& info, const hydraulics::PhsParams& params,
+                                  const vehicle::DeclaredRunning& declared) {
+  if (info.targets == "boxes") return declared.boxes;
+  std::vector<std::string> places;
+  if (info.targets == "cylinders") {
+    for (const auto& cylinder : params.cylinders) places.push_back(cylinder.name);
+  } else {
+    for (const auto& line : params.lines) places.push_back(line.name);
+  }
+  return places;
+}
+
+/// One form, in all places or in each alone.
+void AddForm(const EffectInfo& info, const EffectForm& form, const FormScale& scale,
+             const std::vector<std::string>& places, const std::vector<std::string>& free,
+             std::vector<Candidate>* out) {
+  Candidate candidate = MakeCandidate(info, form, scale);
+  if (form.places == Places::kAll) {
+    out->push_back(std::move(candidate));
+    return;
+  }
+  for (const std::string& place : places) {
+    const bool known =
+        std::any_of(form.beside.begin(), form.beside.end(), [&](const std::string& number) {
+          return std::find(free.begin(), free.end(), place + "." + number) != free.end();
+        });
+    if (known) continue;
+    candidate.params.targets = {place};
+    out->push_back(candidate);
+  }
+}
+
+}  // namespace
+
 std::vector<Candidate> ListBogieCandidates(const hydraulics::PhsParams& params,
+                                           const std::vector<std::string>& free,
                                            const vehicle::DeclaredRunning& declared) {
   std::vector<Candidate> out;
+  const auto add = [&](const EffectInfo& info, const FormScale& scale) {
+    if (IsIn(params, info.name) || scale.declared == 0.0) return;
+    for (const EffectForm& form : info.search.bogie) {
+      AddForm(info, form, scale, PlacesOf(info, params, declared), free, &out);
+    }
+  };
   for (const vehicle::RunningEffect& row : vehicle::RunningEffects()) {
-    if (IsIn(params, row.info.name)) continue;
     FormScale scale;
     if (row.declared != nullptr) scale.declared = row.declared(declared);
-    for (const EffectForm& form : row.info.search.bogie) {
-      out.push_back(MakeCandidate(row.info, form, scale));
-    }
+    add(row.info, scale);
   }
   for (const EffectInfo& info : effects::Catalogue().effects()) {
-    if (IsIn(params, info.name)) continue;
-    for (const EffectForm& form : info.search.bogie) {
-      Candidate candidate = MakeCandidate(info, form, {});
-      if (form.places == Places::kAll) {
-        out.push_back(std::move(candidate));
-        continue;
-      }
-      for (const auto& line : params.lines) {
-        candidate.params.targets = {line.name};
-        out.push_back(candidate);
-      }
-    }
+    FormScale scale;
+    if (info.search.declared != nullptr) scale.declared = info.search.declared(params);
+    add(info, scale);
   }
   return out;
 }

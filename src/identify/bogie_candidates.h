@@ -11,8 +11,9 @@
 
 namespace phs::identify::search {
 
-/// All candidates that are not in `params` yet.
+/// All candidates that are not in `params` yet, beside the `free` numbers of the declared model.
 std::vector<Candidate> ListBogieCandidates(const hydraulics::PhsParams& params,
+                                           const std::vector<std::string>& free,
                                            const vehicle::DeclaredRunning& declared);
 /// Their effects, each once.
 std::vector<std::string> BogieCandidateNames();

@@ -12,6 +12,7 @@
 #include "identify/bogie_candidates.h"
 #include "identify/own_candidates.h"
 #include "phs_model/phs_model.h"
+#include "vehicle/box_springs.h"
 #include "vehicle/compose.h"
 #include "vehicle/running_effects.h"
 #include "vehicle/scenario_file.h"
@@ -149,7 +150,8 @@ Result<BogieModel> LoadBogieModel(const std::string& scenario, const std::vector
     model.observed.push_back(channel.name), model.unit.push_back(channel.unit);
   }
   model.start_m = run.value().columns[static_cast<size_t>(run.value().Find("s_m"))].front();
-  model.friction = simulation.value().binding().friction();
+  model.declared.friction = simulation.value().binding().friction();
+  model.declared.boxes = vehicle::BoxNames(simulation.value().model());
   model.track_length_m = simulation.value().binding().track().length();
   return model;
 }
@@ -319,7 +321,7 @@ FreeModel BogieForward::Declared(const PhsParams& declared) const {
 
 std::vector<Candidate> BogieForward::Candidates(const PhsParams& params) const {
   std::vector<Candidate> out;
-  for (Candidate& c : ListBogieCandidates(params, {model_.friction})) {
+  for (Candidate& c : ListBogieCandidates(params, model_.free, model_.declared)) {
     const auto& asked = model_.candidates;
     if (!asked.empty() && std::find(asked.begin(), asked.end(), c.effect) == asked.end()) continue;
     out.push_back(std::move(c));

@@ -21,6 +21,7 @@
 #include "identify/effect_variants.h"
 #include "identify/record_forward.h"
 #include "measurement/fit_data.h"
+#include "vehicle/running_effects.h"
 #include "vehicle/scenario.h"
 #include "vehicle/simulation.h"
 
@@ -35,7 +36,7 @@ struct BogieModel {
   std::vector<std::string> observed;    ///< every channel that a run records
   std::vector<std::string> unit;        ///< of each
   double start_m = 0;                   ///< place of the leading wheelset when a run starts
-  double friction = 0;                  ///< of wheel on rail
+  vehicle::DeclaredRunning declared;    ///< of wheel, track and suspension
   double track_length_m = 0;
   /// Step of the runs of a fit; 0: the scenario's, as of every run whose numbers are reported.
   double fit_step_s = 0;

@@ -38,7 +38,24 @@ class Search {
  private:
   Status SearchAll(const hydraulics::PhsParams& declared) {
     if (Status s = FitDeclared(declared); !s.ok()) return s;
-    for (int round = 0; round < options_.effort.max_effects && !cancelled_; ++round) {
+    AddListed();
+    Stage(0.85, 0.1);
+    if (!cancelled_ && options_.formula && problem_.rule().formula) {
+      const auto go_on = [this](double part) { return GoOn(part); };
+      if (ChallengeByFormula(problem_, coarse_, options_.effort, go_on, &out_)) {
+        Reweigh();
+        AddListed();  // what stands beside it is still to be sought
+      }
+      if (AddFormula(problem_, coarse_, options_.effort, go_on, &out_)) DropSuperfluous();
+    }
+    UpdateRecords();
+    return {};
+  }
+
+  /// One effect after the other, while the record asks for one.
+  void AddListed() {
+    for (auto round = static_cast<int>(out_.effects.size());
+         round < options_.effort.max_effects && !cancelled_; ++round) {
       if (!IsBeyondChance(problem_.rule(), problem_.likelihood().MostGain(out_.after.powers), 1))
         break;
       Stage(0.02 + 0.2 * round, 0.2);
@@ -46,14 +63,6 @@ class Search {
       Reweigh();
     }
     DropSuperfluous();
-    Stage(0.85, 0.1);
-    if (!cancelled_ && options_.formula && problem_.rule().formula) {
-      const auto go_on = [this](double part) { return GoOn(part); };
-      ChallengeByFormula(problem_, coarse_, options_.effort, go_on, &out_);
-      if (AddFormula(problem_, coarse_, options_.effort, go_on, &out_)) DropSuperfluous();
-    }
-    UpdateRecords();
-    return {};
   }
 
   Status FitDeclared(const hydraulics::PhsParams& declared) {

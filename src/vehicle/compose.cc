@@ -10,6 +10,7 @@
 #include "base/data_path.h"
 #include "phs_model/phs_model.h"
 #include "plugin/model_text.h"
+#include "vehicle/box_springs.h"
 #include "vehicle/mjcf_additions.h"
 #include "vehicle/mjcf_document.h"
 
@@ -258,7 +259,16 @@ Result<VehicleDocument> ComposeDocument(const Scenario& scenario) {
 Result<ModelPtr> ComposeVehicle(const Scenario& scenario) {
   auto composed = ComposeDocument(scenario);
   if (!composed.ok()) return composed.error();
-  const VehicleDocument& vehicle = composed.value();
+  VehicleDocument& vehicle = composed.value();
+  if (!scenario.box_springs.empty()) {
+    auto plain = CompileMjcf(*vehicle.document, vehicle.path);
+    if (!plain.ok()) return plain.error();
+    const Status added =
+        AddBoxSprings(scenario, plain.value().get(), vehicle.document->RootElement());
+    if (!added.ok()) return added.error();
+    if (!vehicle.changed) KeepAssetFolders(vehicle.path, vehicle.document->RootElement());
+    vehicle.changed = true;
+  }
   // Nothing to add: the file as it stands, as any MuJoCo program loads it.
   auto model =
       vehicle.changed ? CompileMjcf(*vehicle.document, vehicle.path) : LoadMjcf(vehicle.path);

@@ -2,14 +2,15 @@
 //
 // A single bogie is its MJCF file as it stands. What the plugin needs and the file lacks is added
 // in memory: the empty key "test" for the settled start, room in userdata. Tracks, profiles and PHS
-// models that lie beside the file are found there. A file without <option timestep> gets 1 ms. Two
+// models that lie beside the file are found there. A file without <option timestep> gets 1 ms. Three
 // more things are added where asked:
 //   state carriers  a PHS model with more states than the file has activations (gas temperatures,
 //                   clearances …) gets one force-free user actuator per further state;
 //   locomotive      the bogie (frame, wheelsets, cylinders) is put twice, with names prefixed
 //                   front_ and rear_, under the car body of bogie_xml/shared/locomotive_body.xml
 //                   or the one that the bogie names: <text name="phs_car_body" data="…"/>. Any
-//                   number of axles.
+//                   number of axles;
+//   box springs     what the springs of one axle box have beyond the rest (box_springs.h).
 #pragma once
 
 #include <string>

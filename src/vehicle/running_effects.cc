@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "base/words.h"
 #include "effects/catalogue.h"
 #include "phs_model/phs_model.h"
@@ -13,23 +15,40 @@ namespace {
 using hydraulics::EffectInfo;
 using hydraulics::EffectParameter;
 using hydraulics::EffectParams;
+using hydraulics::Places;
 using hydraulics::Walk;
-using Values = std::map<std::string, double>;
+
+RunningEffect BoxSpring() {
+  return {EffectInfo{"box_spring",
+                     "suspension",
+                     "boxes",
+                     "k f: springs of these axle boxes other than the rest",
+                     {{"factor", "-", 1, 0.02, 50, 0.1, 5, "f", true}},
+                     nullptr,
+                     {.bogie = {{.free = {{"factor", 1}}, .places = Places::kAlone}}}},
+          [](const EffectParams& e, Scenario* s) {
+            const double factor = e.values.at("factor");
+            for (const std::string& box : e.targets) s->box_springs.push_back({box, factor});
+            if (e.targets.empty()) s->box_springs.push_back({"", factor});
+          },
+          [](const DeclaredRunning&) { return 1.0; }};
+}
 
 std::vector<RunningEffect> MakeTable() {
   std::vector<RunningEffect> rows;
-  rows.push_back({EffectInfo{"tread_wear",
-                             "wheel",
-                             "",
-                             "z - d/2 (1 + cos(pi (y - y0)/w)): hollow tread of all wheels",
-                             {{"depth_m", "m", 0, -0.005, 0.005, -1e-3, 3e-3, "d"},
-                              {"half_width_m", "m", 0.03, 0.01, 0.06, 0.02, 0.05, "w"},
-                              {"centre_m", "m", 0, -0.03, 0.03, -0.02, 0.02, "y0"}},
-                             nullptr,
-                             {.bogie = {{.free = {{"depth_m", 2e-4, 1e-3, 4}}}}}},
-                  [](const Values& v, Scenario* s) {
-                    s->wear = {v.at("depth_m"), v.at("half_width_m"), v.at("centre_m")};
-                  }});
+  rows.push_back(
+      {EffectInfo{"tread_wear",
+                  "wheel",
+                  "",
+                  "z - d/2 (1 + cos(pi (y - y0)/w)): hollow tread of all wheels",
+                  {{"depth_m", "m", 0, -0.005, 0.005, -1e-3, 3e-3, "d"},
+                   {"half_width_m", "m", 0.03, 0.01, 0.06, 0.02, 0.05, "w"},
+                   {"centre_m", "m", 0, -0.03, 0.03, -0.02, 0.02, "y0"}},
+                  nullptr,
+                  {.bogie = {{.free = {{"depth_m", 2e-4, 1e-3, 4}}}}}},
+       [](const EffectParams& e, Scenario* s) {
+         s->wear = {e.values.at("depth_m"), e.values.at("half_width_m"), e.values.at("centre_m")};
+       }});
   rows.push_back(
       {EffectInfo{"wheel_rail_friction",
                   "wheel",
@@ -38,7 +57,7 @@ std::vector<RunningEffect> MakeTable() {
                   {{"coefficient", "1", 0.3, 0.01, 1, 0.03, 0.65, "of the tread at rest"}},
                   nullptr,
                   {.bogie = {{.free = {{"coefficient", 0.3, 0.3, 1, Walk::kEitherWay}}}}}},
-       [](const Values& v, Scenario* s) { s->friction.tread = v.at("coefficient"); },
+       [](const EffectParams& e, Scenario* s) { s->friction.tread = e.values.at("coefficient"); },
        [](const DeclaredRunning& declared) { return declared.friction; }});
   rows.push_back(
       {EffectInfo{"cant_error",
@@ -48,16 +67,18 @@ std::vector<RunningEffect> MakeTable() {
                   {{"cant_m", "m", 0, -0.1, 0.1, -0.06, 0.06, "> 0 raises the outer rail"}},
                   nullptr,
                   {.bogie = {{.free = {{"cant_m", 0}}}}}},
-       [](const Values& v, Scenario* s) { s->track_errors.cant_m = v.at("cant_m"); }});
-  rows.push_back(
-      {EffectInfo{"gauge_error",
-                  "track",
-                  "",
-                  "gauge other than declared, everywhere",
-                  {{"widening_m", "m", 0, -0.02, 0.05, -0.01, 0.02, "> 0 wider"}},
-                  nullptr,
-                  {.bogie = {{.free = {{"widening_m", 0}}}}}},
-       [](const Values& v, Scenario* s) { s->track_errors.widening_m = v.at("widening_m"); }});
+       [](const EffectParams& e, Scenario* s) { s->track_errors.cant_m = e.values.at("cant_m"); }});
+  rows.push_back({EffectInfo{"gauge_error",
+                             "track",
+                             "",
+                             "gauge other than declared, everywhere",
+                             {{"widening_m", "m", 0, -0.02, 0.05, -0.01, 0.02, "> 0 wider"}},
+                             nullptr,
+                             {.bogie = {{.free = {{"widening_m", 0}}}}}},
+                  [](const EffectParams& e, Scenario* s) {
+                    s->track_errors.widening_m = e.values.at("widening_m");
+                  }});
+  rows.push_back(BoxSpring());
   return rows;
 }
 
@@ -68,23 +89,20 @@ std::vector<std::string> KnownNames() {
   return names;
 }
 
-Status CheckValues(const EffectInfo& info, const EffectParams& effect, Values* values) {
-  const std::string where = "effects." + effect.name;
-  if (!effect.targets.empty() || !effect.formula.empty()) {
+/// Checks what a scenario says and fills in what it does not.
+Status Complete(const EffectInfo& info, EffectParams* effect) {
+  const std::string where = "effects." + effect->name;
+  if (!effect->formula.empty() || (info.targets.empty() && !effect->targets.empty())) {
     return Error{where, "has no targets and no formula", "numbers only", ""};
   }
   std::vector<std::string> keys;
-  for (const EffectParameter& p : info.parameters) {
-    (*values)[p.name] = p.otherwise, keys.push_back(p.name);
-  }
-  for (const auto& [key, value] : effect.values) {
-    if (!values->contains(key)) {
-      return Error{where + "." + key, "unknown key", JoinWords(keys), DidYouMean(key, keys)};
-    }
-    (*values)[key] = value;
+  for (const EffectParameter& p : info.parameters) keys.push_back(p.name);
+  for (const auto& [key, value] : effect->values) {
+    if (std::find(keys.begin(), keys.end(), key) != keys.end()) continue;
+    return Error{where + "." + key, "unknown key", JoinWords(keys), DidYouMean(key, keys)};
   }
   for (const EffectParameter& p : info.parameters) {
-    const double value = values->at(p.name);
+    const double value = effect->values.emplace(p.name, p.otherwise).first->second;
     if (value >= p.min && value <= p.max) continue;
     return Error{where + "." + p.name, fmt::format("{:g} is out of range", value),
                  fmt::format("{:g} to {:g} {}", p.min, p.max, p.unit), ""};
@@ -112,9 +130,9 @@ Status AddEffect(const EffectParams& effect, Scenario* scenario) {
     return Error{"effects." + effect.name, "is given twice", "each effect once", ""};
   }
   if (const RunningEffect* row = FindRunningEffect(effect.name)) {
-    Values values;
-    if (Status s = CheckValues(row->info, effect, &values); !s.ok()) return s;
-    row->apply(values, scenario);
+    EffectParams complete = effect;
+    if (Status s = Complete(row->info, &complete); !s.ok()) return s;
+    row->apply(complete, scenario);
   } else if (effects::Catalogue().FindFor(effect) != nullptr) {
     scenario->phs_changes.effects.push_back(effect);  // its keys are checked with the PHS model
   } else {

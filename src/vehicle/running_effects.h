@@ -6,6 +6,7 @@
 //     wheel_rail_friction: {coefficient: 0.22}   # of the tread; of the flange if it had the same
 //     cant_error: {cant_m: -0.015}               # of every curve, > 0 raises the outer rail
 //     gauge_error: {widening_m: 0.006}           # everywhere
+//     box_spring: {targets: [lead_left], factor: 0.6}   # springs of one axle box: box_springs.h
 //     viscous_friction: {…}                      # effects of the PHS go to its model
 #pragma once
 
@@ -20,13 +21,15 @@ namespace phs::vehicle {
 
 /// What a scenario declares of the numbers that effects of wheel and track are about.
 struct DeclaredRunning {
-  double friction = 0;  ///< of wheel on rail
+  double friction = 0;             ///< of wheel on rail
+  std::vector<std::string> boxes;  ///< axle boxes on springs (box_springs.h)
 };
 
 struct RunningEffect {
   hydraulics::EffectInfo info;  ///< `install` is null: nothing of it enters a PHS
-  /// Changes the scenario; every value is there and inside its range.
-  void (*apply)(const std::map<std::string, double>& values, Scenario* scenario);
+  /// Changes the scenario; every value is there and inside its range. The targets are names that
+  /// the vehicle is yet to be asked for; none: all.
+  void (*apply)(const hydraulics::EffectParams& effect, Scenario* scenario);
   /// As EffectSearch::declared, of what a scenario says.
   double (*declared)(const DeclaredRunning& declared) = nullptr;
 };

@@ -45,6 +45,12 @@ struct Scenario {
     double damping = -1;    ///< [N s/m, N m s/rad]; < 0: as in the file
   };
   std::vector<JointChange> joints;
+  /// Springs of one axle box over those of the rest (box_springs.h).
+  struct BoxSpring {
+    std::string box;  ///< "lead_left"; empty: every one
+    double factor = 1;
+  };
+  std::vector<BoxSpring> box_springs;
 };
 
 /// Puts a bogie into a scenario: "phs", a path, or "phs@out/model.yaml" for one with another PHS

@@ -145,5 +145,13 @@ TEST(AsymmetricFriction, ShiftsLevelsApart) {
   EXPECT_NEAR(Sliding(with, -0.01) - Sliding(p, -0.01), 150, 1e-6);
 }
 
+TEST(SealFriction, MultipliesTheLevelInBothDirections) {
+  const PhsParams p = Quarter();
+  const PhsParams with = With(p, "seal_friction", {{"factor", 3}});
+  for (const double v : {0.01, -0.01}) {
+    EXPECT_NEAR(Sliding(with, v), 3 * Sliding(p, v), 1e-6) << v;
+  }
+}
+
 }  // namespace
 }  // namespace phs::effects

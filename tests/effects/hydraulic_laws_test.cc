@@ -319,5 +319,17 @@ TEST(Effects, ResistanceAndInertanceOnOneChamberAddUp) {
   EXPECT_EQ(s.num_states(), 4) << "one volume and one flow per chamber";
 }
 
+// The same as a model that declares so much gas; the other line stays.
+TEST(GasVolume, IsThatOfTheReservoir) {
+  const PhsParams plain = Frictionless();
+  PhsParams declared = plain;
+  declared.lines[0].gas_volume_m3 *= 0.6;
+  const Held with = Hold(Compile(With(plain, "gas_volume", {{"factor", 0.6}}, {"L1"})), 1e-3, 0);
+  const Held expected = Hold(Compile(declared), 1e-3, 0), before = Hold(Compile(plain), 1e-3, 0);
+  EXPECT_DOUBLE_EQ(with.p_rod, expected.p_rod);
+  EXPECT_GT(std::abs(with.p_rod - before.p_rod), 1e4);
+  EXPECT_DOUBLE_EQ(with.p_bore, before.p_bore);
+}
+
 }  // namespace
 }  // namespace phs::effects

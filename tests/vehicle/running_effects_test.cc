@@ -51,7 +51,8 @@ TEST(RunningEffectsTest, EachOneChangesTheRun) {
   for (const auto& [name, key, value] : {std::tuple{"tread_wear", "depth_m", 4e-4},
                                          {"wheel_rail_friction", "coefficient", 0.1},
                                          {"cant_error", "cant_m", 0.03},
-                                         {"gauge_error", "widening_m", 0.01}}) {
+                                         {"gauge_error", "widening_m", 0.01},
+                                         {"box_spring", "factor", 0.5}}) {
     Scenario s = Curve();
     ASSERT_TRUE(AddEffect({name, {}, {{key, value}}}, &s).ok());
     EXPECT_NE(Execute(s).columns[lateral], plain.columns[lateral]) << name;
@@ -78,12 +79,24 @@ TEST(RunningEffectsTest, MistakesAreNamed) {
   for (const auto& [text, word] : {std::pair{"tread_ware: {depth_m: 0.001}", "tread_wear"},
                                    {"tread_wear: {dept_m: 0.001}", "depth_m"},
                                    {"cant_error: {cant_m: 0.5}", "-0.1 to 0.1"},
-                                   {"gauge_error: {targets: [L1]}", "no targets"}}) {
+                                   {"gauge_error: {targets: [L1]}", "no targets"},
+                                   {"box_spring: {targets: [lead_left], factor: 0}", "0.02 to 50"}}) {
     const auto loaded = LoadScenario(
         Written(std::string("track: straight\nspeed_m_s: 20\neffects:\n  ") + text + "\n"));
     ASSERT_FALSE(loaded.ok()) << text;
     EXPECT_THAT(loaded.error().Line(), HasSubstr(word));
     EXPECT_THAT(loaded.error().Line(), HasSubstr("running_effects.yaml:"));
+  }
+}
+
+TEST(RunningEffectsTest, ABoxThatIsNotThereIsNamed) {
+  Scenario s = Curve();
+  ASSERT_TRUE(AddEffect({"box_spring", {"lead_lefd"}, {{"factor", 0.6}}}, &s).ok());
+  const auto simulation = Simulation::Create(s);
+  ASSERT_FALSE(simulation.ok());
+  for (const char* word : {"effects.box_spring.targets", "'lead_lefd'", "trail_right",
+                           "did you mean 'lead_left'"}) {
+    EXPECT_THAT(simulation.error().Line(), HasSubstr(word));
   }
 }
 
@@ -103,6 +116,7 @@ TEST(ScenarioYamlTest, EffectsAndChangesReadBackEqual) {
   s.phs_changes.parameters = {{"friction.scale", 0.1 + 0.2}, {"lines.oil_volume_m3", 1e-3 / 3}};
   s.joints.push_back({"lead_y", 6e6, 4e4});
   ASSERT_TRUE(AddEffect({"cant_error", {}, {{"cant_m", 0.1 / 7}}}, &s).ok());
+  ASSERT_TRUE(AddEffect({"box_spring", {"trail_left"}, {{"factor", 0.7}}}, &s).ok());
   ASSERT_TRUE(
       AddEffect({"external_leakage", {"L2"}, {{"conductance_m3_per_Pas", 1e-13}}}, &s).ok());
   const auto again = LoadScenario(Written(ToYaml(s)));

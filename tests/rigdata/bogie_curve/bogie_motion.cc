@@ -145,7 +145,7 @@ void BogieMotion::AddCylinders(const MotionState& state, Rates* rates) const {
     rates->force[c.axle] -= on_frame;
     rates->moment[c.axle] -= c.box.cross(on_frame);
   }
-  rates->pressure = oil_.PressureRate(state.pressure, speed);
+  rates->pressure = oil_.PressureRate(state.pressure, speed, state.leaking);
   rates->bristle = oil_.BristleRate(speed, state.bristle);
 }
 

@@ -58,6 +58,7 @@ struct MotionState {
   std::array<Eigen::Quaterniond, kBodies> attitude;
   std::array<double, 2> spin{};
   SteeringOil::Four pressure{}, bristle{};
+  bool leaking = true;  // as SteeringOil::PressureRate
 };
 
 // What instruments could show at one instant; wheels: left, right.

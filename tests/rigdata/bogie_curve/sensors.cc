@@ -57,15 +57,14 @@ MeasuredRun Measure(const BogieMotion& bogie, const RunWish& wish) {
   }
   const int each = static_cast<int>(std::lround(wish.interval / wish.step));
   MotionState state = bogie.Start();
-  const SteeringOil::Four at_rest = state.pressure;
+  const double keep = std::exp(-wish.step / wish.loosens_in);
   double s = bogie.Read(state).lead_s;
   while (s < wish.first_s) {
+    // Before the measured place the lines are tight, and the track shakes the seals loose, little by
+    // little: without any hold an uneven bogie hunts, and the seals would keep the swing they catch.
+    state.leaking = s >= wish.loose_until_s;
     bogie.Step(wish.step, &state);
-    // Before the measured place the track has shaken the seals loose, and a pump keeps the lines.
-    if (s < wish.loose_until_s) {
-      state.bristle.fill(0);
-      state.pressure = at_rest;
-    }
+    for (double& bristle : state.bristle) bristle *= state.leaking ? 1 : keep;
     s = bogie.Read(state).lead_s;
   }
   for (int row = 0; s < wish.last_s; ++row) {

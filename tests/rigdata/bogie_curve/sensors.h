@@ -17,9 +17,10 @@ struct MeasuredRun {
 };
 
 struct RunWish {
-  double step = 5e-4;        // of the integration [s]
-  double interval = 0.02;    // of the record [s]
-  double loose_until_s = 0;  // until here the seals hold nothing and the lines are topped up [m]
+  double step = 5e-4;                // of the integration [s]
+  double interval = 0.02;            // of the record [s]
+  double loose_until_s = 0;          // until here the lines are tight and the seals let go [m] …
+  double loosens_in = 0.2;           // … with this time [s]
   double first_s = 4, last_s = 500;  // of the leading axle [m]
 };
 

@@ -90,7 +90,8 @@ SteeringOil::Four SteeringOil::Tension(const Four& pressure, const Four& speed,
   return force;
 }
 
-SteeringOil::Four SteeringOil::PressureRate(const Four& pressure, const Four& speed) const {
+SteeringOil::Four SteeringOil::PressureRate(const Four& pressure, const Four& speed,
+                                            bool leaking) const {
   Four flow{};
   for (size_t i = 0; i < 4; ++i) {
     flow[static_cast<size_t>(kBoreLine[i])] -= bore_area_ * speed[i];
@@ -102,7 +103,7 @@ SteeringOil::Four SteeringOil::PressureRate(const Four& pressure, const Four& sp
     const double p = pressure[l];
     double compliance = n.oil / n.bulk_modulus + n.gas * n.rest / (p * p);
     if (p > n.precharge) compliance += n.accumulator * n.precharge / (p * p);
-    rate[l] = (flow[l] - n.leak * (p - kAtmosphere)) / compliance;
+    rate[l] = (flow[l] - (leaking ? n.leak * (p - kAtmosphere) : 0)) / compliance;
   }
   return rate;
 }

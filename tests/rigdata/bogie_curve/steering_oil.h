@@ -52,7 +52,8 @@ class SteeringOil {
   Four Rest() const;  // static pressures
   // Tension of each cylinder [N] at pressures, piston speeds and bristles.
   Four Tension(const Four& pressure, const Four& speed, const Four& bristle) const;
-  Four PressureRate(const Four& pressure, const Four& speed) const;
+  // `leaking`: the lines lose what their leaks say.
+  Four PressureRate(const Four& pressure, const Four& speed, bool leaking = true) const;
   Four BristleRate(const Four& speed, const Four& bristle) const;
   const SteeringNumbers& numbers() const { return numbers_; }
 
