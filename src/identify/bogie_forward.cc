@@ -11,6 +11,7 @@
 #include "base/words.h"
 #include "identify/bogie_candidates.h"
 #include "identify/own_candidates.h"
+#include "identify/thread_budget.h"
 #include "phs_model/phs_model.h"
 #include "vehicle/box_springs.h"
 #include "vehicle/compose.h"
@@ -304,10 +305,15 @@ Status BogieForward::TheorySpan(const PhsParams& params, Span span,
   Channels own;
   if (Status s = RunScenario(scenario.value(), span, &own); !s.ok()) return s;
   std::vector<Scenario> others = OtherTheories(scenario.value(), params);
-  differences->clear();
-  for (Scenario& other : others) {
-    Channels& out = differences->emplace_back();
-    if (Status s = RunScenario(std::move(other), span, &out); !s.ok()) return s;
+  differences->assign(others.size(), {});
+  std::vector<Status> ran(others.size());
+  ThreadBudget(model_.threads).ForEach(static_cast<int>(others.size()), [&](int i) {
+    const auto k = static_cast<size_t>(i);
+    ran[k] = RunScenario(std::move(others[k]), span, &(*differences)[k]);
+  });
+  for (size_t i = 0; i < ran.size(); ++i) {
+    if (!ran[i].ok()) return ran[i];
+    Channels& out = (*differences)[i];
     for (size_t c = 0; c < own.size(); ++c) {
       for (size_t k = 0; k < own[c].size(); ++k) out[c][k] -= own[c][k];
     }

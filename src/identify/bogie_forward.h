@@ -40,6 +40,7 @@ struct BogieModel {
   double track_length_m = 0;
   /// Step of the runs of a fit; 0: the scenario's, as of every run whose numbers are reported.
   double fit_step_s = 0;
+  int threads = 1;  ///< for runs by other theories
 };
 
 /// Loads scenario and PHS and looks at one instant of the run. Errors: what the files say wrongly,

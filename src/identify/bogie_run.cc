@@ -36,10 +36,11 @@ Result<BogieCase> LoadBogieCase(const Manifest& manifest, bool several = false) 
 }
 
 /// The same, with the step of the runs of a fit.
-Result<BogieCase> LoadBogieToFit(const Manifest& manifest, bool several) {
+Result<BogieCase> LoadBogieToFit(const Manifest& manifest, int threads, bool several) {
   auto loaded = LoadBogieCase(manifest, several);
   if (!loaded.ok() || manifest.runs.front().estimation.empty()) return loaded;
   BogieCase& c = loaded.value();
+  c.model.threads = threads;
   auto step = BogieForward(c.data, c.model).FitStep(c.model.phs);
   if (!step.ok()) return step.error();
   c.model.fit_step_s = step.value();
@@ -86,7 +87,7 @@ Result<IdentifyOutcome> IdentifyBogieRuns(const Manifest& manifest, const Search
                                           const Progress& progress, const ResultDir& dir) {
   std::vector<BogieCase> cases;
   for (size_t r = 0; r < manifest.runs.size(); ++r) {
-    auto loaded = LoadBogieToFit(measurement::OfRun(manifest, r), true);
+    auto loaded = LoadBogieToFit(measurement::OfRun(manifest, r), options.effort.threads, true);
     if (!loaded.ok()) return loaded.error();
     cases.push_back(std::move(loaded).value());
   }
@@ -106,7 +107,7 @@ Result<IdentifyOutcome> IdentifyBogieRuns(const Manifest& manifest, const Search
 Result<IdentifyOutcome> IdentifyBogie(const Manifest& manifest, const SearchOptions& options,
                                       const Progress& progress, const ResultDir& dir) {
   if (manifest.runs.size() > 1) return IdentifyBogieRuns(manifest, options, progress, dir);
-  auto loaded = LoadBogieToFit(manifest, false);
+  auto loaded = LoadBogieToFit(manifest, options.effort.threads, false);
   if (!loaded.ok()) return loaded.error();
   const BogieCase& c = loaded.value();
   const auto forward = std::make_shared<const BogieForward>(c.data, c.model);

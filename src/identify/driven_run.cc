@@ -9,6 +9,7 @@
 #include "identify/next_test.h"
 #include "identify/passivity.h"
 #include "identify/result_json.h"
+#include "identify/thread_budget.h"
 
 namespace phs::identify::search {
 
@@ -171,9 +172,13 @@ Result<IdentifyOutcome> SearchAndWrite(const Manifest& manifest, const FitData& 
   const PhsParams corrected = problem->Params(found.corrected, found.after.values);
   const PhsParams refitted = problem->Params(found.declared, found.before.values);
   Channels before, after;
-  for (const auto& [params, out] : {std::pair{&refitted, &before}, {&corrected, &after}}) {
-    const Status done = problem->forward().Run(*params, ForwardModel::Span::kWhole, out);
-    if (!done.ok()) return done.error();
+  Status ran[2];
+  ThreadBudget(options.effort.threads).ForEach(2, [&](int k) {
+    ran[k] = problem->forward().Run(k == 0 ? refitted : corrected, ForwardModel::Span::kWhole,
+                                    k == 0 ? &before : &after);
+  });
+  for (const Status& s : ran) {
+    if (!s.ok()) return s.error();
   }
   const Result<std::vector<LeftOver>> over_noise =
       OverNoise(data, problem->forward(), corrected, after, data.validation);

@@ -38,24 +38,7 @@ class Search {
  private:
   Status SearchAll(const hydraulics::PhsParams& declared) {
     if (Status s = FitDeclared(declared); !s.ok()) return s;
-    AddListed();
-    Stage(0.85, 0.1);
-    if (!cancelled_ && options_.formula && problem_.rule().formula) {
-      const auto go_on = [this](double part) { return GoOn(part); };
-      if (ChallengeByFormula(problem_, coarse_, options_.effort, go_on, &out_)) {
-        Reweigh();
-        AddListed();  // what stands beside it is still to be sought
-      }
-      if (AddFormula(problem_, coarse_, options_.effort, go_on, &out_)) DropSuperfluous();
-    }
-    UpdateRecords();
-    return {};
-  }
-
-  /// One effect after the other, while the record asks for one.
-  void AddListed() {
-    for (auto round = static_cast<int>(out_.effects.size());
-         round < options_.effort.max_effects && !cancelled_; ++round) {
+    for (int round = 0; round < options_.effort.max_effects && !cancelled_; ++round) {
       if (!IsBeyondChance(problem_.rule(), problem_.likelihood().MostGain(out_.after.powers), 1))
         break;
       Stage(0.02 + 0.2 * round, 0.2);
@@ -63,6 +46,14 @@ class Search {
       Reweigh();
     }
     DropSuperfluous();
+    Stage(0.85, 0.1);
+    if (!cancelled_ && options_.formula && problem_.rule().formula) {
+      const auto go_on = [this](double part) { return GoOn(part); };
+      ChallengeByFormula(problem_, coarse_, options_.effort, go_on, &out_);
+      if (AddFormula(problem_, coarse_, options_.effort, go_on, &out_)) DropSuperfluous();
+    }
+    UpdateRecords();
+    return {};
   }
 
   Status FitDeclared(const hydraulics::PhsParams& declared) {
@@ -194,8 +185,10 @@ class Search {
   void DropSuperfluous() {
     for (size_t i = 0; problem_.rule().superfluous && i < out_.effects.size() && !cancelled_;) {
       FreeModel model;
-      std::vector<double> values = ValuesWithout(out_, i, &model);
-      FitResult rest = FitNear(problem_, model, values, {}, {.max_steps = 8, .final_slopes = true});
+      const std::vector<double> values = ValuesWithout(out_, i, &model);
+      FitResult rest = out_.effects.size() == 1 ? out_.base
+                                                : FitNear(problem_, model, values, {},
+                                                          {.max_steps = 8, .final_slopes = true});
       if (!rest.ok) return;
       const Evidence e = Compare(problem_, rest, out_.after, 1);
       const SearchRule& rule = problem_.rule();

@@ -38,17 +38,14 @@ double Threshold(const FitProblem& problem) {
 
 }  // namespace
 
-bool ChallengeByFormula(const FitProblem& problem, const FitProblem& coarse, const Effort& effort,
+void ChallengeByFormula(const FitProblem& problem, const FitProblem& coarse, const Effort& effort,
                         const std::function<bool(double)>& go_on, Identification* found) {
-  if (found->effects.empty() || !problem.rule().challenge) return false;
+  if (found->effects.empty() || !problem.rule().challenge) return;
   const FormulaTrial trial = TryFormula(problem, coarse, found->declared, found->base,
                                         {.max_terms = 1, .threshold = Threshold(problem)});
-  if (!trial.fit.ok) return false;
+  if (!trial.fit.ok) return;
   const bool alone = Refusal(problem.rule(), trial.evidence, trial.candidate, trial.fit).empty();
-  if (!alone || !SaysMore(problem, found->after, trial)) {
-    Record(trial, kBeaten, found);
-    return false;
-  }
+  if (!alone || !SaysMore(problem, found->after, trial)) return Record(trial, kBeaten, found);
   for (const AcceptedEffect& effect : found->effects) {
     Withdraw(effect.candidate.effect, "a formula on no list explains more", &found->candidates);
   }
@@ -56,7 +53,6 @@ bool ChallengeByFormula(const FitProblem& problem, const FitProblem& coarse, con
   const auto name =
       FindListedName(problem, coarse, found->declared, found->base, trial, effort, go_on);
   name ? Take(found->declared, *name, trial, found) : Take(trial, found);
-  return true;
 }
 
 bool AddFormula(const FitProblem& problem, const FitProblem& coarse, const Effort& effort,

@@ -11,8 +11,8 @@ namespace phs::identify::search {
 
 /// No listed effect is bent to stand for what is on no list: where a formula of one term says more
 /// than all the effects accepted, beyond chance, they go. It gets a name where a listed
-/// effect explains as much (listed_name.h). True if they went.
-bool ChallengeByFormula(const FitProblem& problem, const FitProblem& coarse, const Effort& effort,
+/// effect explains as much (listed_name.h).
+void ChallengeByFormula(const FitProblem& problem, const FitProblem& coarse, const Effort& effort,
                         const std::function<bool(double)>& go_on, Identification* found);
 
 /// A formula for what the accepted model still leaves, or the listed effect that it is. True if one

@@ -24,6 +24,8 @@ struct Probe {
 struct Probes {
   std::vector<Probe> promised;  ///< best first
   Probe present;
+  /// Of a single start and point: a step that keeps its promise has begun there.
+  bool one = false;
 };
 
 void Keep(double score, size_t point, const std::vector<double>& values, Probe* best) {
@@ -69,6 +71,7 @@ Probes Probed(const FitProblem& problem, const FreeModel& model, const std::vect
   const int first = static_cast<int>(bases[0].at->values.size());
   const Likelihood& likelihood = problem.likelihood();
   Probes best;
+  best.one = candidate.starts.size() * bases.size() == 1;
   for (const std::vector<double>& start : candidate.starts) {
     std::vector<double> values = ValuesAt(bases[0], start);
     Eigen::VectorXd residual;
@@ -100,6 +103,7 @@ Trial TakeSteps(const FitProblem& problem, const FreeModel& model, const std::ve
   probes.push_back(best.present);
   for (const Probe& probe : probes) {
     if (probe.values.empty()) continue;
+    if (best.one && trial.coarse.ok && trial.coarse.score < best.present.score) continue;
     const Point& at = points[probe.point];
     FitResult fit = FitNear(problem, whole, probe.values, at.slopes,
                             {.first_own = static_cast<int>(at.values.size()), .max_steps = 4});

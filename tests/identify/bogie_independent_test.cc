@@ -55,6 +55,33 @@ TEST_F(BogieIndependentTest, NothingIsNamedInACleanRecord) {
   EXPECT_EQ(result["verdict"], "sufficient") << result["reasons"].dump(1);
 }
 
+// 0.599 [0.597, 0.600] on 2026-11-26: the load of the wheels tells it.
+TEST_F(BogieIndependentTest, TheSpringsOfOneBoxAreNamed) {
+  const auto result = Identified(32, "box_spring", 0.6, "box_spring, cant_error");
+  ASSERT_EQ(result["effects"].size(), 1u) << result["candidates"].dump(1);
+  EXPECT_EQ(result["effects"][0]["name"], "box_spring");
+  EXPECT_EQ(result["effects"][0]["on"], nlohmann::json::array({"lead_left"}));
+  EXPECT_NEAR(result["effects"][0]["parameters"]["factor"]["value"].get<double>(), 0.6, 0.01);
+  EXPECT_EQ(result["verdict"], "explained") << result["reasons"].dump(1);
+}
+
+TEST_F(BogieIndependentTest, TheSealOfOneCylinderIsNamed) {
+  if (std::getenv("PHS_LONG_TESTS") == nullptr) GTEST_SKIP() << "PHS_LONG_TESTS is not set";
+  const auto result = Identified(8, "seal_1", 3, "");
+  ASSERT_EQ(result["effects"].size(), 1u) << result["candidates"].dump(1);
+  EXPECT_EQ(result["effects"][0]["name"], "seal_friction");
+  EXPECT_EQ(result["effects"][0]["on"], nlohmann::json::array({"1"}));
+  EXPECT_NEAR(result["effects"][0]["parameters"]["factor"]["value"].get<double>(), 3, 0.3);
+}
+
+// On no list: one wheel larger than the rest.
+TEST_F(BogieIndependentTest, UnequalWheelsAreNotNamed) {
+  if (std::getenv("PHS_LONG_TESTS") == nullptr) GTEST_SKIP() << "PHS_LONG_TESTS is not set";
+  const auto result = Identified(31, "wheel_larger", 5e-4, "");
+  EXPECT_TRUE(result["effects"].empty()) << result["effects"].dump(1);
+  EXPECT_EQ(result["verdict"], "not_described");
+}
+
 TEST_F(BogieIndependentTest, ALeakIsNamed) {
   if (std::getenv("PHS_LONG_TESTS") == nullptr) GTEST_SKIP() << "PHS_LONG_TESTS is not set";
   const auto result = Identified(5, "leak_L2", 3e-12, "external_leakage, cant_error");

@@ -9,6 +9,7 @@
 #include <fstream>
 
 #include "base/table.h"
+#include "identify/bogie_candidates.h"
 #include "identify/bogie_data.h"
 #include "identify/bogie_forward.h"
 #include "identify/bogie_run.h"
@@ -152,6 +153,29 @@ TEST_F(BogieTest, LinesThatDifferStayApart) {
   const auto oil = LoadBogieModel("curve_r550", {"lines.oil_volume_m3"}, {});
   ASSERT_TRUE(oil.ok()) << oil.error().Line();
   EXPECT_THAT(oil.value().free, ElementsAre("lines.oil_volume_m3")) << "alike in all";
+}
+
+// Where the lines differ, the gas of each is free by itself: no effect says the same once more.
+TEST_F(BogieTest, OneSealOneBoxAndOneLineAreCandidates) {
+  const auto places = [](const std::string& scenario, const std::string& effect) {
+    const auto model = LoadBogieModel(scenario, {}, {});
+    EXPECT_TRUE(model.ok()) << model.error().Line();
+    std::vector<std::string> out;
+    for (const Candidate& c :
+         ListBogieCandidates(model.value().phs, model.value().free, model.value().declared)) {
+      if (c.effect != effect) continue;
+      EXPECT_EQ(c.params.targets.size(), 1u);
+      out.push_back(c.params.targets.front());
+      EXPECT_EQ(c.starts, (std::vector<std::vector<double>>{{1}})) << "begins as the others";
+      EXPECT_EQ(c.none, std::vector<double>{1});
+    }
+    return out;
+  };
+  EXPECT_THAT(places("curve_r550", "seal_friction"), ElementsAre("1", "2", "3", "4"));
+  EXPECT_THAT(places("curve_r550", "box_spring"),
+              ElementsAre("lead_left", "lead_right", "trail_left", "trail_right"));
+  EXPECT_THAT(places("curve_r550", "gas_volume"), ElementsAre());
+  EXPECT_THAT(places("measured_r550", "gas_volume"), ElementsAre("L1", "L2", "L3", "L4"));
 }
 
 // The longer step of a fit is told by no sensor; where numbers make it too long, the own one is

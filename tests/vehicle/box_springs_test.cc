@@ -14,7 +14,8 @@ namespace {
 
 using testing::ElementsAre;
 
-constexpr double kArm = 0.9;  // [m] box beside the axle's middle (bogie_xml/shared/running_gear.xml)
+/// Box beside the axle's middle [m] (bogie_xml/shared/running_gear.xml).
+constexpr double kArm = 0.9;
 
 ModelPtr Compiled(const std::vector<std::string>& boxes, double factor) {
   Scenario s = LoadScenario("curve_r300").value();

@@ -1,6 +1,11 @@
 // The independent bogie as a whole: it stands by its weight, and takes the radial position.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "sensors.h"
 #include "truth.h"
 
 namespace bogie_curve {
@@ -42,6 +47,25 @@ TEST(BogieMotion, AStifferBoxAndALargerWheelCarryMore) {
     const double across = r.Q[0][0] + r.Q[1][1], other = r.Q[0][1] + r.Q[1][0];
     EXPECT_GT(across, other + 300) << hidden;
     EXPECT_NEAR(across + other, 52000 * 9.81, 0.005 * 52000 * 9.81) << hidden;
+  }
+}
+
+// An uneven bogie comes to the measured place at rest: what it swings there the seals would keep.
+TEST(Measure, AnUnevenBogieComesAtRest) {
+  Truth truth = DeclaredTruth("r550");
+  Hide("box_spring", 0.6, &truth);
+  const TrackLine track(truth.design);
+  RunWish wish;
+  wish.last_s = 40;
+  const MeasuredRun run = Measure(MakeBogie(truth, track, kProfiles), wish);
+  const auto column = [&](const std::string& name) {
+    const auto at = std::find(run.names.begin(), run.names.end(), name);
+    return run.columns[static_cast<size_t>(at - run.names.begin())];
+  };
+  for (const auto& [name, most] : {std::pair{"lead_lateral_m", 3e-4}, {"piston1_m", 3e-5}}) {
+    const std::vector<double> y = column(name);
+    const auto [low, high] = std::minmax_element(y.begin(), y.end());
+    EXPECT_LT(*high - *low, most) << name;
   }
 }
 
