@@ -2,8 +2,8 @@
 //
 // A single bogie is its MJCF file as it stands. What the plugin needs and the file lacks is added
 // in memory: the empty key "test" for the settled start, room in userdata. Tracks, profiles and PHS
-// models that lie beside the file are found there. A file without <option timestep> gets 1 ms. Three
-// more things are added where asked:
+// models that lie beside the file are found there. A file without <option timestep> gets 1 ms.
+// Three more things are added where asked:
 //   state carriers  a PHS model with more states than the file has activations (gas temperatures,
 //                   clearances …) gets one force-free user actuator per further state;
 //   locomotive      the bogie (frame, wheelsets, cylinders) is put twice, with names prefixed

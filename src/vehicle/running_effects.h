@@ -1,5 +1,5 @@
-// What wheel and track may be beside what is declared: the same idea as the catalogue of the PHS
-// (src/effects), one name each, in scenarios, results and code. A scenario switches them on:
+// What wheel, track and suspension may be beside what is declared: the same idea as the catalogue
+// of the PHS (src/effects), one name each, in scenarios, results and code. A scenario has them by:
 //
 //   effects:
 //     tread_wear: {depth_m: 0.0006}              # hollow: src/rail/tread_wear.h

@@ -60,7 +60,7 @@ TEST_F(BogieIndependentTest, TheSpringsOfOneBoxAreNamed) {
   const auto result = Identified(32, "box_spring", 0.6, "box_spring, cant_error");
   ASSERT_EQ(result["effects"].size(), 1u) << result["candidates"].dump(1);
   EXPECT_EQ(result["effects"][0]["name"], "box_spring");
-  EXPECT_EQ(result["effects"][0]["on"], nlohmann::json::array({"lead_left"}));
+  EXPECT_EQ(result["effects"][0]["on"], nlohmann::ordered_json::array({"lead_left"}));
   EXPECT_NEAR(result["effects"][0]["parameters"]["factor"]["value"].get<double>(), 0.6, 0.01);
   EXPECT_EQ(result["verdict"], "explained") << result["reasons"].dump(1);
 }
@@ -70,7 +70,7 @@ TEST_F(BogieIndependentTest, TheSealOfOneCylinderIsNamed) {
   const auto result = Identified(8, "seal_1", 3, "");
   ASSERT_EQ(result["effects"].size(), 1u) << result["candidates"].dump(1);
   EXPECT_EQ(result["effects"][0]["name"], "seal_friction");
-  EXPECT_EQ(result["effects"][0]["on"], nlohmann::json::array({"1"}));
+  EXPECT_EQ(result["effects"][0]["on"], nlohmann::ordered_json::array({"1"}));
   EXPECT_NEAR(result["effects"][0]["parameters"]["factor"]["value"].get<double>(), 3, 0.3);
 }
 

@@ -1,4 +1,4 @@
-// Springs of one axle box: the forces of the joints against those written down for a spring at the box.
+// Springs of one axle box: forces of the joints against those of a spring at the box, by hand.
 #include "vehicle/box_springs.h"
 
 #include <gmock/gmock.h>
@@ -52,7 +52,8 @@ double Of(const mjModel* m, const char* joint, const mjtNum* array) {
 }
 
 // Half of the stiffness of the two boxes sits in one; at the left box the axle's place is
-// (x - b yaw, y, z + b roll), b = 0.9 m to the left. Force of what it has beyond: (f - 1) k/2 (u0 - u).
+// (x - b yaw, y, z + b roll), b = 0.9 m to the left. What it has beyond pulls with
+// (f - 1) k/2 (u0 - u).
 TEST(BoxSprings, OneBoxBeyondItsShareByHand) {
   InstallEngineHandlers();
   const ModelPtr plain = Compiled({}, 1);

@@ -1,4 +1,4 @@
-// Effects of track and wheel in a scenario, and a scenario written back.
+// Effects of track, wheel and suspension in a scenario, and a scenario written back.
 #include "vehicle/running_effects.h"
 
 #include <gmock/gmock.h>
@@ -76,11 +76,12 @@ TEST(RunningEffectsTest, MoreCantPressesTheInnerWheel) {
 }
 
 TEST(RunningEffectsTest, MistakesAreNamed) {
-  for (const auto& [text, word] : {std::pair{"tread_ware: {depth_m: 0.001}", "tread_wear"},
-                                   {"tread_wear: {dept_m: 0.001}", "depth_m"},
-                                   {"cant_error: {cant_m: 0.5}", "-0.1 to 0.1"},
-                                   {"gauge_error: {targets: [L1]}", "no targets"},
-                                   {"box_spring: {targets: [lead_left], factor: 0}", "0.02 to 50"}}) {
+  for (const auto& [text, word] :
+       {std::pair{"tread_ware: {depth_m: 0.001}", "tread_wear"},
+        {"tread_wear: {dept_m: 0.001}", "depth_m"},
+        {"cant_error: {cant_m: 0.5}", "-0.1 to 0.1"},
+        {"gauge_error: {targets: [L1]}", "no targets"},
+        {"box_spring: {targets: [lead_left], factor: 0}", "0.02 to 50"}}) {
     const auto loaded = LoadScenario(
         Written(std::string("track: straight\nspeed_m_s: 20\neffects:\n  ") + text + "\n"));
     ASSERT_FALSE(loaded.ok()) << text;
@@ -94,8 +95,8 @@ TEST(RunningEffectsTest, ABoxThatIsNotThereIsNamed) {
   ASSERT_TRUE(AddEffect({"box_spring", {"lead_lefd"}, {{"factor", 0.6}}}, &s).ok());
   const auto simulation = Simulation::Create(s);
   ASSERT_FALSE(simulation.ok());
-  for (const char* word : {"effects.box_spring.targets", "'lead_lefd'", "trail_right",
-                           "did you mean 'lead_left'"}) {
+  for (const char* word :
+       {"effects.box_spring.targets", "'lead_lefd'", "trail_right", "did you mean 'lead_left'"}) {
     EXPECT_THAT(simulation.error().Line(), HasSubstr(word));
   }
 }

@@ -60,8 +60,8 @@ MeasuredRun Measure(const BogieMotion& bogie, const RunWish& wish) {
   const double keep = std::exp(-wish.step / wish.loosens_in);
   double s = bogie.Read(state).lead_s;
   while (s < wish.first_s) {
-    // Before the measured place the lines are tight, and the track shakes the seals loose, little by
-    // little: without any hold an uneven bogie hunts, and the seals would keep the swing they catch.
+    // Before the measured place the lines are tight, and the track shakes the seals loose, little
+    // by little: without any hold an uneven bogie hunts, and the seals would keep what they catch.
     state.leaking = s >= wish.loose_until_s;
     bogie.Step(wish.step, &state);
     for (double& bristle : state.bristle) bristle *= state.leaking ? 1 : keep;
