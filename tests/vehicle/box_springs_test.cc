@@ -17,7 +17,7 @@ using testing::ElementsAre;
 /// Box beside the axle's middle [m] (bogie_xml/shared/running_gear.xml).
 constexpr double kArm = 0.9;
 
-ModelPtr Compiled(const std::vector<std::string>& boxes, double factor) {
+ModelPtr WithBoxes(const std::vector<std::string>& boxes, double factor) {
   Scenario s = LoadScenario("curve_r300").value();
   if (factor != 1) EXPECT_TRUE(AddEffect({"box_spring", boxes, {{"factor", factor}}}, &s).ok());
   auto model = ComposeVehicle(s);
@@ -56,10 +56,10 @@ double Of(const mjModel* m, const char* joint, const mjtNum* array) {
 // (f - 1) k/2 (u0 - u).
 TEST(BoxSprings, OneBoxBeyondItsShareByHand) {
   InstallEngineHandlers();
-  const ModelPtr plain = Compiled({}, 1);
+  const ModelPtr plain = WithBoxes({}, 1);
   for (const double factor : {0.6, 2.0}) {
     for (const double side : {1.0, -1.0}) {
-      const ModelPtr soft = Compiled({side > 0 ? "lead_left" : "lead_right"}, factor);
+      const ModelPtr soft = WithBoxes({side > 0 ? "lead_left" : "lead_right"}, factor);
       const Place at{1e-3, -2e-3, 3e-3, 4e-3, -5e-3};
       const auto other = Forces(plain.get(), at), own = Forces(soft.get(), at);
       const double b = side * kArm, more = (factor - 1) / 2;
@@ -83,7 +83,7 @@ TEST(BoxSprings, OneBoxBeyondItsShareByHand) {
 /// Every box alike is a stiffer guidance; its own yaw and roll stiffness stay.
 TEST(BoxSprings, AllBoxesAreTheGuidance) {
   InstallEngineHandlers();
-  const ModelPtr plain = Compiled({}, 1), all = Compiled({}, 1.5);
+  const ModelPtr plain = WithBoxes({}, 1), all = WithBoxes({}, 1.5);
   const Place at{1e-3, 0, 0, 0, 0};
   EXPECT_NEAR(Forces(all.get(), at)[0], 1.5 * Forces(plain.get(), at)[0], 1e-6);
   const Place turned{0, 0, 0, 1e-3, 0};
@@ -94,7 +94,7 @@ TEST(BoxSprings, AllBoxesAreTheGuidance) {
 
 TEST(BoxSprings, BoxesAreKnownByTheirSites) {
   InstallEngineHandlers();
-  EXPECT_THAT(BoxNames(Compiled({}, 1).get()),
+  EXPECT_THAT(BoxNames(WithBoxes({}, 1).get()),
               ElementsAre("lead_left", "lead_right", "trail_left", "trail_right"));
 }
 
