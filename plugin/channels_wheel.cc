@@ -80,7 +80,8 @@ constexpr ChannelRow kRows[] = {
      [](const Instant& at, ChannelPlace of) {
        return OfLargest(Wheel(at, of), &ContactPatch::wheel_y);
      }},
-    {"flange_N", "N", "normal force on the flange", &FlangeLoad},
+    {"flange_N", "N", "normal force on flange and flange root (contact steeper than 0.52 rad)",
+     &FlangeLoad},
 };
 
 }  // namespace

@@ -13,6 +13,7 @@ import matplotlib.pyplot as plt
 import phs
 
 folder = Path(sys.argv[1] if len(sys.argv) > 1 else ".")
+folder.mkdir(parents=True, exist_ok=True)
 both = phs.compare("curve_r550", ["phs", "rigid_link"])
 
 for bogie, run in both.items():

@@ -86,6 +86,7 @@ def pulling(phs):
         "pull_sum_Y": number(own["run"]["max_sum_Y_N"] / 1e3),
         "pull_piston": number(1e3 * max(abs(c["piston_m"]) for c in steady["cylinders"]), 1),
         "pull_force": number(max(abs(c["force_N"]) for c in steady["cylinders"]) / 1e3, 1),
+        "pull_force_peak": number(max(abs(w.get("force_N", 0)) for w in own["warnings"]) / 1e3),
         "pull_line": number(min(line["pressure_Pa"] for line in steady["lines"])),
         "pull_rigid_attack": attack(wheelset(done["rigid_link"])["angle_of_attack_rad"], 1, 1, " mrad"),
         "pull_rigid_Y_over_Q": number(done["rigid_link"]["run"]["max_Y_over_Q"], 2),

@@ -23,13 +23,15 @@ def figures(phs):
         out["sum_Y_" + name] = number(wheelset(run)["sum_Y_N"] / 1e3, 1) + " kN"
         out["wear_" + name] = number(t_gamma(run), 0) + " N"
         out["work_" + name] = number(run["run"]["lost_creep_J"] / 1e3, 1) + " kJ"
-    blind = sets(phs) + sets(phs, "score_present.csv")
+    blind = sets(phs, "score_present.csv")
     out["blind_sets"] = str(len(blind))
     out["blind_clean"] = str(sum(row["kind"] == "clean" for row in blind))
+    out["blind_alarms"] = str(sum(row["kind"] == "clean" and bool(row["accepted"]) for row in blind))
     out["blind_explained"] = str(with_verdict(blind, "explained"))
     out["blind_right"] = str(with_verdict(blind, "explained", "exact", "one more", "formula"))
-    others = [row for row in blind if row["suite"] != "holdout"]
-    out["blind_others"] = share(*of(others, "single", lambda row: row["right"] == "1"))
+    for name, rows in (("own", [row for row in blind if row["suite"] == "holdout"]),
+                       ("others", [row for row in blind if row["suite"] != "holdout"])):
+        out["blind_" + name] = share(*of(rows, "single", lambda row: row["right"] == "1"))
     own, rigid = c["bogies"]["phs"], c["bogies"]["rigid_link"]
     out["rigid_words"] = attack_words(wheelset(rigid)["angle_of_attack_rad"], 1, hand(rigid))
     out["rigid_creep"] = budget(rigid, "creep_Nm")
@@ -50,6 +52,9 @@ def figures(phs):
     v = phs("validate")
     out["validate"] = (f"{v['passed']} checks hold, {v['missed_and_listed']} are missed and listed "
                        f"with the reason, {v['orientation']} are orientation")
+    missed = [r["what"] for r in v["checks"] if r["verdict"].startswith("missed")]
+    fitted = [what for what in missed if "left out" in what]
+    out["missed_declared"], out["missed_fitted"] = str(len(missed) - len(fitted)), str(len(fitted))
     row = {r["what"]: r["ours"] for r in v["checks"]}
 
     def at_most(start):

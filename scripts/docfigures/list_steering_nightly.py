@@ -8,8 +8,8 @@ RADII = (150, 250, 300, 400, 550, 800)
 WIDE = RADII + (1200, 2000, 4000)
 
 
-def angle(run):
-    return attack(wheelset(run)["angle_of_attack_rad"]) + (" (hunts)" if hunts(run) else "")
+def angle(run, unit=""):
+    return attack(wheelset(run)["angle_of_attack_rad"], unit=unit) + (" (hunts)" if hunts(run) else "")
 
 
 def over_radius(phs):
@@ -144,8 +144,8 @@ def deficiency(phs):
     words = []
     for speed in (50, 65, 80, 95):
         done = compare(phs, curve(550, speed_km_h=speed))
-        words.append(f"{speed} km/h: {angle(done['bogies']['phs'])} mrad, "
-                     f"{short(factor(done, 'phs'))} times less wear than rigid")
+        words.append(f"{speed} km/h: {angle(done['bogies']['phs'], ' mrad')}, "
+                     f"1/{short(factor(done, 'phs'))} of the rigid wear")
     return "; ".join(words)
 
 

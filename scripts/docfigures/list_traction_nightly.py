@@ -4,7 +4,8 @@ from docfigures.form import attack, short, table, wheelset
 
 DOCUMENT = "docs/traction.md"
 CASES = (("no traction, µ 0.45", "0", 0, 0.45), ("0.25, µ 0.45", "56 %", 39850, 0.45),
-         ("0.25, µ 0.35", "71 %", 39850, 0.35), ("0.40, µ 0.50", "80 %", 63760, 0.50))
+         ("0.25, µ 0.35", "71 %", 39850, 0.35), ("0.40, µ 0.56", "71 %", 63760, 0.56),
+         ("0.40, µ 0.50", "80 %", 63760, 0.50))
 BOGIES = ("phs", "rigid_link", "emd_radial")
 
 

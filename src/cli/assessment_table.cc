@@ -78,8 +78,9 @@ std::string WearLines(const NamedSummaries& summaries) {
   for (const auto& [name, summary] : summaries) {
     const Json* a = Assessed(summary);
     if (a == nullptr) continue;
-    text += fmt::format("  {:<19}{:<42}RCF {:.1e}  {:.2g} mm2/km\n", name, Regimes(*a),
-                        LargestOf(*a, "steady_rcf_damage_per_pass"),
+    const double damage = LargestOf(*a, "steady_rcf_damage_per_pass");
+    text += fmt::format("  {:<19}{:<42}RCF {}  {:.2g} mm2/km\n", name, Regimes(*a),
+                        std::isfinite(damage) ? fmt::format("{:.1e}", damage) : "-",
                         LargestOf(*a, "worn_area_mm2_per_km"));
   }
   return text;

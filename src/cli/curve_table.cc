@@ -54,6 +54,7 @@ struct Row {
   bool ratio;
   std::function<double(const Json&)> value;
   bool attack = false;  ///< an angle of attack: its magnitude and where the axle points
+  bool steady = true;   ///< a mean over the steady curve, not of the whole run
 };
 
 /// +1 in a left-hand curve, -1 in a right-hand one, 0 without.
@@ -94,11 +95,12 @@ std::vector<Row> Rows() {
          const double single = At(s, "/steady_curve/bending_rad");
          return std::isnan(single) ? At(s, "/steady_curve/front_bending_rad") : single;
        }},
-      {"largest Y/Q of the run", "-", 4, 1, true, of_run("max_Y_over_Q")},
-      {"T-gamma over the run", "kJ", 2, 1e-3, true, of_run("T_gamma_total_J")},
-      {"energy error of the run", "%", 4, 1e2, false, of_run("energy_error_relative")},
+      {"largest Y/Q of the run", "-", 4, 1, true, of_run("max_Y_over_Q"), false, false},
+      {"T-gamma over the run", "kJ", 2, 1e-3, true, of_run("T_gamma_total_J"), false, false},
+      {"energy error of the run", "%", 4, 1e2, false, of_run("energy_error_relative"), false,
+       false},
       {"times real time (one core)", "-", 1, 1, false,
-       [](const Json& s) { return At(s, "/real_time_factor"); }},
+       [](const Json& s) { return At(s, "/real_time_factor"); }, false, false},
   };
 }
 
@@ -118,6 +120,30 @@ double Times(const Row& row, const Json& first, const Json& other) {
   return row.attack ? std::abs(ratio) : ratio;
 }
 
+/// The run came to the steady curve, over whose place it has means.
+bool IsReached(const Json& summary) {
+  return std::isfinite(At(summary, "/steady_curve/speed_m_s"));
+}
+
+bool AnyReached(const NamedSummaries& summaries) {
+  return std::any_of(summaries.begin(), summaries.end(),
+                     [](const auto& named) { return IsReached(named.second); });
+}
+
+/// Why a run has no means, a line each.
+std::string NotReached(const NamedSummaries& summaries) {
+  std::string text;
+  for (const auto& [name, summary] : summaries) {
+    if (IsReached(summary) || !summary.contains("steady_curve")) continue;
+    text += fmt::format(
+        "! {}: the run ends after {:.4g} s, before its last axle has come to the steady curve: s = "
+        "{:.4g} to {:.4g} m, the last third of the first arc\n",
+        name, At(summary, "/run/end_time_s"), At(summary, "/steady_curve/begin_s_m"),
+        At(summary, "/steady_curve/end_s_m"));
+  }
+  return text;
+}
+
 /// Of a column headed by the names, at least `least`.
 size_t Width(const NamedSummaries& summaries, size_t least) {
   for (const auto& [name, summary] : summaries) least = std::max(least, name.size() + 2);
@@ -127,7 +153,9 @@ size_t Width(const NamedSummaries& summaries, size_t least) {
 }  // namespace
 
 std::string CurveTable(const NamedSummaries& summaries) {
-  std::string text = fmt::format("{:<30}{:>6}", "steady curve (mean)", "unit");
+  const bool reached = AnyReached(summaries);
+  std::string text =
+      fmt::format("{:<30}{:>6}", reached ? "steady curve (mean)" : "whole run", "unit");
   const size_t wide = Width(summaries, 13), ratio = Width(summaries, 13) + 1;
   for (const auto& [name, summary] : summaries) text += fmt::format("{:>{}}", name, wide);
   for (size_t i = 1; i < summaries.size(); ++i) {
@@ -136,6 +164,7 @@ std::string CurveTable(const NamedSummaries& summaries) {
   text +=
       '\n' + std::string(36 + wide * summaries.size() + ratio * (summaries.size() - 1), '-') + '\n';
   for (const Row& row : Rows()) {
+    if (row.steady && !reached) continue;
     text += fmt::format("{:<30}{:>6}", row.label, row.unit);
     for (const auto& [name, summary] : summaries) {
       text += fmt::format("{:>{}}", CellOf(row, summary), wide);
@@ -146,6 +175,7 @@ std::string CurveTable(const NamedSummaries& summaries) {
     }
     text += '\n';
   }
+  text += NotReached(summaries);
   for (const auto& [name, summary] : summaries) {
     if (summary["status"] != "ok") {
       text += fmt::format("{}: {}: {}\n", name, summary["status"].get<std::string>(),
@@ -156,6 +186,7 @@ std::string CurveTable(const NamedSummaries& summaries) {
 }
 
 std::string SteeringBudget(const NamedSummaries& summaries) {
+  if (!AnyReached(summaries)) return "";
   std::string text =
       "Yaw moments on the leading axle, steady curve [kN m] (sum = 0; creep steers it):\n";
   const size_t wide = Width(summaries, 14);

@@ -16,6 +16,8 @@ constexpr RulePart kParts[] = {
      "its amount is beyond zero by its interval, and not at the end of its range"},
     {"physical_first", &SearchRule::physical_first,
      "a physical cause goes before a fault of an instrument that explains as much"},
+    {"special_first", &SearchRule::special_first,
+     "a special case goes before what contains it and explains as much"},
     {"options", &SearchRule::options, "optional numbers of an effect are tried"},
     {"elsewhere", &SearchRule::elsewhere,
      "candidates are tried about a robust fit and with moved numbers held, too"},

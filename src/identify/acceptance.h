@@ -30,6 +30,7 @@ struct SearchRule {
   bool cross_validation = true;
   bool beyond_zero = true;
   bool physical_first = true;
+  bool special_first = true;
   bool options = true;
   bool elsewhere = true;
   bool superfluous = true;

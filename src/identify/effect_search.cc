@@ -165,7 +165,8 @@ class Search {
       const double behind = Criterion(problem_, other.fit.score, other.fit.values.size()) -
                             Criterion(problem_, trial.fit.score, trial.fit.values.size());
       if (IsBeyondChance(problem_.rule(), behind, 1)) continue;
-      const bool larger = Contains(other.form, trial.form);  // it shows all that its part does
+      const bool larger = problem_.rule().special_first &&
+                          Contains(other.form, trial.form);  // it shows all that its part does
       const std::string& name = other.candidate->effect;
       std::vector<std::string>& known =
           larger ? accepted.special_case_of : accepted.confusable_with;

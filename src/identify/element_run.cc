@@ -93,8 +93,8 @@ std::string BenchSummary(const json& result) {
   }
   out += search::NextTestLines(result);
   const json& left = result["unexplained"];
-  out +=
-      fmt::format("unexplained: {:.2f} times the noise", left["residual_over_noise"].get<double>());
+  out += fmt::format("unexplained: {:.2f} times its noise and uncertainty",
+                     left["residual_over_noise"].get<double>());
   if (!left["depends_on"].empty()) {
     out += ", depends on " + JoinWords(left["depends_on"].get<std::vector<std::string>>());
   }

@@ -45,8 +45,8 @@ std::string Summary(const Json& result) {
                        s["before"]["nrmse"].get<double>(), s["after"]["nrmse"].get<double>());
   }
   const Json& left = result["unexplained"];
-  out += fmt::format("unexplained: {} {:.2f} times its noise", left["channel"].get<std::string>(),
-                     left["residual_over_noise"].get<double>());
+  out += fmt::format("unexplained: {} {:.2f} times its noise and uncertainty",
+                     left["channel"].get<std::string>(), left["residual_over_noise"].get<double>());
   if (!left["depends_on"].empty()) {
     out += ", depends on " + JoinWords(left["depends_on"].get<std::vector<std::string>>());
   }

@@ -25,8 +25,9 @@ const ChannelLeft* Worst(const VerdictFacts& facts) {
 }
 
 std::string Left(const ChannelLeft& c) {
-  return fmt::format("{} is left with {:.1f} times its noise, {:.1f} % of its standard deviation",
-                     c.channel, c.after, 100 * c.of_sigma);
+  return fmt::format(
+      "{} is left with {:.1f} times its noise and uncertainty, {:.1f} % of its standard deviation",
+      c.channel, c.after, 100 * c.of_sigma);
 }
 
 /// Channels with more than their white noise, of which no more than that follows what the rig did.

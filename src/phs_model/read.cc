@@ -1,4 +1,5 @@
 // Reading model files (docs/phs_models.md).
+#include <algorithm>
 #include <map>
 
 #include "hydraulics/phs_numbers.h"
@@ -115,6 +116,14 @@ void ReadFriction(YamlMap* map, FrictionParams* f) {
   f->force_N = map->Numbers("force_N", {}, f->force_N);
 }
 
+/// The first name that is given twice; empty without.
+std::string NamedTwice(const std::vector<std::string>& names) {
+  for (size_t i = 0; i < names.size(); ++i) {
+    if (std::count(names.begin(), names.end(), names[i]) > 1) return names[i];
+  }
+  return {};
+}
+
 }  // namespace
 
 std::vector<EffectParams> ReadEffects(YamlMap map) {
@@ -126,6 +135,9 @@ std::vector<EffectParams> ReadEffects(YamlMap map) {
     for (const std::string& key : entry.Keys()) {
       if (key == "targets") {
         effect.targets = entry.Texts("targets");
+        if (const std::string twice = NamedTwice(effect.targets); !twice.empty()) {
+          entry.Fail("targets", Quoted(twice) + " is given twice", "each name once");
+        }
       } else if (key == "formula") {
         effect.formula = entry.Text("formula");
       } else {

@@ -10,7 +10,8 @@ constexpr AssessedName kNames[] = {
     {"Q_N", "Q, 99.85 %", "Wheel load Q, 99.85 %", "kN", 1e-3, 1},
     {"Y_qst_N", "Y, quasi-static", "Guiding force Y, quasi-static", "kN", 1e-3, 1},
     {"Q_qst_N", "Q, quasi-static", "Wheel load Q, quasi-static", "kN", 1e-3, 1},
-    {"unloading", "wheel unloading, 99.85 %", "Wheel unloading 1 − Q/Q0, 99.85 %", "-", 1, 3},
+    {"unloading", "wheel unloading (own limit)",
+     "Wheel unloading 1 − Q/Q0, 99.85 % (own limit: lifted)", "-", 1, 3},
     {"sum_Y_rms_N", "sum Y, instability, rms", "ΣY in the band of hunting, rms over 100 m", "kN",
      1e-3, 1},
 };

@@ -140,8 +140,8 @@ void AddWheelWords(const CurvingResults& results, ReportPage* page) {
       text += fmt::format(" The steepest contact has {}° ({});",
                           FormatNumber(slope.value * 180 / M_PI), WheelName(results, slope.name));
       text += flange.value > 0
-                  ? fmt::format(" a flange carries {} kN ({}).", FormatNumber(1e-3 * flange.value),
-                                WheelName(results, flange.name))
+                  ? fmt::format(" a flange or its root carries {} kN ({}).",
+                                FormatNumber(1e-3 * flange.value), WheelName(results, flange.name))
                   : " no flange carries anything.";
     }
     text += RadialWords(results, run);

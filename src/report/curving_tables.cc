@@ -169,6 +169,14 @@ void AddStatus(const CurvingResults& results, ReportPage* page) {
         run.summary.value("reason", "no reason given")));
   }
   for (const BogieRun& run : results.runs) {
+    const json curve = run.summary.value("steady_curve", json::object());
+    if (!curve.contains("speed_m_s") || curve["speed_m_s"].is_number()) continue;
+    page->Warning(fmt::format(
+        "The run of the {} bogie ends before its last axle has come to the steady curve (s = {} to "
+        "{} m, the last third of the first arc): it has no means there.",
+        run.label, FormatNumber(results.steady_begin, 4), FormatNumber(results.steady_end, 4)));
+  }
+  for (const BogieRun& run : results.runs) {
     const double swing = WorstAxle(results, [&](const std::string& prefix) {
       return 1e3 * run.Deviation(prefix + "lead_angle_of_attack_rad", results.steady_begin,
                                  results.steady_end);

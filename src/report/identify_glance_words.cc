@@ -145,7 +145,7 @@ std::string LeftOverNoise(const IdentifyResults& results) {
   if (!std::isfinite(over)) return "";
   const json left = results.all.value("unexplained", json::object());
   const std::string channel = left.value("channel", "");
-  return fmt::format("the worst channel{} is left with {} times its noise",
+  return fmt::format("the worst channel{} is left with {} times its noise and uncertainty",
                      channel.empty() ? "" : ", " + Readable(channel).words + ",",
                      FormatNumber(over));
 }

@@ -40,7 +40,8 @@ Error SaysNo(const std::string& command, const Printed& answer) {
     return {command, "was not found", "a machine from which Slurm jobs are submitted",
             "install slurm-client, or use --engine local"};
   }
-  return {command, answer.text.empty() ? "failed without a word" : answer.text, "", ""};
+  return {command, answer.text.empty() ? "failed without a word" : answer.text,
+          "a Slurm controller that answers", "ask its administrator, or use --engine local"};
 }
 
 /// The number after `key =` in scontrol's table, or nothing.

@@ -14,6 +14,7 @@ namespace phs {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 
 class CheckTest : public testing::Test {
  protected:
@@ -41,12 +42,23 @@ TEST_F(CheckTest, EveryMissedLimitIsOneLineAndJUnitHasIt) {
                             "--bogies phs,rigid_link --junit " + dir_.File("junit.xml"));
   EXPECT_EQ(out.code, 1);
   EXPECT_EQ(std::count(out.text.begin(), out.text.end(), '\n'), 3) << out.text;
-  EXPECT_THAT(out.text, HasSubstr("phs: phs: run.min_Q_N is "));
+  EXPECT_THAT(out.text, HasSubstr("phs: bogie phs: run.min_Q_N is "));
   EXPECT_THAT(out.text, HasSubstr(" too little"));
   EXPECT_THAT(out.text, HasSubstr("rigid_link: run.steps is 51, at most 1 allowed: 50 too much"));
   std::ifstream file(dir_.File("junit.xml"));
   const std::string xml{std::istreambuf_iterator<char>(file), {}};
   EXPECT_THAT(xml, HasSubstr("tests=\"6\" failures=\"3\""));
+}
+
+// No row of dashes and no "nan": one line says why there are no means.
+TEST_F(CheckTest, ARunThatNeverCameToTheSteadyCurveSaysSo) {
+  const Output out = ExecutePhs("simulate " + dir_.File("short.yaml") + " --quiet --out " +
+                                dir_.File("out"));
+  EXPECT_EQ(out.code, 0);
+  EXPECT_THAT(out.text, HasSubstr("! phs: the run ends after 0.05 s, before its last axle has come "
+                                  "to the steady curve: s = 340 to 440 m"));
+  EXPECT_THAT(out.text, Not(HasSubstr("angle of attack, lead")));
+  EXPECT_THAT(out.text, Not(HasSubstr("nan")));
 }
 
 TEST_F(CheckTest, WrongLimitsAreBadInputBeforeAnyRun) {

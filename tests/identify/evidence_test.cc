@@ -139,6 +139,33 @@ TEST(Accept, APartOfTheRuleThatIsLeftOutRefusesNothing) {
   EXPECT_TRUE(IsBeyondChance(without, alone, 20));
 }
 
+// A resistance alike in both directions is a special case of one for either direction.
+TEST(Accept, ASpecialCaseGivesWayOnlyToWhatIsAheadBeyondChance) {
+  const auto named = [](const char* effect) {
+    Candidate form;
+    form.effect = form.params.name = effect;
+    return form;
+  };
+  const Candidate special = named("line_resistance"), whole = named("check_restriction");
+  ASSERT_TRUE(Contains(whole, special));
+  const auto scored = [](double score) {
+    FitResult fit;
+    fit.values = {1, 1}, fit.score = score;
+    return fit;
+  };
+  const double chance = -2 * std::log(Acceptance().false_alarms);
+  const FitResult behind = scored(0), little = scored(0.1 - chance), far = scored(-0.1 - chance);
+  const FitProblem own = FitProblem::Create(std::make_shared<NoModel>(), {}).value();
+  EXPECT_TRUE(Beats(own, special, behind, whole, little));
+  EXPECT_FALSE(Beats(own, whole, little, special, behind));
+  EXPECT_TRUE(Beats(own, whole, far, special, behind));
+  SearchRule rule;
+  rule.special_first = false;
+  const FitProblem without = FitProblem::Create(std::make_shared<NoModel>(), {}, rule).value();
+  EXPECT_FALSE(Beats(without, special, behind, whole, little));
+  EXPECT_TRUE(Beats(without, whole, little, special, behind));
+}
+
 TEST(Accept, TheRuleSaysInTheResultWhereItIsNotTheProductsOwn) {
   SearchRule rule;
   Json result = Json::object();

@@ -17,7 +17,7 @@ TEST(SummaryTest, AnEffectOnNoListIsPrintedWithPlaceFormulaAndInterval) {
             "effect unlisted on L2  c1*(max(p-2e+06[Pa],0[Pa])/1e+06[Pa])  "
             "c1_m3_per_s 2e-08 [1e-08, 3e-08]  delta BIC 321\n"
             "p_bore_Pa      validation rmse 9000 -> 4000  (nrmse 0.0200 -> 0.0100)\n"
-            "unexplained: p_bore_Pa 1.04 times its noise, depends on time\n");
+            "unexplained: p_bore_Pa 1.04 times its noise and uncertainty, depends on time\n");
 }
 
 }  // namespace

@@ -34,7 +34,7 @@ TEST(Verdict, NoiseWithAColourIsNotWhatTheModelLacks) {
 TEST(Verdict, NotDescribedWhereMuchIsLeftAndNothingFound) {
   const Verdict v = Judge(Facts(5, 5));
   EXPECT_EQ(v.word, "not_described");
-  EXPECT_THAT(v.reasons, Contains(HasSubstr("5.0 times its noise")));
+  EXPECT_THAT(v.reasons, Contains(HasSubstr("5.0 times its noise and uncertainty")));
 }
 
 TEST(Verdict, NotDescribedWhereWhatWasFoundDrives) {

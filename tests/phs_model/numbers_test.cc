@@ -8,6 +8,7 @@
 
 #include "hydraulics/phs_numbers.h"
 #include "hydraulics/phs_validate.h"
+#include "phs_model/effects_yaml.h"
 #include "phs_model/keys.h"
 #include "phs_model/phs_model.h"
 
@@ -51,6 +52,14 @@ TEST(Numbers, EachIsChangedByNameAndOnlyItself) {
     for (size_t i = 0; i < before.size(); ++i) different += after[i].value != before[i].value;
     EXPECT_EQ(different, 1);
   }
+}
+
+// A name given twice would act twice.
+TEST(Effects, ATargetIsNamedOnce) {
+  auto map = YamlMap::Parse("leak:\n  targets: [L1, L2, L1]\n", "model.yaml");
+  ReadEffects(map.value());
+  EXPECT_EQ(map.value().Finish().error().Line(),
+            "model.yaml:2: leak.targets: 'L1' is given twice; allowed: each name once");
 }
 
 TEST(Numbers, EachComesBackFromAFile) {

@@ -141,7 +141,7 @@ TEST_F(CurvingReport, SaysHowTheCurveLiesAndWhichWheelCarriesMost) {
   ASSERT_TRUE(WriteFileAtomically(path, all.dump()).ok());
   html = Remake();
   EXPECT_TRUE(Holds(html, "towards the inner rail"));
-  EXPECT_TRUE(Holds(html, "a flange carries 12.0 kN (leading outer wheel)"));
+  EXPECT_TRUE(Holds(html, "a flange or its root carries 12.0 kN (leading outer wheel)"));
 }
 
 /// The energy table closes: kinetic energy as a change, like all else.
@@ -225,6 +225,16 @@ TEST_F(CurvingReport, NamesARunThatDerailed) {
   const std::string html = Make({.derailed = true});
   EXPECT_TRUE(Holds(html, "The run of the soft link bogie ended as &#39;derailed&#39;"));
   EXPECT_TRUE(Holds(html, "tip of its flange"));
+}
+
+TEST_F(CurvingReport, NamesARunThatNeverCameToTheSteadyCurve) {
+  const char* said = "bogie ends before its last axle has come to the steady curve";
+  EXPECT_TRUE(Lacks(Make({}), said));
+  const std::string path = directory_.File("compare.json");
+  auto all = nlohmann::ordered_json::parse(ReadFile(path).value());
+  all["bogies"]["phs"]["steady_curve"]["speed_m_s"] = nullptr;
+  EXPECT_TRUE(WriteFileAtomically(path, all.dump()).ok());
+  EXPECT_TRUE(Holds(Remake(), said));
 }
 
 TEST_F(CurvingReport, ASingleRunHasNoRatios) {

@@ -115,11 +115,12 @@ TEST_F(IdentifyReport, TheVerdictIsReadFirst) {
       Holds(html,
             "<p class=\"verdict tone-1\">Cannot be told from this record: backlash "
             "or another.</p>\n<div class=\"beside\"><div>\n<p><strong>What was missing.</strong>"));
-  EXPECT_TRUE(Holds(html,
-                    "<strong>How sure.</strong> This record does not tell backlash from mount "
-                    "compliance: take the name as one of these; backlash brings ΔBIC 4210 "
-                    "and 91.0 % less error on the parts of the record left out in turn; the "
-                    "worst channel, load cell force, is left with 1.17 times its noise."));
+  EXPECT_TRUE(
+      Holds(html,
+            "<strong>How sure.</strong> This record does not tell backlash from mount "
+            "compliance: take the name as one of these; backlash brings ΔBIC 4210 "
+            "and 91.0 % less error on the parts of the record left out in turn; the "
+            "worst channel, load cell force, is left with 1.17 times its noise and uncertainty."));
   EXPECT_TRUE(Holds(html,
                     "the error of the load cell force goes from 3.10 % to 0.160 % of its "
                     "standard deviation (0.412 to 0.0210 kN); of 2 channels 2 get better and "
@@ -151,7 +152,8 @@ TEST_F(IdentifyReport, EveryVerdictHasItsWords) {
   };
   const std::string enough = with("sufficient", "");
   EXPECT_TRUE(Holds(enough, "tone-0\">The declared model suffices.</p>"));
-  EXPECT_TRUE(Holds(enough, "The worst channel, force, is left with 9.50 times its noise."));
+  EXPECT_TRUE(Holds(
+      enough, "The worst channel, force, is left with 9.50 times its noise and uncertainty."));
   EXPECT_TRUE(Holds(enough, "nothing was added to the model"));
   EXPECT_TRUE(Holds(enough, "Nothing to mend"));
   EXPECT_TRUE(Holds(enough, "<li>why &lt;b&gt;</li>"));

@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
 """Effects that a poor record cannot tell apart, and the test that `phs identify` designs for them.
 
-    ambiguous_pairs.py GENERATOR PHS FOLDER [--seeds N] [--only A/B]
+    ambiguous_pairs.py GENERATOR PHS FOLDER [--seeds N] [--only A/B] [--shares SHARE,…]
 
-Of each pair and seed, either effect is hidden in a rig that makes one small motion. `phs identify` of
-that record designs the next test; the same rig makes it, and a random motion of the same length and
-within the same limits, both by the equations of the independent generator. Each is identified anew,
-with the whole catalogue. Right: the effect that is there is named first, and the other is not said to
-explain as much.
+Of each pair and seed, either effect is hidden in a rig, as large as in a blind set, and the rig makes one
+small motion, then a smaller one, until the record cannot tell the two apart. `phs identify` of that record
+designs the next test; the same rig makes it, and a random motion of the same length and within the same
+limits, both by the equations of the independent generator. Each is identified anew, with the whole
+catalogue. Right: the effect that is there is named first, and the other is not said to explain as much.
 """
 import argparse
 import json
@@ -20,7 +20,7 @@ import sys
 STEP = 0.005
 SECONDS = 60
 LIMITS = {"low": -2.2e-3, "high": 3.2e-3, "speed": 0.03, "force": 9e4}
-# One, other, amplitude [mm] and frequency [Hz] of the poor motion.
+# One, other, amplitude [mm] and frequency [Hz] of the largest of the small motions.
 PAIRS = [
     ("external_leakage", "hose_expansion", 0.6, 0.1),
     ("backlash", "mount_compliance", 0.3, 0.25),
@@ -44,7 +44,7 @@ def write_motion(path, x):
             file.write(f"{i * STEP:.3f},{value:.9f}\n")
 
 
-def poor_motion(path, amplitude_mm, frequency):
+def small_motion(path, amplitude_mm, frequency):
     count = int(SECONDS / STEP)
     write_motion(path, [1e-3 * amplitude_mm * math.sin(2 * math.pi * frequency * i * STEP) *
                         fade(i * STEP - 3) * fade(SECONDS - 3 - i * STEP) for i in range(count)])
@@ -64,12 +64,12 @@ def random_motion(path, seed):
     write_motion(path, [factor * v for v in x])
 
 
-def generate(args, effect, seed, motion, then, folder, grade):
+def generate(args, effect, seed, motion, folder):
+    """The effect is scaled on a rich motion of 126 s, the record made on this one."""
     if os.path.exists(folder + "/truth.json"):
         return
-    command = [args.generator, "--effect", effect, "--grade", grade, "--seed", str(seed),
-               "--motion", motion, "--out", folder]
-    subprocess.run(command + (["--then", then] if then else []), check=True)
+    subprocess.run([args.generator, "--effect", effect, "--grade", args.grade, "--seed", str(seed),
+                    "--then", motion, "--out", folder], check=True)
     with open(folder + "/MANIFEST.yaml", "a") as file:
         file.write("limits: {{stroke_m: [{low}, {high}], speed_m_s: {speed}, force_N: {force}}}\n"
                    .format(**LIMITS))
@@ -105,18 +105,23 @@ def run_case(args, pair, truth, seed):
     rival = other if truth == one else one
     base = f"{args.folder}/{one}-{other}/{truth}-{seed}"
     os.makedirs(base, exist_ok=True)
-    poor_motion(base + "/poor.csv", amplitude, frequency)
     random_motion(base + "/random.csv", seed)
-    generate(args, truth, seed, base + "/poor.csv", None, base + "/poor", args.grade)
-    first = identify(args, base + "/poor")
-    q = question(first, (one, other))
-    row = {"pair": f"{one} / {other}", "truth": truth, "seed": seed, "poor": named(first),
-           "verdict": first["verdict"], "question": q,
+    small = []
+    for share in args.shares:
+        folder = f"{base}/small_{share:g}"
+        small_motion(folder + ".csv", share * amplitude, frequency)
+        generate(args, truth, seed, folder + ".csv", folder)
+        first = identify(args, folder)
+        small.append([share, first["verdict"], named(first)])
+        q = question(first, (one, other))
+        if q or not first["effects"]:
+            break
+    row = {"pair": f"{one} / {other}", "truth": truth, "seed": seed, "small": small, "question": q,
            "motion": first.get("test_design", {}).get("motion")}
     if q:
-        for kind, then in (("designed", base + "/poor/result/next_test.csv"),
-                           ("random", base + "/random.csv")):
-            generate(args, truth, seed, base + "/poor.csv", then, f"{base}/{kind}", args.grade)
+        for kind, motion in (("designed", folder + "/result/next_test.csv"),
+                             ("random", base + "/random.csv")):
+            generate(args, truth, seed, motion, f"{base}/{kind}")
             result = identify(args, f"{base}/{kind}")
             row[kind] = named(result)
             row[kind + "_right"] = is_right(result, truth, rival)
@@ -145,6 +150,9 @@ def main():
     parser.add_argument("--seeds", type=int, default=2)
     parser.add_argument("--first-seed", type=int, default=501)
     parser.add_argument("--grade", default="strong")
+    parser.add_argument("--shares", default="1,0.5,0.25,0.12,0.06",
+                        type=lambda text: [float(v) for v in text.split(",")],
+                        help="of the amplitude of the small motion")
     parser.add_argument("--only", default="")
     parser.add_argument("--least", type=float, default=0.0, help="share that must be right")
     args = parser.parse_args()
@@ -160,7 +168,7 @@ def main():
     asked = [r for r in rows if r["question"]]
     right = sum(r["designed_right"] for r in asked)
     print(f"{right} of {len(asked)} designed tests name the right one; {len(rows) - len(asked)} of "
-          f"{len(rows)} small motions left no question")
+          f"{len(rows)} rigs left no question at any amplitude")
     return 0 if asked and right >= args.least * len(asked) else 1
 
 
