@@ -136,7 +136,7 @@ Result<std::vector<Limit>> LoadLimits(const std::string& path) {
 bool LimitCheck::Passed() const { return reason.empty() && std::isfinite(value) && excess <= 0; }
 
 std::string LimitCheck::Text() const {
-  const std::string whose = bogie.empty() ? "" : "bogie " + bogie + ": ";
+  const std::string whose = bogie.empty() ? "" : bogie + ": ";
   if (!reason.empty()) return whose + reason;
   if (!std::isfinite(value)) {
     return fmt::format("{}{} has no value, {} asked: the run did not get there", whose, quantity,

@@ -43,7 +43,7 @@ struct LimitCheck {
   std::string reason;  ///< of a run that did not end well: takes the place of a number
 
   bool Passed() const;
-  /// "bogie phs: run.max_Y_over_Q is 0.91, at most 0.8 allowed: 0.11 too much".
+  /// "phs: run.max_Y_over_Q is 0.91, at most 0.8 allowed: 0.11 too much".
   std::string Text() const;
 };
 

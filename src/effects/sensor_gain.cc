@@ -37,10 +37,10 @@ const EffectInfo& SensorGainInfo() {
                                   "cylinders",
                                   "shown = gain true",
                                   {
-                                      {"load", "-", 1, -100, 100, 0.8, 1.2, "load cell"},
-                                      {"p_bore", "-", 1, -100, 100, 0.8, 1.2, "bore pressure"},
-                                      {"p_rod", "-", 1, -100, 100, 0.8, 1.2, "rod pressure"},
-                                      {"piston", "-", 1, -100, 100, 0.8, 1.2, "piston"},
+                                      {"load", "-", 1, -100, 100, 0.4, 2.5, "load cell"},
+                                      {"p_bore", "-", 1, -100, 100, 0.4, 2.5, "bore pressure"},
+                                      {"p_rod", "-", 1, -100, 100, 0.4, 2.5, "rod pressure"},
+                                      {"piston", "-", 1, -100, 100, 0.4, 2.5, "piston"},
                                   },
                                   Install,
                                   {

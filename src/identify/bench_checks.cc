@@ -97,7 +97,7 @@ std::vector<std::string> FindFaults(const Manifest& manifest, const ElementData&
     if (std::abs(powers) >= kPowers) {
       return {
           fmt::format("another unit: force_N swings {:.3g} times as much as the declared model "
-                      "(factors: {{force_N: 1e{:.0f}}})",
+                      "(factors: {{force_N: 1e{:.0f}}}), or is not the force but another column",
                       own->ratio, -powers)};
     }
   }

@@ -10,6 +10,7 @@
 #include "identify/passivity.h"
 #include "identify/result_json.h"
 #include "identify/thread_budget.h"
+#include "measurement/data_checks.h"
 
 namespace phs::identify::search {
 
@@ -191,7 +192,10 @@ Result<IdentifyOutcome> SearchAndWrite(const Manifest& manifest, const FitData& 
   PutRule(options.rule, &result);
   const std::vector<BeforeAfter> scores = ScoreBoth(data, before, after, data.validation);
   const Unexplained unexplained = FindUnexplained(data, after, over_noise.value(), found);
-  VerdictFacts facts{{}, NamedEffects(found), FittedNumbers(found), WhatDrives(*problem, found)};
+  const std::vector<std::string> drives = WhatDrives(*problem, found);
+  const std::vector<std::string> wrong = measurement::FindContradictions(after, data);
+  VerdictFacts facts{{}, NamedEffects(found), FittedNumbers(found), wrong};
+  facts.faults.insert(facts.faults.end(), drives.begin(), drives.end());
   for (size_t c = 0; c < data.outputs.size(); ++c) {
     const LeftOver& left = over_noise.value()[c];
     facts.channels.push_back({data.outputs[c].name, over_before.value()[c].over_noise,
@@ -203,11 +207,14 @@ Result<IdentifyOutcome> SearchAndWrite(const Manifest& manifest, const FitData& 
   result["fitted"] = Parameters(found.corrected, found.after, 0, found.declared.free.size(), true);
   result["localised"] = LocalisedJson(Localise(data, before, found.before));
   result["unexplained"] = UnexplainedJson(unexplained);
-  result["drives"] = facts.faults;
+  result["drives"] = drives;
   PutVerdict(facts, &result);
-  const Status tested = PutNextTest(
-      *problem, found, unexplained, TestRigOf(manifest, data, declared, options),
-      options.effort.threads, [&] { return !progress || progress(kLast); }, dir, &result);
+  const Status tested =
+      wrong.empty()
+          ? PutNextTest(
+                *problem, found, unexplained, TestRigOf(manifest, data, declared, options),
+                options.effort.threads, [&] { return !progress || progress(kLast); }, dir, &result)
+          : PutRecordFirst(&result);
   if (!tested.ok()) return tested.error();
   if (outcome.cancelled = progress && !progress(kLast); outcome.cancelled) return outcome;
   result["candidates"] = CandidateList(found);

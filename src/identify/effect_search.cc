@@ -11,6 +11,7 @@
 #include "identify/near_fit.h"
 #include "identify/points.h"
 #include "identify/trials.h"
+#include "identify/verdict.h"
 #include "identify/worst_place.h"
 
 namespace phs::identify::search {
@@ -50,10 +51,20 @@ class Search {
     if (!cancelled_ && options_.formula && problem_.rule().formula) {
       const auto go_on = [this](double part) { return GoOn(part); };
       ChallengeByFormula(problem_, coarse_, options_.effort, go_on, &out_);
-      if (AddFormula(problem_, coarse_, options_.effort, go_on, &out_)) DropSuperfluous();
+      const bool room = static_cast<int>(out_.effects.size()) < options_.effort.max_effects;
+      if (room && AddFormula(problem_, coarse_, options_.effort, go_on, &out_)) DropSuperfluous();
     }
+    KeepPlainFit();
     UpdateRecords();
     return {};
+  }
+
+  /// Where something is left and nothing takes it, the numbers are those that leave least: the
+  /// likelihood would let the discrepancy have what the numbers could.
+  void KeepPlainFit() {
+    if (!out_.effects.empty() || out_.before.channel_ms.empty()) return;
+    const std::vector<double>& left = out_.before.channel_ms;
+    if (*std::max_element(left.begin(), left.end()) - 1 > kAsLargeAsNoise) out_.after = out_.before;
   }
 
   Status FitDeclared(const hydraulics::PhsParams& declared) {

@@ -151,6 +151,15 @@ Result<ElementData> ReadElementData(const Manifest& manifest) {
   }
   for (const bool fitted : {true, false}) {
     if (data.CountRows(fitted) >= kMinRows) continue;
+    const bool no_window = std::all_of(
+        data.records.begin(), data.records.end(),
+        [&](const ElementRecord& r) { return (fitted ? r.estimation : r.validation).empty(); });
+    if (no_window) {
+      return Error{manifest.path,
+                   fmt::format("no run has {} window", fitted ? "an estimation" : "a validation"),
+                   fitted ? "estimation: [begin, end] in seconds"
+                          : "validation: [begin, end] in seconds, apart from estimation"};
+    }
     return Error{manifest.path,
                  fmt::format("{} samples in the {} windows", data.CountRows(fitted),
                              fitted ? "estimation" : "validation"),

@@ -66,8 +66,7 @@ search::TestRig TestRigOf(const Manifest& manifest, const ElementData& data) {
 std::string UnitOf(const std::string& channel) { return channel.substr(channel.rfind('_') + 1); }
 
 std::string BenchSummary(const json& result) {
-  std::string out;
-  out += search::VerdictLines(result);
+  std::string out = search::FindingLines(result) + search::VerdictLines(result);
   for (const json& e : result["effects"]) {
     out += fmt::format("effect {}", e["name"].get<std::string>());
     if (e.contains("formula")) out += "  F = " + e["formula"].get<std::string>();
@@ -249,13 +248,16 @@ Result<IdentifyOutcome> RunElementIdentify(const Manifest& manifest, const Searc
   result = Describe(manifest, data.value(), problem, found, findings, left, faults);
   search::PutRule(options.rule, &result);
   std::optional<Asked> asks;
-  if (!bench.own()) {
+  if (!bench.own() && faults.empty()) {
     asks = AskValidation(data.value(), found.corrected, found.after, corrected, options);
   }
   result["validation_asks_for"] = AskedJson(asks);
-  const Status tested = search::PutNextTest(
-      problem, found, left, TestRigOf(manifest, data.value()), options.effort.threads,
-      [&] { return !progress || progress(kLast); }, dir, &result);
+  const Status tested =
+      faults.empty()
+          ? search::PutNextTest(
+                problem, found, left, TestRigOf(manifest, data.value()), options.effort.threads,
+                [&] { return !progress || progress(kLast); }, dir, &result)
+          : search::PutRecordFirst(&result);
   if (!tested.ok()) return tested.error();
   if (outcome.cancelled = progress && !progress(kLast); outcome.cancelled) return outcome;
   AddAsked(asks, &result["next_test"]);

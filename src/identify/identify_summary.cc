@@ -27,16 +27,7 @@ std::string EffectLine(const Json& e) {
 }  // namespace
 
 std::string Summary(const Json& result) {
-  constexpr size_t kMostFindings = 4;
-  std::string out;
-  const Json& findings = result["data_findings"];
-  for (size_t i = 0; i < findings.size() && i < kMostFindings; ++i) {
-    out += "data: " + findings[i]["channel"].get<std::string>() + " " +
-           findings[i]["text"].get<std::string>() + "\n";
-  }
-  if (findings.size() > kMostFindings) {
-    out += fmt::format("data: {} more findings in result.json\n", findings.size() - kMostFindings);
-  }
+  std::string out = FindingLines(result);
   if (result.contains("verdict")) out += VerdictLines(result);
   for (const Json& e : result["effects"]) out += EffectLine(e);
   for (const auto& [name, s] : result["channels"].items()) {
@@ -51,6 +42,20 @@ std::string Summary(const Json& result) {
     out += ", depends on " + JoinWords(left["depends_on"].get<std::vector<std::string>>());
   }
   return out + "\n" + NextTestLines(result);
+}
+
+std::string FindingLines(const Json& result) {
+  constexpr size_t kMostFindings = 4;
+  std::string out;
+  const Json& findings = result["data_findings"];
+  for (size_t i = 0; i < findings.size() && i < kMostFindings; ++i) {
+    out += "data: " + findings[i]["channel"].get<std::string>() + " " +
+           findings[i]["text"].get<std::string>() + "\n";
+  }
+  if (findings.size() > kMostFindings) {
+    out += fmt::format("data: {} more findings in result.json\n", findings.size() - kMostFindings);
+  }
+  return out;
 }
 
 std::string NextTestLines(const Json& result) {

@@ -66,6 +66,9 @@ Status PutNextTest(const FitProblem& problem, const Identification& found, const
                    const TestRig& rig, int threads, const std::function<bool()>& go_on,
                    const ResultDir& dir, nlohmann::ordered_json* result);
 
+/// `next_test` where the data contradict themselves: no motion mends that.
+Status PutRecordFirst(nlohmann::ordered_json* result);
+
 /// next_test.csv in the result folder.
 Status WriteNextTest(const NextTest& test, const TestRig& rig, const ResultDir& dir);
 /// `test_design` of result.json.

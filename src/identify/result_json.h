@@ -53,6 +53,8 @@ Json NoiseLevels(const measurement::FitData& data);
 Json FindingList(const std::vector<measurement::DataFinding>& findings);
 
 /// What to measure next, for the terminal.
+/// "data: …", a line for each of the first findings.
+std::string FindingLines(const Json& result);
 std::string NextTestLines(const Json& result);
 /// The ten lines for the terminal.
 std::string Summary(const Json& result);

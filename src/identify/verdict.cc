@@ -10,7 +10,6 @@
 namespace phs::identify {
 namespace {
 
-constexpr double kNoise = 1;   // mean square beyond the noise, over it, that the model may lack
 constexpr double kMost = 0.5;  // of the mean square beyond the noise
 constexpr double kFar = 1.5;   // factor that a declared number may be off by, as measured rigs are
 
@@ -33,7 +32,7 @@ std::string Left(const ChannelLeft& c) {
 /// Channels with more than their white noise, of which no more than that follows what the rig did.
 void AddColoured(const VerdictFacts& facts, std::vector<std::string>* reasons) {
   for (const ChannelLeft& c : facts.channels) {
-    if (c.after * c.after - 1 <= kNoise || c.following > kNoise) continue;
+    if (c.after * c.after - 1 <= kAsLargeAsNoise || c.following > kAsLargeAsNoise) continue;
     reasons->push_back(Left(c) +
                        "; no more than the noise follows what the rig did, the rest is noise "
                        "with a colour");
@@ -68,7 +67,7 @@ Verdict Judge(const VerdictFacts& facts) {
   std::vector<std::string> reasons = facts.faults;
   if (!reasons.empty()) return Undescribed(facts, std::move(reasons));
   const ChannelLeft* worst = Worst(facts);
-  const bool noise = worst == nullptr || Lacking(*worst) <= kNoise;
+  const bool noise = worst == nullptr || Lacking(*worst) <= kAsLargeAsNoise;
   AddNumbers(facts, true, &reasons);
   if (!reasons.empty()) {
     if (!noise) reasons.push_back(Left(*worst));
@@ -104,7 +103,7 @@ Verdict Judge(const VerdictFacts& facts) {
   const auto most = std::max_element(
       facts.channels.begin(), facts.channels.end(),
       [](const ChannelLeft& a, const ChannelLeft& b) { return a.after < b.after; });
-  if (most != facts.channels.end() && most->after * most->after - 1 <= kNoise) {
+  if (most != facts.channels.end() && most->after * most->after - 1 <= kAsLargeAsNoise) {
     reasons.insert(reasons.begin(), Left(*most));
   }
   return {"sufficient", std::move(reasons)};

@@ -16,6 +16,9 @@
 
 namespace phs::identify {
 
+/// Mean square beyond the noise, over it, that a model may lack and suffice.
+inline constexpr double kAsLargeAsNoise = 1;
+
 /// What a channel leaves on the validation window.
 struct ChannelLeft {
   std::string channel;

@@ -38,6 +38,9 @@ Likeness Compare(const std::vector<double>& measured, const std::vector<double>&
   return out;
 }
 
+constexpr double kLike = 0.6;  ///< correlation beyond which a channel follows, or runs against
+constexpr double kPowers = 2;  ///< powers of ten beyond which it is another unit
+
 std::string Unit(const std::string& name) { return name.substr(name.rfind('_')); }
 
 bool AreSwapped(const FitData& data, const std::vector<std::vector<double>>& predicted, size_t a,
@@ -94,7 +97,7 @@ void MarkStuck(Channel* channel, const RigRun& run, std::vector<DataFinding>* fi
   constexpr size_t kRepeats = 25;
   const auto [low, high] = std::minmax_element(y.begin(), y.end());
   size_t saturated = 0, stuck = 0;
-  double at = 0, from = 0, to = 0;
+  double from = 0, to = 0;
   std::vector<double> ends;  // values at which the channel was saturated, rising
   for (size_t i = 0; i < y.size();) {
     size_t end = i + 1;
@@ -102,7 +105,7 @@ void MarkStuck(Channel* channel, const RigRun& run, std::vector<DataFinding>* fi
     if (end - i >= kRepeats && !channel->bad[i]) {
       const bool edge = y[i] == *low || y[i] == *high;
       (edge ? saturated : stuck) += end - i;
-      if (edge) at = y[i], ends.insert(std::upper_bound(ends.begin(), ends.end(), at), at);
+      if (edge) ends.insert(std::upper_bound(ends.begin(), ends.end(), y[i]), y[i]);
       if (!edge && stuck == end - i) from = run.Time(static_cast<int>(i));
       if (!edge) to = run.Time(static_cast<int>(end - 1));
       std::fill(channel->bad.begin() + static_cast<long>(i),
@@ -115,8 +118,10 @@ void MarkStuck(Channel* channel, const RigRun& run, std::vector<DataFinding>* fi
       if (channel->bad[i] || !std::binary_search(ends.begin(), ends.end(), y[i])) continue;
       channel->bad[i] = 1, ++saturated;
     }
-    findings->push_back(
-        {channel->name, fmt::format("saturated at {:.4g}: {} samples left out", at, saturated)});
+    const std::string other =
+        ends.front() == ends.back() ? "" : fmt::format(" and {:.4g}", ends.back());
+    findings->push_back({channel->name, fmt::format("saturated at {:.4g}{}: {} samples left out",
+                                                    ends.front(), other, saturated)});
   }
   if (stuck > 0) {
     findings->push_back({channel->name, fmt::format("stuck between {:.4g} and {:.4g} s: {} samples "
@@ -165,7 +170,7 @@ void MendOutputs(const std::vector<std::vector<double>>& predicted, FitData* dat
   for (size_t c = 0; c < outputs.size(); ++c) {
     MeasuredChannel& out = outputs[c];
     const Likeness like = Compare(out.values, predicted[c]);
-    if (std::abs(like.correlation) < 0.6) continue;
+    if (std::abs(like.correlation) < kLike) continue;
     double factor = 1;
     if (like.correlation < 0) {
       factor = -1;
@@ -175,7 +180,7 @@ void MendOutputs(const std::vector<std::vector<double>>& predicted, FitData* dat
                                  like.correlation)});
     }
     const double power = std::round(std::log10(like.ratio));
-    if (std::abs(power) >= 2) {
+    if (std::abs(power) >= kPowers) {
       factor *= std::pow(10.0, -power);
       data->findings.push_back(
           {out.name, fmt::format("swings {:.3g} times as much as the model: unit taken as 1e{:.0f} "
@@ -186,6 +191,39 @@ void MendOutputs(const std::vector<std::vector<double>>& predicted, FitData* dat
     for (double& y : out.values) y *= factor;
     out.noise *= std::abs(factor);
   }
+}
+
+std::vector<std::string> FindContradictions(const std::vector<std::vector<double>>& predicted,
+                                            const FitData& data) {
+  std::vector<std::string> out;
+  const auto& outputs = data.outputs;
+  std::vector<char> swapped(outputs.size(), 0);
+  for (size_t a = 0; a < outputs.size(); ++a) {
+    for (size_t b = a + 1; b < outputs.size(); ++b) {
+      if (Unit(outputs[a].name) != Unit(outputs[b].name)) continue;
+      if (!AreSwapped(data, predicted, a, b)) continue;
+      swapped[a] = swapped[b] = 1;
+      out.push_back(outputs[a].name + " and " + outputs[b].name +
+                    " follow each other's prediction: are the columns swapped?");
+    }
+  }
+  for (size_t c = 0; c < outputs.size(); ++c) {
+    const Likeness like = Compare(outputs[c].values, predicted[c]);
+    if (swapped[c] || std::abs(like.correlation) < kLike) continue;
+    if (like.correlation < 0) {
+      out.push_back(
+          fmt::format("{} runs against the fitted model (correlation {:.2f}): is its "
+                      "sign turned? (factors: {{{}: -1}})",
+                      outputs[c].name, like.correlation, outputs[c].name));
+    }
+    if (std::abs(std::round(std::log10(like.ratio))) >= kPowers) {
+      out.push_back(
+          fmt::format("{} swings {:.3g} times as much as the fitted model: is it in "
+                      "another unit?",
+                      outputs[c].name, like.ratio));
+    }
+  }
+  return out;
 }
 
 namespace {

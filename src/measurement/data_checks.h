@@ -36,6 +36,11 @@ bool InputIsSwapped(const FitData& data, const std::vector<std::vector<double>>&
 /// two channels under each other's name, a swapped sign, a unit off by a power of ten.
 void MendOutputs(const std::vector<std::vector<double>>& predicted, FitData* data);
 
+/// What a model that was fitted says of the outputs all the same: a channel that runs against it, two
+/// under each other's name, another unit. A sentence each.
+std::vector<std::string> FindContradictions(const std::vector<std::vector<double>>& predicted,
+                                            const FitData& data);
+
 /// Leaves out every output where a pressure reads below absolute vacuum by more than an atmosphere
 /// (no sensor shows that of oil, and no model gives it), from 10 ms before it crosses zero until as
 /// long after it as it lasted: a model's vacuum is longer in filling. Not where that is more than a

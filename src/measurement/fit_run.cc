@@ -58,6 +58,11 @@ Status CheckWindows(const RigRun& run, bool several) {
        {std::pair{"estimation", run.estimation}, std::pair{"validation", run.validation}}) {
     const int n = run.Last(window) - run.First(window);
     if (n >= kMinSamples || (several && window.empty())) continue;
+    if (window.empty()) {
+      return Error{run.source, fmt::format("the manifest names no {} window", name),
+                   fmt::format("{}: [begin, end] in seconds", name),
+                   "data used for fitting cannot judge the fit"};
+    }
     return Error{run.source, fmt::format("{} samples in the {} window", n, name),
                  fmt::format("{} or more", kMinSamples),
                  "too little to tell an effect from noise; record longer or widen the window"};

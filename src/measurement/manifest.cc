@@ -228,6 +228,17 @@ void ReadCandidates(YamlMap& map, Manifest* m) {
   }
 }
 
+/// Keys that this rig would not read: a wrong result is better refused than explained.
+void RefuseOfOthers(YamlMap& map, const Manifest& m) {
+  const auto only = [&](const char* key, bool here, const char* where) {
+    if (map.Has(key) && !here) map.Fail(key, "is not read by rig: " + m.rig, where);
+  };
+  only("compare_below_Hz", m.rig == "element", "rig: element");
+  only("beam", m.rig == "full", "rig: full");
+  only("setup", m.rig == "steps", "rig: steps");
+  only("moving_mass_kg", m.options.driven_by == rigs::Drive::kForce, "driven_by: force");
+}
+
 /// Another manifest; to be fitted to, there is none.
 std::string ReadComparison(YamlMap& map, const Manifest& manifest, WindowNeed need) {
   if (!map.Has("compare_with")) return "";
@@ -277,7 +288,10 @@ Result<Manifest> LoadManifest(const std::string& path, WindowNeed need) {
   YamlMap columns = map.Map("columns"), extra = map.Map("extra"), factors = map.Map("factors");
   for (const std::string& key : columns.Keys()) m.columns[key] = columns.Text(key);
   ReadExtra(extra, &m);
-  for (const std::string& key : factors.Keys()) m.factors[key] = factors.Number(key, {});
+  for (const std::string& key : factors.Keys()) {
+    m.factors[key] = factors.Number(key, {});
+    if (m.factors[key] == 0) factors.Fail(key, "a factor of 0 leaves nothing", "-1, 1e3, …");
+  }
   m.free = map.Texts("free");
   m.shared = map.Texts("shared");
   if (!m.shared.empty() && !each_its_model) {
@@ -289,6 +303,7 @@ Result<Manifest> LoadManifest(const std::string& path, WindowNeed need) {
   m.compare_below_Hz = map.Number("compare_below_Hz", {.min = 0}, 0.0);
   m.low_pass_Hz = map.Number("low_pass_Hz", {.min = 0}, 0.0);
   m.compare_with = ReadComparison(map, m, need);
+  RefuseOfOthers(map, m);
   bool any_estimation = false;
   for (const RunSpec& run : m.runs) any_estimation |= !run.estimation.empty();
   if (need == WindowNeed::kEstimation && !any_estimation && m.rig != "steps") {

@@ -73,7 +73,10 @@ Result<Clock> ReadClock(const Table& table, const Manifest& manifest, RigRun* ru
   if (column < 0) {
     return Error{table.source, "has no time", "a column t_s", "name it under columns: {t_s: …}"};
   }
-  const double factor = FactorOf("t_s", table.names[static_cast<size_t>(column)]);
+  double factor = FactorOf("t_s", table.names[static_cast<size_t>(column)]);
+  if (const auto own = manifest.factors.find("t_s"); own != manifest.factors.end()) {
+    factor *= own->second;
+  }
   const std::vector<double>& raw = table.columns[static_cast<size_t>(column)];
   Clock clock;
   int missing = 0, doubled = 0;
@@ -222,9 +225,27 @@ Status ClipWindow(const char* key, RigRun* run, Window* window) {
   window->end = std::min(window->end, end);
   if (window->empty() || run->Last(*window) - run->First(*window) < 20) {
     return Error{run->source + ": " + key,
-                 "window [" + Text("%g", asked.begin) + ", " + Text("%g", asked.end) +
+                 "window [" + Text("%.10g", asked.begin) + ", " + Text("%.10g", asked.end) +
                      "] holds fewer than 20 samples",
-                 "a window inside " + Text("%g", run->t0_s) + " to " + Text("%g s", end), ""};
+                 "a window inside " + Text("%.10g", run->t0_s) + " to " + Text("%.10g s", end), ""};
+  }
+  return {};
+}
+
+/// Every name under `columns:` and `factors:` is a channel that this rig reads.
+Status CheckNames(const Manifest& manifest, std::vector<std::string> known) {
+  known.insert(known.end(), {"t_s", "v_m_s", "p_Pa", "temperature_K"});
+  known.insert(known.end(), manifest.extra.begin(), manifest.extra.end());
+  const auto check = [&](const std::string& key, const std::string& name) -> Status {
+    if (std::find(known.begin(), known.end(), name) != known.end()) return {};
+    return Error{manifest.path + ": " + key + "." + name, "no channel of this rig has that name",
+                 JoinWords(known), DidYouMean(name, known)};
+  };
+  for (const auto& [name, column] : manifest.columns) {
+    if (Status s = check("columns", name); !s.ok()) return s;
+  }
+  for (const auto& [name, factor] : manifest.factors) {
+    if (Status s = check("factors", name); !s.ok()) return s;
   }
   return {};
 }
@@ -263,6 +284,9 @@ Result<RigRun> ReadRigRun(const RunSpec& spec, const Manifest& manifest,
   }
   run.num_samples = static_cast<int>(std::floor(span / clock.step + 0.5)) + 1;
   run.file_time = clock.time;
+  std::vector<std::string> known = inputs;
+  known.insert(known.end(), outputs.begin(), outputs.end());
+  if (Status s = CheckNames(manifest, std::move(known)); !s.ok()) return s.error();
   for (const auto& [channel, column] : manifest.columns) {
     if (table.Find(column) >= 0) continue;
     const auto& further = manifest.extra;

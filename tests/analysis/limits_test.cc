@@ -37,7 +37,7 @@ TEST(LimitsTest, MissedLimitSaysByHowMuch) {
   EXPECT_FALSE(checks[0].Passed());
   EXPECT_NEAR(checks[0].excess, 0.11, 1e-12);
   EXPECT_EQ(checks[0].Text(),
-            "bogie phs: run.max_Y_over_Q is 0.91, at most 0.8 allowed: 0.11 too much");
+            "phs: run.max_Y_over_Q is 0.91, at most 0.8 allowed: 0.11 too much");
   EXPECT_TRUE(checks[1].Passed());
 }
 

@@ -42,7 +42,7 @@ TEST_F(CheckTest, EveryMissedLimitIsOneLineAndJUnitHasIt) {
                             "--bogies phs,rigid_link --junit " + dir_.File("junit.xml"));
   EXPECT_EQ(out.code, 1);
   EXPECT_EQ(std::count(out.text.begin(), out.text.end(), '\n'), 3) << out.text;
-  EXPECT_THAT(out.text, HasSubstr("phs: bogie phs: run.min_Q_N is "));
+  EXPECT_THAT(out.text, HasSubstr("phs: phs: run.min_Q_N is "));
   EXPECT_THAT(out.text, HasSubstr(" too little"));
   EXPECT_THAT(out.text, HasSubstr("rigid_link: run.steps is 51, at most 1 allowed: 50 too much"));
   std::ifstream file(dir_.File("junit.xml"));

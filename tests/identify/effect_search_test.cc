@@ -91,6 +91,34 @@ TEST(EffectSearchTest, FindsThatBothPressuresReadLow) {
   EXPECT_NEAR(ValueOf(found, "effects.sensor_offset.p_rod_Pa"), -8.8e4, 3e3);
 }
 
+/// A wrong bridge or a wrong constant: no force that the cylinder gives.
+TEST(EffectSearchTest, ALoadCellThatShowsHalfAsMuchAgainIsItsGain) {
+  measurement::FitData record = Record(OffDeclared());
+  for (measurement::MeasuredChannel& channel : record.outputs) {
+    if (channel.name != "load_cell_N") continue;
+    for (double& y : channel.values) y *= 1.5;
+    channel.noise *= 1.5;
+  }
+  const Identification found = Find(Declared(), record);
+  ASSERT_EQ(found.effects.size(), 1u) << Said(found);
+  EXPECT_EQ(found.effects[0].candidate.effect, "sensor_gain");
+  EXPECT_NEAR(ValueOf(found, "effects.sensor_gain.load"), 1.5, 0.01);
+}
+
+/// A formula counts, too, and gets no listed name where nothing was to be added.
+TEST(EffectSearchTest, NoEffectIsAddedWhereNoneIsAllowed) {
+  hydraulics::PhsParams truth = OffDeclared();
+  truth.effects.push_back({"mount_compliance", {}, {{"stiffness_N_per_m", 3e7}}});
+  const measurement::FitData record = Record(truth);
+  auto problem = ProblemOf(record, Declared());
+  SearchOptions options;
+  options.effort.max_effects = 0;
+  const auto found = Identify(&problem.value(), Declared(), options, nullptr);
+  EXPECT_TRUE(found.value().effects.empty()) << Said(found.value());
+  // Nothing takes what is left, so the numbers are those that leave least.
+  EXPECT_EQ(found.value().after.values, found.value().before.values);
+}
+
 TEST(EffectSearchTest, FindsAWeakLeakBesideAPistonThatSticks) {
   hydraulics::PhsParams truth = OffDeclared();
   truth.effects.push_back({"presliding", {}, {{"stiffness_N_per_m", 5e7}}});

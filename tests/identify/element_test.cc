@@ -7,6 +7,7 @@
 
 #include "base/data_path.h"
 #include "identify/element_data.h"
+#include "phs_places.h"
 #include "tests/identify/bench_record.h"
 
 namespace phs::identify::element {
@@ -85,6 +86,9 @@ TEST(ElementIdentify, ATurnedSignAndSwappedColumnsAreNamed) {
   EXPECT_EQ(turned["verdict"], "not_described");
   EXPECT_NE(turned["reasons"].dump().find("turned sign"), std::string::npos) << turned["reasons"];
   EXPECT_TRUE(Names(turned).empty());
+  ASSERT_EQ(turned["next_test"].size(), 1u) << turned["next_test"];  // and no motion is designed
+  EXPECT_NE(turned["next_test"][0].dump().find("mend the record first"), std::string::npos);
+  EXPECT_FALSE(turned.contains("test_design"));
   const auto swapped = tampered("swapped", "columns: {x_m: force_N, force_N: x_m}");
   EXPECT_EQ(swapped["verdict"], "not_described");
   EXPECT_NE(swapped["reasons"].dump().find("under each other's name"), std::string::npos)
@@ -109,6 +113,23 @@ class TamperedBench : public testing::Test {
     return list.dump().find(words) != std::string::npos;
   }
 };
+
+/// A seal as measured, whose friction turns as no smooth law does: nothing is found, and the declared
+/// model is not left worse than its plain fit.
+TEST(ElementIdentify, WhereNothingIsAcceptedTheNumbersAreThoseThatLeaveLeast) {
+  const BenchRecord folder("measured_seal", 1, [](const Sample&) { return 0.0; });
+  std::ofstream(folder.folder() / "manifest.yaml")
+      << "rig: element\nmodel: bench_seal\ndata: " << PHS_SOURCE_DIR
+      << "/models/rigs/seal_friction/O-ring_3bar.csv\n"
+         "columns: {t_s: t_ms, x_m: x_mm, p_Pa: p_bar, force_N: F_N}\nestimation: [1, "
+         "40]\nvalidation: [40, 60]\n"
+         "candidates: [presliding]\n";
+  const auto r = IdentifiedIn(folder.folder());
+  ASSERT_TRUE(Names(r).empty());
+  EXPECT_EQ(r["verdict"], "not_described");
+  const auto& e = r["channels_estimation"]["force_N"];
+  EXPECT_EQ(e["after"]["rmse"], e["before"]["rmse"]);
+}
 
 TEST_F(TamperedBench, AForceInAnotherUnitIsNamed) {
   const auto r = Run("unit_force", [](std::vector<Row>* rows) {

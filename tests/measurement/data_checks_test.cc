@@ -18,6 +18,7 @@ namespace phs::identify::search {
 using measurement::Channel;
 using measurement::DataFinding;
 using measurement::EstimateNoise;
+using measurement::FindContradictions;
 using measurement::FindStandstill;
 using measurement::FindTimeWave;
 using measurement::FitData;
@@ -49,6 +50,31 @@ RigRun Clock() {
   RigRun run;
   run.step_s = kStep;
   return run;
+}
+
+/// A channel that runs against the model, two that were swapped, one in bar: each is said once.
+TEST(DataChecksTest, WhatContradictsAFittedModelIsNamed) {
+  FitData data;
+  std::vector<std::vector<double>> predicted(4);
+  for (int i = 0; i < 400; ++i) {
+    const double t = 0.05 * i;
+    const double y[4] = {std::sin(t), std::sin(2.1 * t), std::cos(0.7 * t), 1e6 * std::sin(t)};
+    for (size_t c = 0; c < 4; ++c) predicted[c].push_back(y[c]);
+  }
+  const char* names[4] = {"load1_N", "lead_left_Q_N", "lead_right_Q_N", "pL1_Pa"};
+  for (size_t c = 0; c < 4; ++c) {
+    data.outputs.emplace_back(), data.outputs[c].name = names[c];
+    data.outputs[c].values = predicted[c];
+  }
+  EXPECT_THAT(FindContradictions(predicted, data), testing::IsEmpty());
+  for (double& y : data.outputs[0].values) y = -y;
+  std::swap(data.outputs[1].values, data.outputs[2].values);
+  for (double& y : data.outputs[3].values) y *= 1e-5;
+  const auto said = FindContradictions(predicted, data);
+  ASSERT_EQ(said.size(), 3u);
+  EXPECT_THAT(said[0], testing::HasSubstr("lead_left_Q_N and lead_right_Q_N follow each other"));
+  EXPECT_THAT(said[1], testing::HasSubstr("load1_N runs against the fitted model"));
+  EXPECT_THAT(said[2], testing::HasSubstr("pL1_Pa swings 1e-05 times"));
 }
 
 TEST(DataChecksTest, SoundChannelStaysAsItIs) {
