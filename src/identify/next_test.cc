@@ -8,6 +8,7 @@
 
 #include "base/table.h"
 #include "base/words.h"
+#include "identify/accept.h"
 #include "identify/near_fit.h"
 
 namespace phs::identify::search {
@@ -213,6 +214,7 @@ std::vector<Question> OpenQuestions(const FitProblem& problem, const Identificat
     const double half = found.after.half_95[i];
     const double range = p.ToCoordinate(p.high) - p.ToCoordinate(p.low);
     if (2 * half < range || out.size() >= kMostQuestions) continue;
+    if (IsAtEnd(p, found.after.values[i])) continue;  // not open: something else pulls at it
     out.push_back({Held(problem, found.corrected, found.after.values, i, p.low),
                    Held(problem, found.corrected, found.after.values, i, p.high), true});
   }
