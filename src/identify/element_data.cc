@@ -25,7 +25,6 @@ using measurement::RunSpec;
 using measurement::SmoothMotion;
 using measurement::SmoothPosition;
 using measurement::WhiteNoise;
-using measurement::Window;
 namespace {
 
 constexpr int kMinRows = 100;
@@ -124,6 +123,7 @@ Result<ElementData> ReadElementData(const Manifest& manifest) {
     }
   }
   std::vector<const RigRun*> all;
+  all.reserve(runs.size());
   for (const RigRun& run : runs) all.push_back(&run);
   if (Status s = measurement::CheckExcitation(all, 0); !s.ok()) return s.error();
   double square = 0;
