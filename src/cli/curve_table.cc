@@ -137,7 +137,7 @@ std::string NotReached(const NamedSummaries& summaries) {
     if (IsReached(summary) || !summary.contains("steady_curve")) continue;
     text += fmt::format(
         "! {}: the run ends after {:.4g} s, before its last axle has come to the steady curve: s = "
-        "{:.4g} to {:.4g} m, the last third of the first arc\n",
+        "{:.4g} to {:.4g} m, the last third of the first arc, or of a track without one\n",
         name, At(summary, "/run/end_time_s"), At(summary, "/steady_curve/begin_s_m"),
         At(summary, "/steady_curve/end_s_m"));
   }

@@ -173,7 +173,7 @@ void AddStatus(const CurvingResults& results, ReportPage* page) {
     if (!curve.contains("speed_m_s") || curve["speed_m_s"].is_number()) continue;
     page->Warning(fmt::format(
         "The run of the {} bogie ends before its last axle has come to the steady curve (s = {} to "
-        "{} m, the last third of the first arc): it has no means there.",
+        "{} m, the last third of the first arc, or of a track without one): it has no means there.",
         run.label, FormatNumber(results.steady_begin, 4), FormatNumber(results.steady_end, 4)));
   }
   for (const BogieRun& run : results.runs) {
