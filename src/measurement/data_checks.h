@@ -36,8 +36,8 @@ bool InputIsSwapped(const FitData& data, const std::vector<std::vector<double>>&
 /// two channels under each other's name, a swapped sign, a unit off by a power of ten.
 void MendOutputs(const std::vector<std::vector<double>>& predicted, FitData* data);
 
-/// What a model that was fitted says of the outputs all the same: a channel that runs against it, two
-/// under each other's name, another unit. A sentence each.
+/// What contradicts a fitted model all the same, a sentence each: a channel that runs against it,
+/// two under each other's name, another unit.
 std::vector<std::string> FindContradictions(const std::vector<std::vector<double>>& predicted,
                                             const FitData& data);
 

@@ -36,8 +36,7 @@ TEST(LimitsTest, MissedLimitSaysByHowMuch) {
   ASSERT_EQ(checks.size(), 2u);
   EXPECT_FALSE(checks[0].Passed());
   EXPECT_NEAR(checks[0].excess, 0.11, 1e-12);
-  EXPECT_EQ(checks[0].Text(),
-            "phs: run.max_Y_over_Q is 0.91, at most 0.8 allowed: 0.11 too much");
+  EXPECT_EQ(checks[0].Text(), "phs: run.max_Y_over_Q is 0.91, at most 0.8 allowed: 0.11 too much");
   EXPECT_TRUE(checks[1].Passed());
 }
 

@@ -52,8 +52,8 @@ TEST_F(CheckTest, EveryMissedLimitIsOneLineAndJUnitHasIt) {
 
 // No row of dashes and no "nan": one line says why there are no means.
 TEST_F(CheckTest, ARunThatNeverCameToTheSteadyCurveSaysSo) {
-  const Output out = ExecutePhs("simulate " + dir_.File("short.yaml") + " --quiet --out " +
-                                dir_.File("out"));
+  const Output out =
+      ExecutePhs("simulate " + dir_.File("short.yaml") + " --quiet --out " + dir_.File("out"));
   EXPECT_EQ(out.code, 0);
   EXPECT_THAT(out.text, HasSubstr("! phs: the run ends after 0.05 s, before its last axle has come "
                                   "to the steady curve: s = 340 to 440 m"));

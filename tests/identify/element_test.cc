@@ -114,8 +114,8 @@ class TamperedBench : public testing::Test {
   }
 };
 
-/// A seal as measured, whose friction turns as no smooth law does: nothing is found, and the declared
-/// model is not left worse than its plain fit.
+/// A seal as measured, whose friction turns as no smooth law does: nothing is found, and the
+/// declared model is not left worse than its plain fit.
 TEST(ElementIdentify, WhereNothingIsAcceptedTheNumbersAreThoseThatLeaveLeast) {
   const BenchRecord folder("measured_seal", 1, [](const Sample&) { return 0.0; });
   std::ofstream(folder.folder() / "manifest.yaml")
