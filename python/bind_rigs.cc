@@ -21,13 +21,14 @@ py::tuple Rig(const std::string& manifest, const std::string& out, bool overwrit
 }
 
 py::tuple Identify(const std::string& manifest, const std::string& out, bool overwrite, int threads,
-                   int max_effects, const py::object& progress, const std::string& call,
-                   const std::string& given) {
+                   int max_effects, const std::vector<std::string>& between,
+                   const py::object& progress, const std::string& call, const std::string& given) {
   const OriginNotes notes = NotesOf(call, given);
   ResultDir dir = Take(ResultDir::Create(out, overwrite));
   identify::search::SearchOptions options;
   options.effort.threads = threads;
   options.effort.max_effects = max_effects;
+  options.between = between;
   const auto identified = Take(LongWork(progress).Do(
       [&](const jobs::Watch& watch) { return jobs::Identify(manifest, options, watch, dir); }));
   if (identified.outcome.cancelled) Raise({"identify", "was stopped", "", ""});

@@ -116,15 +116,17 @@ def rig(manifest: FileLike, *, out: Named | None = None, overwrite: bool = False
 
 
 def identify(manifest: FileLike, *, out: Named | None = None, overwrite: bool = False,
-             threads: int = 2, max_effects: int = 3,
+             threads: int = 2, max_effects: int = 3, between: Sequence[str] = (),
              progress: Progress | None = None) -> Identification:
-    """Find the physical effect that a declared model lacks: `phs identify`. As rig."""
+    """Find the physical effect that a declared model lacks: `phs identify`. As rig.
+
+    `between`: two effects that the designed next test is to tell apart."""
     with Inputs() as inputs, Out(out) as place:
         path = inputs.manifest(manifest)
         call = called("identify", manifest, out=out, overwrite=overwrite, threads=threads,
-                      max_effects=max_effects)
-        text, _ = _phs.identify(path, place.name, overwrite, threads, max_effects, progress, call,
-                                inputs.folder)
+                      max_effects=max_effects, between=list(between))
+        text, _ = _phs.identify(path, place.name, overwrite, threads, max_effects, list(between),
+                                progress, call, inputs.folder)
         return place.keep(Identification(json.loads(text), Path(place.name)))
 
 

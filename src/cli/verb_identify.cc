@@ -104,6 +104,10 @@ void AddIdentify(CLI::App* verb, Action* action) {
   verb->add_option("--max-effects", options->search.effort.max_effects, "Effects added at most")
       ->check(CLI::Range(0, 6))
       ->capture_default_str();
+  verb->add_option("--between", options->search.between,
+                   "Two effects, ONE,OTHER, that the next test is to tell apart")
+      ->delimiter(',')
+      ->allow_extra_args(false);
   verb->add_option("--rule", options->numbers,
                    "Another number of the rule of acceptance, NAME=VALUE (false_alarms, …)")
       ->allow_extra_args(false);

@@ -212,8 +212,8 @@ Result<IdentifyOutcome> SearchAndWrite(const Manifest& manifest, const FitData& 
   const Status tested =
       wrong.empty()
           ? PutNextTest(
-                *problem, found, unexplained, TestRigOf(manifest, data, declared, options),
-                options.effort.threads, [&] { return !progress || progress(kLast); }, dir, &result)
+                *problem, found, unexplained, TestRigOf(manifest, data, declared, options), options,
+                [&] { return !progress || progress(kLast); }, dir, &result)
           : PutRecordFirst(&result);
   if (!tested.ok()) return tested.error();
   if (outcome.cancelled = progress && !progress(kLast); outcome.cancelled) return outcome;

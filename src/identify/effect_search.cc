@@ -10,6 +10,7 @@
 #include "identify/formula_rounds.h"
 #include "identify/near_fit.h"
 #include "identify/points.h"
+#include "identify/test_question.h"
 #include "identify/trials.h"
 #include "identify/verdict.h"
 #include "identify/worst_place.h"
@@ -268,6 +269,9 @@ class Search {
 
 Result<Identification> Identify(FitProblem* problem, const hydraulics::PhsParams& declared,
                                 const SearchOptions& options, const Progress& progress) {
+  if (Status s = CheckBetween(problem->forward(), declared, options.between); !s.ok()) {
+    return s.error();
+  }
   Result<FitProblem> coarse = problem->Coarse(declared, options.effort.coarse_step_s);
   if (!coarse.ok()) return coarse.error();
   return Search(problem, &coarse.value(), options, progress).Run(declared);

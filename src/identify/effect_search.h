@@ -8,6 +8,8 @@
 #pragma once
 
 #include <functional>
+#include <string>
+#include <vector>
 
 #include "base/result.h"
 #include "identify/identification.h"
@@ -19,6 +21,9 @@ struct SearchOptions {
   Effort effort;
   SearchRule rule;
   bool formula = true;  ///< what no effect explains is described
+  /// Two effects that the next test is to tell apart (test_question.h); none: what the record leaves
+  /// open.
+  std::vector<std::string> between = {};
 };
 
 /// Progress from 0 to 1; false cancels.

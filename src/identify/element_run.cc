@@ -252,12 +252,11 @@ Result<IdentifyOutcome> RunElementIdentify(const Manifest& manifest, const Searc
     asks = AskValidation(data.value(), found.corrected, found.after, corrected, options);
   }
   result["validation_asks_for"] = AskedJson(asks);
-  const Status tested =
-      faults.empty()
-          ? search::PutNextTest(
-                problem, found, left, TestRigOf(manifest, data.value()), options.effort.threads,
-                [&] { return !progress || progress(kLast); }, dir, &result)
-          : search::PutRecordFirst(&result);
+  const Status tested = faults.empty()
+                            ? search::PutNextTest(
+                                  problem, found, left, TestRigOf(manifest, data.value()), options,
+                                  [&] { return !progress || progress(kLast); }, dir, &result)
+                            : search::PutRecordFirst(&result);
   if (!tested.ok()) return tested.error();
   if (outcome.cancelled = progress && !progress(kLast); outcome.cancelled) return outcome;
   AddAsked(asks, &result["next_test"]);

@@ -29,6 +29,10 @@ Result<IdentifyOutcome> RunIdentify(const std::string& manifest_path, const Sear
     return element::RunElementIdentify(manifest.value(), options, progress, dir);
   }
   if (manifest.value().rig == "bogie") {
+    if (!options.between.empty()) {
+      return Error{"--between", "a bogie on its track is not driven by a motion of one's choice",
+                   "rigs cylinder, quarter, full, element", ""};
+    }
     return IdentifyBogie(manifest.value(), options, progress, dir);
   }
   if (IsDriven(manifest.value().rig)) {

@@ -8,41 +8,11 @@
 
 #include "base/table.h"
 #include "base/words.h"
-#include "identify/accept.h"
-#include "identify/near_fit.h"
 
 namespace phs::identify::search {
 namespace {
 
 constexpr double kFitted = 0.75;  // of a test: its estimation window
-constexpr size_t kMostQuestions = 4;
-
-/// The model without a number, which is held at `value`; the others fitted.
-FittedModel Held(const FitProblem& problem, const FreeModel& model,
-                 const std::vector<double>& values, size_t held, double value) {
-  FittedModel out;
-  out.model = model, out.values = values;
-  out.model.params = ParamsOf({model.params, {model.free[held]}}, {value});
-  out.model.free.erase(out.model.free.begin() + static_cast<long>(held));
-  out.values.erase(out.values.begin() + static_cast<long>(held));
-  out.name = fmt::format("{} = {:.3g}", model.free[held].name, value);
-  const FitResult fit = FitNear(problem, out.model, out.values, {}, {.max_steps = 4});
-  if (fit.ok) out.values = fit.values;
-  return out;
-}
-
-/// An accepted effect exchanged for one that explains as much.
-FittedModel Exchanged(const FitProblem& problem, const Identification& found, size_t effect,
-                      const Rival& rival) {
-  FittedModel out;
-  out.name = rival.form.effect;
-  out.values = ValuesWithout(found, effect, &out.model);
-  out.model = WithCandidate(out.model, rival.form);
-  out.values.insert(out.values.end(), rival.values.begin(), rival.values.end());
-  const FitResult fit = FitNear(problem, out.model, out.values, {}, {.max_steps = 8});
-  if (fit.ok) out.values = fit.values;
-  return out;
-}
 
 bool IsBetter(const NextTest& a, const NextTest& b) { return a.margin > b.margin; }
 
@@ -119,6 +89,32 @@ std::string Subject(const Question& q) {
                   : q.one.name + " against " + q.other.name;
 }
 
+bool IsDrivable(const FitProblem& problem, const TestRig& rig) {
+  const MotionLimits& l = rig.limits;
+  if (!(l.high_m > l.low_m) || !(l.speed_m_s > 0) || rig.inputs.empty()) return false;
+  const auto still = Sampled({}, l, l.duration_s / 4, static_cast<int>(rig.inputs.size()));
+  return problem.forward().Driven(still, l.duration_s) != nullptr;
+}
+
+/// What was asked for, else what the record leaves open. `why_not`: of what was asked for.
+std::vector<Question> QuestionsOf(const FitProblem& problem, const Identification& found,
+                                  const TestRig& rig, const SearchOptions& options,
+                                  std::string* why_not) {
+  const bool drivable = IsDrivable(problem, rig);
+  if (options.between.empty()) {
+    return drivable ? OpenQuestions(problem, found) : std::vector<Question>();
+  }
+  const auto coarse = problem.Coarse(found.declared.params, rig.coarse_step_s);
+  const Result<Question> asked =
+      !drivable     ? Error{"", "what drives this model is not chosen here", "", ""}
+      : coarse.ok() ? AskedQuestion(problem, coarse.value(), found, options)
+                    : Result<Question>(coarse.error());
+  if (asked.ok()) return {asked.value()};
+  *why_not = JoinWords(options.between) + ": no motion could be designed; " + asked.error().where +
+             " " + asked.error().what;
+  return {};
+}
+
 double Least(const std::array<TestEvidence, 2>& answers) {
   return std::min(answers[0].probability(), answers[1].probability());
 }
@@ -141,12 +137,17 @@ Status PutRecordFirst(nlohmann::ordered_json* result) {
 }
 
 Status PutNextTest(const FitProblem& problem, const Identification& found, const Unexplained& left,
-                   const TestRig& rig, int threads, const std::function<bool()>& go_on,
-                   const ResultDir& dir, nlohmann::ordered_json* result) {
+                   const TestRig& rig, const SearchOptions& options,
+                   const std::function<bool()>& go_on, const ResultDir& dir,
+                   nlohmann::ordered_json* result) {
   nlohmann::ordered_json tests = nlohmann::ordered_json::array();
   const std::string other = OtherMotion(left);
   if (!other.empty()) tests.push_back(other);
-  const std::optional<NextTest> test = DesignTest(problem, found, rig, threads, go_on);
+  std::string why_not;
+  const std::vector<Question> questions = QuestionsOf(problem, found, rig, options, &why_not);
+  if (!why_not.empty()) tests.push_back(why_not);
+  const std::optional<NextTest> test =
+      DesignTest(problem, found, questions, rig, options.effort.threads, go_on);
   if (test) {
     for (const std::string& text : Sentences(*test, rig)) tests.push_back(text);
     (*result)["test_design"] = ToJson(*test, rig);
@@ -192,45 +193,11 @@ TestRig MakeTestRig(const measurement::TestLimits& asked, std::vector<std::strin
   return rig;
 }
 
-std::vector<Question> OpenQuestions(const FitProblem& problem, const Identification& found) {
-  std::vector<Question> out;
-  std::string name;
-  for (const AcceptedEffect& effect : found.effects) {
-    name += (name.empty() ? "" : "+") + effect.candidate.effect;
-  }
-  const FittedModel one{name, found.corrected, found.after.values};
-  for (size_t i = 0; i < found.effects.size(); ++i) {
-    for (const Rival& rival : found.effects[i].rivals) {
-      Question q{one, Exchanged(problem, found, i, rival), false};
-      q.one.name = found.effects[i].candidate.effect;
-      const bool known = std::any_of(out.begin(), out.end(), [&](const Question& other) {
-        return other.one.name == q.one.name && other.other.name == q.other.name;
-      });
-      if (!known && out.size() < kMostQuestions) out.push_back(std::move(q));
-    }
-  }
-  for (size_t i = 0; i < found.declared.free.size(); ++i) {
-    const FreeParameter& p = found.corrected.free[i];
-    const double half = found.after.half_95[i];
-    const double range = p.ToCoordinate(p.high) - p.ToCoordinate(p.low);
-    if (2 * half < range || out.size() >= kMostQuestions) continue;
-    if (IsAtEnd(p, found.after.values[i])) continue;  // not open: something else pulls at it
-    out.push_back({Held(problem, found.corrected, found.after.values, i, p.low),
-                   Held(problem, found.corrected, found.after.values, i, p.high), true});
-  }
-  return out;
-}
-
 std::optional<NextTest> DesignTest(const FitProblem& problem, const Identification& found,
-                                   const TestRig& rig, int threads,
-                                   const std::function<bool()>& go_on) {
+                                   const std::vector<Question>& questions, const TestRig& rig,
+                                   int threads, const std::function<bool()>& go_on) {
   constexpr size_t kJoined = 4, kRefined = 3;
-  const MotionLimits& l = rig.limits;
-  if (!(l.high_m > l.low_m) || !(l.speed_m_s > 0) || rig.inputs.empty()) return {};
-  const auto still = Sampled({}, l, l.duration_s / 4, static_cast<int>(rig.inputs.size()));
-  if (problem.forward().Driven(still, l.duration_s) == nullptr) return {};
-  const std::vector<Question> questions = OpenQuestions(problem, found);
-  if (questions.empty()) return {};
+  if (questions.empty() || !IsDrivable(problem, rig)) return {};
   const RecordNoise noise = NoiseOf(problem, found.after, rig.step_s);
   ThreadBudget budget(threads);
   Designer designer(problem, rig, noise, questions, &budget, go_on);
@@ -277,6 +244,7 @@ nlohmann::ordered_json ToJson(const NextTest& test, const TestRig& rig) {
       entry["if_true"].push_back({{"name", k == 0 ? q.one.name : q.other.name},
                                   {"log_likelihood_ratio", 0.5 * e.expected},
                                   {"probability_right", e.probability()}});
+      if (!q.sizes.empty()) entry["if_true"].back()["size"] = q.sizes[k];
     }
     questions.push_back(std::move(entry));
   }
@@ -295,6 +263,7 @@ std::vector<std::string> Sentences(const NextTest& test, const TestRig& rig) {
     const auto& [if_one, if_other] = test.answers[i];
     const double sure = Least(test.answers[i]);
     std::string text = Subject(test.questions[i]) + ": ";
+    for (const std::string& size : test.questions[i].sizes) text += size + "; ";
     text += sure < 0.5 ? "no motion within the limits tells; the best is next_test.csv"
                        : "measure next_test.csv";
     text += fmt::format(

@@ -1,10 +1,8 @@
 // The test that would tell: what to measure next, where a record does not decide.
 //
-// A question is a pair of fitted models that the record cannot tell apart: an accepted effect and
-// one that explains as much, or the two ends of what the record leaves open of a declared number
-// (its interval spans all that it may be). Of the motions that the rig can make (test_motion.h) the
-// one is taken whose least expected evidence (test_evidence.h), over all questions and over which of
-// the two is true, is greatest. All motions are looked at on a coarse clock with one step of the
+// Of the motions that the rig can make (test_motion.h) the one is taken whose least expected evidence
+// (test_evidence.h), over all questions (test_question.h) and over which of the two is true, is
+// greatest. All motions are looked at on a coarse clock with one step of the
 // refit; the best four, and their pairs one after the other, again; the best three of all on the
 // clock of the record with six steps.
 #pragma once
@@ -16,9 +14,8 @@
 #include <vector>
 
 #include "base/result_dir.h"
-#include "identify/identification.h"
-#include "identify/test_evidence.h"
 #include "identify/test_motion.h"
+#include "identify/test_question.h"
 #include "identify/unexplained.h"
 #include "measurement/manifest.h"
 
@@ -38,11 +35,6 @@ TestRig MakeTestRig(const measurement::TestLimits& asked, std::vector<std::strin
                     double step_s, const Channels& positions, const Channels& speeds,
                     const std::vector<double>& forces, double stop_m);
 
-struct Question {
-  FittedModel one, other;
-  bool number = false;  ///< the two ends of a declared number, else two effects
-};
-
 struct NextTest {
   std::vector<Question> questions;
   TestMotion motion;
@@ -50,21 +42,22 @@ struct NextTest {
   double margin = -1e300;                            ///< the least of them
 };
 
-std::vector<Question> OpenQuestions(const FitProblem& problem, const Identification& found);
 /// Nothing where there is no question, or what drives the model cannot be chosen. `go_on`: asked
 /// before each motion, false = stop.
 std::optional<NextTest> DesignTest(const FitProblem& problem, const Identification& found,
-                                   const TestRig& rig, int threads,
-                                   const std::function<bool()>& go_on);
+                                   const std::vector<Question>& questions, const TestRig& rig,
+                                   int threads, const std::function<bool()>& go_on);
 
 /// A sentence where the validation window excites what the estimation window does not, else empty.
 std::string OtherMotion(const Unexplained& left);
 
-/// Designs a test; `next_test` of `result` gets what it says, `test_design` its numbers, the result
+/// Designs a test for the effects of `options.between` or, where none are named, for what the record
+/// leaves open; `next_test` of `result` gets what it says, `test_design` its numbers, the result
 /// folder next_test.csv. OtherMotion is said there too.
 Status PutNextTest(const FitProblem& problem, const Identification& found, const Unexplained& left,
-                   const TestRig& rig, int threads, const std::function<bool()>& go_on,
-                   const ResultDir& dir, nlohmann::ordered_json* result);
+                   const TestRig& rig, const SearchOptions& options,
+                   const std::function<bool()>& go_on, const ResultDir& dir,
+                   nlohmann::ordered_json* result);
 
 /// `next_test` where the data contradict themselves: no motion mends that.
 Status PutRecordFirst(nlohmann::ordered_json* result);

@@ -27,11 +27,8 @@ bool AreApart(const FreeModel& model, const std::vector<double>& a, const std::v
 /// The others fitted with number `held` at its declared value.
 Point FitHolding(const FitProblem& coarse, const FreeModel& model,
                  const std::vector<double>& values, size_t held) {
-  FreeModel others = model;
   const double declared = model.free[held].start;
-  const FreeModel one{model.params, {model.free[held]}};
-  others.params = coarse.Params(one, {declared});
-  others.free.erase(others.free.begin() + static_cast<long>(held));
+  const FreeModel others = WithHeld(model, held, declared);
   std::vector<double> start = values;
   start.erase(start.begin() + static_cast<long>(held));
   const FitResult fit = FitNear(coarse, others, start, {}, {.max_steps = 6});

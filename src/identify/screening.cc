@@ -63,20 +63,47 @@ void Promise(const FitProblem& problem, const FreeModel& model, const Base& base
        promised);
 }
 
+/// Slopes of the candidate's numbers about `values`, whose residual is known. An amount acts in
+/// proportion to itself, so the slope of the first is what all of them do, r - r(none), less what
+/// the others do: no run of its own. Empty where the model refuses.
+Eigen::MatrixXd OwnSlopes(const FitProblem& problem, const FreeModel& whole,
+                          const Candidate& candidate, const Base& base,
+                          const std::vector<double>& values, const Eigen::VectorXd& residual) {
+  const size_t first = base.at->values.size();
+  const auto way = [&](size_t k) {  // of an amount in its coordinate, from where it does nothing
+    const FreeParameter& p = candidate.free[k];
+    if (p.logarithmic && candidate.none[k] <= 0) return 1.0;
+    return p.ToCoordinate(values[first + k]) - p.ToCoordinate(candidate.none[k]);
+  };
+  Eigen::MatrixXd others;
+  if (way(0) == 0 || candidate.mains < 1) {
+    if (!problem.CalcSlopes(whole, values, static_cast<int>(first), residual, &others)) return {};
+    return others;
+  }
+  if (!problem.CalcSlopes(whole, values, static_cast<int>(first) + 1, residual, &others)) return {};
+  Eigen::VectorXd done = residual - base.at->residual;
+  for (int k = 1; k < candidate.mains; ++k) {
+    done -= way(static_cast<size_t>(k)) * others.col(k - 1);
+  }
+  Eigen::MatrixXd own(residual.size(), others.cols() + 1);
+  own << done / way(0), others;
+  return own;
+}
+
 /// Every start about every point, with the slopes of the candidate's numbers about the first, the
 /// best fit: they differ little from point to point, and cost most.
 Probes Probed(const FitProblem& problem, const FreeModel& model, const std::vector<Base>& bases,
               const Candidate& candidate) {
   const FreeModel whole = WithCandidate(model, candidate);
-  const int first = static_cast<int>(bases[0].at->values.size());
   const Likelihood& likelihood = problem.likelihood();
   Probes best;
   best.one = candidate.starts.size() * bases.size() == 1;
   for (const std::vector<double>& start : candidate.starts) {
     std::vector<double> values = ValuesAt(bases[0], start);
-    Eigen::VectorXd residual;
-    Eigen::MatrixXd own;
-    if (!problem.Linearise(whole, values, first, &residual, &own)) continue;
+    Eigen::VectorXd residual = problem.Residual(whole, values);
+    if (residual.size() == 0) continue;
+    Eigen::MatrixXd own = OwnSlopes(problem, whole, candidate, bases[0], values, residual);
+    if (own.size() == 0) continue;
     own = likelihood.Transform(own);
     Probe promised;
     for (size_t k = 0; k < bases.size(); ++k) {

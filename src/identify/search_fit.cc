@@ -152,6 +152,13 @@ PhsParams ParamsOf(const FreeModel& model, const std::vector<double>& values) {
   return params;
 }
 
+FreeModel WithHeld(const FreeModel& model, size_t held, double value) {
+  FreeModel out = model;
+  out.params = ParamsOf({model.params, {model.free[held]}}, {value});
+  out.free.erase(out.free.begin() + static_cast<long>(held));
+  return out;
+}
+
 Eigen::VectorXd FitProblem::Residual(const FreeModel& model,
                                      const std::vector<double>& values) const {
   if (go_on_ && !go_on_()) return {};
@@ -171,10 +178,10 @@ Eigen::VectorXd FitProblem::Residual(const FreeModel& model,
   return out;
 }
 
-bool FitProblem::Linearise(const FreeModel& model, const std::vector<double>& values, int first,
+bool FitProblem::Linearise(const FreeModel& model, const std::vector<double>& values,
                            Eigen::VectorXd* residual, Eigen::MatrixXd* jacobian) const {
   *residual = Residual(model, values);
-  return residual->size() > 0 && CalcSlopes(model, values, first, *residual, jacobian);
+  return residual->size() > 0 && CalcSlopes(model, values, 0, *residual, jacobian);
 }
 
 bool FitProblem::CalcSlopes(const FreeModel& model, const std::vector<double>& values, int first,

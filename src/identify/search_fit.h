@@ -48,6 +48,8 @@ Status CheckFree(const hydraulics::PhsParams& declared, const std::vector<std::s
 
 /// The model with these values of its free numbers.
 hydraulics::PhsParams ParamsOf(const FreeModel& model, const std::vector<double>& values);
+/// The model with its free number `held` fixed at `value`.
+FreeModel WithHeld(const FreeModel& model, size_t held, double value);
 
 struct FitResult {
   std::vector<double> values;      ///< of the free parameters
@@ -95,11 +97,11 @@ class FitProblem {
   }
   /// Weighted residual; empty if the model refuses the values.
   Eigen::VectorXd Residual(const FreeModel& model, const std::vector<double>& values) const;
-  /// Residual and its derivative over the coordinates from `first` on; false if the model refuses
-  /// the values, or when stopped.
-  bool Linearise(const FreeModel& model, const std::vector<double>& values, int first,
+  /// Residual and its derivative over the coordinates; false if the model refuses the values, or
+  /// when stopped.
+  bool Linearise(const FreeModel& model, const std::vector<double>& values,
                  Eigen::VectorXd* residual, Eigen::MatrixXd* jacobian) const;
-  /// That derivative alone, about the known residual of `values`.
+  /// That derivative over the coordinates from `first` on, about the known residual of `values`.
   bool CalcSlopes(const FreeModel& model, const std::vector<double>& values, int first,
                   const Eigen::VectorXd& residual, Eigen::MatrixXd* jacobian) const;
   /// Values on the rows of a channel's blocks -> weighted, on all rows of the residual.

@@ -49,6 +49,10 @@ Result<IdentifyOutcome> Search(const std::string& path,
     return identify::search::RunIdentify(
         path, options, [&](double share) { return watch.GoesOn(share); }, dir);
   }
+  if (!options.between.empty()) {
+    return Error{"--between", "no motion drives a table of steps",
+                 "rigs cylinder, quarter, full, element", ""};
+  }
   Result<identify::RigOutcome> steps = identify::IdentifySteps(manifest.value(), dir);
   if (!steps.ok()) return steps.error();
   return IdentifyOutcome{.result = steps.value().result, .summary = steps.value().summary};

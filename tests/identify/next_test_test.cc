@@ -153,7 +153,8 @@ TEST(NextTest, TellsALeakFromAHoseWhereASmallSineDoesNot) {
   TestRig rig = MakeTestRig({}, {"actuator_m"}, data.step_s, {data.motion[0].position},
                             {data.motion[0].speed}, {8e4}, 0.02);
   rig.coarse_step_s = 0.04;
-  const auto test = DesignTest(problem.value(), found, rig, 2, nullptr);
+  const auto questions = OpenQuestions(problem.value(), found);
+  const auto test = DesignTest(problem.value(), found, questions, rig, 2, nullptr);
   ASSERT_TRUE(test);
   ASSERT_EQ(test->answers.size(), test->questions.size());
   EXPECT_EQ(test->questions[0].one.name, "external_leakage");

@@ -23,11 +23,13 @@ namespace {
 
 constexpr const char* kUsage =
     "generate_rig_data --effect NAME[+NAME]|none [--grade strong|weak[+strong|weak]]\n"
-    "                  [--seed N] [--motion FILE.csv] [--then FILE.csv] --out DIR\n"
+    "                  [--over-noise X] [--seed N] [--motion FILE.csv] [--then FILE.csv] --out "
+    "DIR\n"
     "generate_rig_data --suite tune|score|holdout --out DIR\n"
     "                  [--only clean|single|pair|off_list] [--jobs N]\n"
     "generate_rig_data --sets K --seed N --out DIR [--only …] [--jobs N]   K sets drawn blindly\n"
     "generate_rig_data --list\n"
+    "--over-noise: what the best declared model leaves of each effect, in place of its grade.\n"
     "--motion: t_s,actuator_m on a uniform clock, in place of a drawn motion; --then: the effect\n"
     "is scaled on the motion, the record made on this one (the same rig in another test).\n"
     "Writes MANIFEST.yaml and run.csv (200 Hz, about 126 s), and truth.json; a suite writes\n"
@@ -48,7 +50,7 @@ std::map<std::string, std::string> ParseOptions(int argc, char** argv) {
     }
     bool known = false;
     for (const char* name : {"--effect", "--grade", "--seed", "--out", "--suite", "--sets",
-                             "--only", "--jobs", "--motion", "--then"}) {
+                             "--only", "--jobs", "--motion", "--then", "--over-noise"}) {
       known = known || key == name;
     }
     if (!known) throw Usage{"unknown option " + key};
@@ -119,6 +121,9 @@ SetWish WishFrom(std::map<std::string, std::string>& options) {
       throw Usage{"no effect '" + names[i] + "'; --list names them all"};
     }
     wish.effects.push_back({names[i], ParseGrade(grades[std::min(i, grades.size() - 1)])});
+    if (options.count("--over-noise") == 0) continue;
+    wish.effects.back().over_noise = std::strtod(options["--over-noise"].c_str(), nullptr);
+    if (!(wish.effects.back().over_noise > 0)) throw Usage{"--over-noise must be a number > 0"};
   }
   return wish;
 }

@@ -210,7 +210,11 @@ void ComposePart(Composer& composer, RandomSource& random, double until) {
 double SampledMotion::Position(double t) const {
   const double at = std::clamp(t / step, 0.0, static_cast<double>(position.size() - 1));
   const auto k = std::min(static_cast<size_t>(at), position.size() - 2);
-  return position[k] + (at - static_cast<double>(k)) * (position[k + 1] - position[k]);
+  const double before = position[k > 0 ? k - 1 : 0], a = position[k], b = position[k + 1],
+               after = position[std::min(k + 2, position.size() - 1)];
+  const double u = at - static_cast<double>(k), u2 = u * u, u3 = u2 * u;
+  return a * (2 * u3 - 3 * u2 + 1) + b * (3 * u2 - 2 * u3) +
+         0.5 * ((b - before) * (u3 - 2 * u2 + u) + (after - a) * (u3 - u2));
 }
 
 double SmoothStep(double u) {

@@ -71,6 +71,8 @@ DrawnMotion DrawMotion(const MotionRange& range, RandomSource random);
 struct SampledMotion {
   double step = 0;               // s
   std::vector<double> position;  // m; empty: none
+  // Catmull and Rom's cubic: its speed has no jumps. Straight between samples, a reversal would
+  // come at a sample, and friction turn there.
   double Position(double t) const;
   double Duration() const { return step * static_cast<double>(position.size()); }
 };

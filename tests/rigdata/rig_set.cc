@@ -195,7 +195,9 @@ RigSet SetBuilder::Build() {
     truth.form = effect.form;
     truth.listed = effect.listed;
     truth.grade = set_.wish.effects[i].grade;
-    const double target = truth.grade == Grade::kStrong
+    const double asked = set_.wish.effects[i].over_noise;
+    const double target = asked > 0 ? asked
+                          : truth.grade == Grade::kStrong
                               ? grade.LogUniform(effect.strong_low, effect.strong_high)
                               : grade.Uniform(0.9, 1.9);
     const double size = Calibrate(effect, target);

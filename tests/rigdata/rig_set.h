@@ -18,6 +18,7 @@ enum class Grade { kStrong, kWeak };
 struct EffectWish {
   std::string name;
   Grade grade = Grade::kStrong;
+  double over_noise = 0;  // > 0: the size over noise to aim at, whatever the grade
 };
 
 struct SetWish {

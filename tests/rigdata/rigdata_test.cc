@@ -173,6 +173,19 @@ TEST(Rig, EveryPassiveEffectDissipates) {
   }
 }
 
+// A motion from a file reverses where its sine does, not at the sample beside: between samples the
+// speed is within 0.3 % of its peak (central differences: (ω h)²/6 = 0.15 % at 3 Hz and 200 Hz).
+TEST(Motion, OfAFileIsAsSmoothAsTheSineThatItSamples) {
+  const double h = 0.005, w = 2 * M_PI * 3, peak = w * 2e-3;
+  SampledMotion motion{h, {}};
+  for (int i = 0; i < 400; ++i) motion.position.push_back(2e-3 * std::sin(w * i * h));
+  for (double t = 0.1; t < 1.8; t += 0.0007) {
+    const double speed = (motion.Position(t + 1e-6) - motion.Position(t - 1e-6)) / 2e-6;
+    EXPECT_NEAR(speed, peak * std::cos(w * t), 3e-3 * peak) << t;
+  }
+  EXPECT_NEAR(motion.Position(50 * h), motion.position[50], 1e-15);
+}
+
 TEST(Refit, RecoversTheFactorsOfACleanRecord) {
   const DeclaredFactors truth = {0.8, 1.25, 1.2, 0.75, 1.15};
   const auto move = [](double t) {
