@@ -32,7 +32,7 @@ FoundFormula SearchChannelFormula(const FitProblem& problem, const FreeModel& mo
   const FormulaFrame& frame = framed.value();
   FormulaData data;
   // All channels: what the model's own numbers could do for the load cell shows in the pressures.
-  if (!problem.Linearise(model, fit.values, &data.residual, &data.jacobian)) return {};
+  if (!problem.Linearise(model, fit.values, 0, &data.residual, &data.jacobian)) return {};
   data.places = frame.places;
   data.column = [&](const Channels& values) { return problem.Weighted(name, frame.rows(values)); };
   data.independent = [&](const Eigen::VectorXd& r) {

@@ -41,8 +41,6 @@ class Search {
   Status SearchAll(const hydraulics::PhsParams& declared) {
     if (Status s = FitDeclared(declared); !s.ok()) return s;
     for (int round = 0; round < options_.effort.max_effects && !cancelled_; ++round) {
-      if (!IsBeyondChance(problem_.rule(), problem_.likelihood().MostGain(out_.after.powers), 1))
-        break;
       Stage(0.02 + 0.2 * round, 0.2);
       if (!AddOne(round)) break;
       Reweigh();
@@ -133,6 +131,10 @@ class Search {
   bool AddOne(int round) {
     std::vector<Candidate> list = problem_.forward().Candidates(out_.corrected.params);
     KeepWorstPlace(problem_, out_.after, out_.corrected.params, &list);
+    // The least that one more number and so many structures cost: what is left must be worth it.
+    const double most =
+        problem_.likelihood().MostGain(out_.after.powers) - std::log(problem_.likelihood().Count());
+    if (!IsBeyondChance(problem_.rule(), most, static_cast<double>(list.size()))) return false;
     std::vector<FullTrial> trials = Try(out_.corrected, out_.after, list);
     if (cancelled_) return false;
     const size_t first = out_.candidates.size();

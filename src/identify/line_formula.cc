@@ -227,7 +227,7 @@ FoundFormula SearchLineFormula(const FitProblem& problem, const FreeModel& model
   const std::vector<LinePlace> places = LinePlaces(problem, problem.Params(model, values));
   Model at{problem, model, values, {}};
   SelectionData data;
-  if (places.empty() || !problem.Linearise(model, values, &at.residual, &data.jacobian)) {
+  if (places.empty() || !problem.Linearise(model, values, 0, &at.residual, &data.jacobian)) {
     return {};
   }
   data.residual = at.residual;
@@ -256,7 +256,7 @@ FoundFormula SearchAnew(const FitProblem& problem, const FreeModel& model,
   Model at{problem, model, values, {}, true};
   SelectionData data;
   Eigen::MatrixXd whole;
-  if (!problem.Linearise(model, values, &at.residual, &whole)) return {};
+  if (!problem.Linearise(model, values, 0, &at.residual, &whole)) return {};
   data.residual = at.residual;
   for (size_t k = base; k < values.size(); ++k) {
     data.residual -=

@@ -1,7 +1,9 @@
 #include "identify/screening.h"
 
+#include <Eigen/QR>
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <map>
 #include <numeric>
 
@@ -35,8 +37,10 @@ void Keep(double score, size_t point, const std::vector<double>& values, Probe* 
 /// A point and what all its probes share.
 struct Base {
   const Point* at = nullptr;
+  Eigen::VectorXd coefficients;  ///< of its residual
   Eigen::VectorXd weight;
   Eigen::MatrixXd weighted;  ///< its slopes
+  Eigen::MatrixXd basis;     ///< of these, orthonormal
 };
 
 std::vector<double> ValuesAt(const Base& base, const std::vector<double>& start) {
@@ -63,54 +67,67 @@ void Promise(const FitProblem& problem, const FreeModel& model, const Base& base
        promised);
 }
 
-/// Slopes of the candidate's numbers about `values`, whose residual is known. An amount acts in
-/// proportion to itself, so the slope of the first is what all of them do, r - r(none), less what
-/// the others do: no run of its own. Empty where the model refuses.
-Eigen::MatrixXd OwnSlopes(const FitProblem& problem, const FreeModel& whole,
-                          const Candidate& candidate, const Base& base,
-                          const std::vector<double>& values, const Eigen::VectorXd& residual) {
-  const size_t first = base.at->values.size();
-  const auto way = [&](size_t k) {  // of an amount in its coordinate, from where it does nothing
-    const FreeParameter& p = candidate.free[k];
-    if (p.logarithmic && candidate.none[k] <= 0) return 1.0;
-    return p.ToCoordinate(values[first + k]) - p.ToCoordinate(candidate.none[k]);
+/// Where the amounts of a start should be, by what it does and how that follows from them, both as
+/// coefficients about the best fit.
+struct Scaled {
+  double way = 0;    ///< [ln] of the amounts
+  double share = 1;  ///< of what the start does
+};
+
+/// An effect acts as some power p of its amounts, d(does)/d(ln amount) = p does, whatever else is
+/// there. The share of what it does that is best about a point, beside the point's own numbers,
+/// tells how far off the amounts are: ln(share)/p. Within a step's reach it is left to the step.
+Scaled Scale(const Base& base, const Candidate& candidate, const Eigen::VectorXd& does,
+             const Eigen::MatrixXd& own) {
+  constexpr double kLeastPower = 0.25, kMost = 300;
+  for (int k = 0; k < candidate.mains; ++k) {
+    const auto i = static_cast<size_t>(k);
+    if (!candidate.free[i].logarithmic || candidate.none[i] > 0) return {};
+  }
+  const auto beside = [&](const Eigen::VectorXd& v) -> Eigen::VectorXd {
+    const Eigen::VectorXd weighted = base.weight.cwiseProduct(v);
+    return weighted - base.basis * (base.basis.transpose() * weighted);
   };
-  Eigen::MatrixXd others;
-  if (way(0) == 0 || candidate.mains < 1) {
-    if (!problem.CalcSlopes(whole, values, static_cast<int>(first), residual, &others)) return {};
-    return others;
-  }
-  if (!problem.CalcSlopes(whole, values, static_cast<int>(first) + 1, residual, &others)) return {};
-  Eigen::VectorXd done = residual - base.at->residual;
-  for (int k = 1; k < candidate.mains; ++k) {
-    done -= way(static_cast<size_t>(k)) * others.col(k - 1);
-  }
-  Eigen::MatrixXd own(residual.size(), others.cols() + 1);
-  own << done / way(0), others;
-  return own;
+  const Eigen::VectorXd shown = beside(does), left = beside(base.coefficients);
+  const double square = shown.squaredNorm();
+  if (!(square > 0)) return {};
+  const double power = does.dot(own.leftCols(candidate.mains).rowwise().sum()) / does.squaredNorm();
+  const double share = std::clamp(-shown.dot(left) / square, 1 / kMost, kMost);
+  const double way = std::log(share) / std::copysign(std::max(kLeastPower, std::abs(power)), power);
+  return std::abs(way) > kReach ? Scaled{way, share} : Scaled{};
 }
 
-/// Every start about every point, with the slopes of the candidate's numbers about the first, the
-/// best fit: they differ little from point to point, and cost most.
+/// Every start about every point. What a start does, and the slopes of the candidate's numbers, are
+/// those about the first point, the best fit: they differ little from point to point, and cost runs.
 Probes Probed(const FitProblem& problem, const FreeModel& model, const std::vector<Base>& bases,
               const Candidate& candidate) {
   const FreeModel whole = WithCandidate(model, candidate);
+  const size_t first = bases[0].at->values.size();
   const Likelihood& likelihood = problem.likelihood();
   Probes best;
   best.one = candidate.starts.size() * bases.size() == 1;
   for (const std::vector<double>& start : candidate.starts) {
-    std::vector<double> values = ValuesAt(bases[0], start);
-    Eigen::VectorXd residual = problem.Residual(whole, values);
-    if (residual.size() == 0) continue;
-    Eigen::MatrixXd own = OwnSlopes(problem, whole, candidate, bases[0], values, residual);
-    if (own.size() == 0) continue;
+    Eigen::VectorXd residual;
+    Eigen::MatrixXd own;
+    if (!problem.Linearise(whole, ValuesAt(bases[0], start), static_cast<int>(first), &residual,
+                           &own)) {
+      continue;
+    }
     own = likelihood.Transform(own);
+    const Eigen::VectorXd does = likelihood.Transform(residual) - bases[0].coefficients;
     Probe promised;
     for (size_t k = 0; k < bases.size(); ++k) {
-      if (k > 0) values = ValuesAt(bases[k], start), residual = problem.Residual(whole, values);
-      if (residual.size() == 0) continue;
-      Promise(problem, whole, bases[k], k, values, likelihood.Transform(residual), own, &promised,
+      std::vector<double> values = ValuesAt(bases[k], start);
+      Promise(problem, whole, bases[k], k, values, bases[k].coefficients + does, own, &promised,
               &best.present);
+      const Scaled scaled = Scale(bases[k], candidate, does, own);
+      if (scaled.way == 0) continue;
+      for (size_t i = first; i < first + static_cast<size_t>(candidate.mains); ++i) {
+        const FreeParameter& p = whole.free[i];
+        values[i] = p.FromCoordinate(p.ToCoordinate(values[i]) + scaled.way);
+      }
+      Promise(problem, whole, bases[k], k, values, bases[k].coefficients + scaled.share * does,
+              scaled.share * own, &promised, &best.present);
     }
     if (!promised.values.empty()) best.promised.push_back(std::move(promised));
   }
@@ -119,7 +136,7 @@ Probes Probed(const FitProblem& problem, const FreeModel& model, const std::vect
   return best;
 }
 
-/// Some steps really taken from the best starts.
+/// Two steps really taken from each of the best starts, and two more from where they led best.
 Trial TakeSteps(const FitProblem& problem, const FreeModel& model, const std::vector<Point>& points,
                 const Candidate& candidate, const Probes& best, size_t starts) {
   Trial trial;
@@ -128,16 +145,18 @@ Trial TakeSteps(const FitProblem& problem, const FreeModel& model, const std::ve
   std::vector<Probe> probes = best.promised;
   if (probes.size() > starts) probes.resize(starts);
   probes.push_back(best.present);
+  const NearFitOptions two{.first_own = static_cast<int>(points[0].values.size()), .max_steps = 2};
   for (const Probe& probe : probes) {
     if (probe.values.empty()) continue;
     if (best.one && trial.coarse.ok && trial.coarse.score < best.present.score) continue;
-    const Point& at = points[probe.point];
-    FitResult fit = FitNear(problem, whole, probe.values, at.slopes,
-                            {.first_own = static_cast<int>(at.values.size()), .max_steps = 4});
-    if (!fit.ok) continue;
-    const double criterion = Criterion(problem, fit.score, fit.values.size());
-    if (criterion < trial.promise) trial.promise = criterion, trial.coarse = std::move(fit);
+    FitResult fit = FitNear(problem, whole, probe.values, points[probe.point].slopes, two);
+    if (fit.ok && (!trial.coarse.ok || fit.score < trial.coarse.score))
+      trial.coarse = std::move(fit);
   }
+  if (!trial.coarse.ok) return trial;
+  FitResult on = FitNear(problem, whole, trial.coarse.values, trial.coarse.slopes, two);
+  if (on.ok && on.score < trial.coarse.score) trial.coarse = std::move(on);
+  trial.promise = Criterion(problem, trial.coarse.score, trial.coarse.values.size());
   return trial;
 }
 
@@ -188,7 +207,11 @@ std::vector<Trial> ScreenCandidates(const FitProblem& coarse, const FreeModel& m
   std::vector<Base> bases;
   for (const Point& point : points) {
     const Eigen::VectorXd weight = coarse.likelihood().Weights(point.powers);
-    bases.push_back({&point, weight, weight.asDiagonal() * point.slopes});
+    const Eigen::MatrixXd weighted = weight.asDiagonal() * point.slopes;
+    const Eigen::HouseholderQR<Eigen::MatrixXd> qr(weighted);
+    bases.push_back(
+        {&point, coarse.likelihood().Transform(point.residual), weight, weighted,
+         qr.householderQ() * Eigen::MatrixXd::Identity(weighted.rows(), weighted.cols())});
   }
   std::atomic<int> done{0};
   coarse.ForEach(static_cast<int>(list.size()), [&](int i) {

@@ -1,9 +1,11 @@
 // Looking through many candidates with few runs of the model, on a coarse record (about 50 Hz).
 //
 // Every variant of every effect, from each of its starts, about each point, is judged by one
-// predicted Gauss–Newton step of all numbers together. The best start by that promise and the best
-// as it stands take two steps really: below its onset a stop or a valve is silent, and no slope
-// leads to it. The most promising variants are then fitted to the coarse record.
+// predicted Gauss–Newton step of all numbers together. Amounts that are far off by the share of what
+// they do that the record asks for are moved there before, so that the shape of what an effect does
+// decides, not its start. The best starts by that promise and the best as it stands take two steps
+// really: below its onset a stop or a valve is silent, and no slope leads to it; the best of them
+// two more. The most promising variants are then fitted to the coarse record.
 #pragma once
 
 #include <functional>
@@ -30,7 +32,7 @@ struct Effort {
   int max_effects = 3;
   double coarse_step_s = 0.02;  ///< clock of the coarse record
   int coarse_fits = 16;         ///< variants fitted to the coarse record per round
-  int full_fits = 4;            ///< … and to the whole one
+  int full_fits = 4;            ///< effects fitted to the whole one
   int starts = 3;               ///< of a variant, from which steps are really taken
   bool elsewhere = true;        ///< candidates are tried away from the best fit too
 };

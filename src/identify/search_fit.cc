@@ -178,10 +178,10 @@ Eigen::VectorXd FitProblem::Residual(const FreeModel& model,
   return out;
 }
 
-bool FitProblem::Linearise(const FreeModel& model, const std::vector<double>& values,
+bool FitProblem::Linearise(const FreeModel& model, const std::vector<double>& values, int first,
                            Eigen::VectorXd* residual, Eigen::MatrixXd* jacobian) const {
   *residual = Residual(model, values);
-  return residual->size() > 0 && CalcSlopes(model, values, 0, *residual, jacobian);
+  return residual->size() > 0 && CalcSlopes(model, values, first, *residual, jacobian);
 }
 
 bool FitProblem::CalcSlopes(const FreeModel& model, const std::vector<double>& values, int first,

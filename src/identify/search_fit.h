@@ -97,11 +97,11 @@ class FitProblem {
   }
   /// Weighted residual; empty if the model refuses the values.
   Eigen::VectorXd Residual(const FreeModel& model, const std::vector<double>& values) const;
-  /// Residual and its derivative over the coordinates; false if the model refuses the values, or
-  /// when stopped.
-  bool Linearise(const FreeModel& model, const std::vector<double>& values,
+  /// Residual and its derivative over the coordinates from `first` on; false if the model refuses
+  /// the values, or when stopped.
+  bool Linearise(const FreeModel& model, const std::vector<double>& values, int first,
                  Eigen::VectorXd* residual, Eigen::MatrixXd* jacobian) const;
-  /// That derivative over the coordinates from `first` on, about the known residual of `values`.
+  /// That derivative alone, about the known residual of `values`.
   bool CalcSlopes(const FreeModel& model, const std::vector<double>& values, int first,
                   const Eigen::VectorXd& residual, Eigen::MatrixXd* jacobian) const;
   /// Values on the rows of a channel's blocks -> weighted, on all rows of the residual.

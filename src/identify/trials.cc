@@ -25,6 +25,27 @@ std::vector<size_t> BestOfEach(const std::vector<FullTrial>& trials, size_t most
   return chosen;
 }
 
+/// Of these, best first: the best variant of `most` effects, so that one which comes in many forms
+/// keeps no other out, and the second variant of the first half of them.
+std::vector<size_t> FittedInFull(const std::vector<FullTrial>& trials,
+                                 const std::vector<size_t>& chosen, size_t most) {
+  std::vector<size_t> first, second;
+  const auto has = [&](const std::vector<size_t>& list, size_t length, size_t k) {
+    return std::any_of(list.begin(), list.begin() + static_cast<long>(length), [&](size_t other) {
+      return trials[other].candidate->effect == trials[k].candidate->effect;
+    });
+  };
+  for (const size_t k : chosen) {
+    if (!has(first, first.size(), k) && first.size() < most) {
+      first.push_back(k);
+    } else if (has(first, std::min(first.size(), most / 2), k) && !has(second, second.size(), k)) {
+      second.push_back(k);
+    }
+  }
+  first.insert(first.end(), second.begin(), second.end());
+  return first;
+}
+
 /// Where the full fit of a candidate begins: the numbers of its coarse fit. A thinned record may
 /// mislead (a line that rings faster than its samples seems damped): where these say less than
 /// nothing on the full one, what is best there of neighbours of each number and of the candidate's
@@ -85,7 +106,7 @@ std::vector<FullTrial> TryEffects(const FitProblem& problem, const FitProblem& c
   });
   std::stable_sort(chosen.begin(), chosen.end(),
                    [&](size_t a, size_t b) { return trials[a].promise < trials[b].promise; });
-  if (chosen.size() > fits) chosen.resize(fits);
+  chosen = FittedInFull(trials, chosen, fits);
   done = 0;
   problem.ForEach(static_cast<int>(chosen.size()), [&](int k) {
     if (!go_on(kScreening + kForms + (1 - kScreening - kForms) * done++ / chosen.size())) return;

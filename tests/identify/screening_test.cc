@@ -1,0 +1,119 @@
+// Screening: an effect is tried for the shape of what it does, however far off its starts are.
+#include "identify/screening.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "identify/near_fit.h"
+#include "identify/points.h"
+#include "phs_model/phs_model.h"
+
+namespace phs::identify::search {
+namespace {
+
+using hydraulics::PhsParams;
+
+constexpr int kScreenRows = 400;
+constexpr int kDecoys = 12;
+const char* const kNumber = "conductance_m3_per_Pas";
+
+/// y = friction.scale sin(w t) + f(amount) sin(w_k t): each candidate has its own wave k, by its target.
+class Waves final : public ForwardModel {
+ public:
+  Waves(double power, int true_wave, double true_amount) : power_(power) {
+    PhsParams truth = phs_model::FindPhsParams("quarter_setup2").value();
+    truth.friction.scale = 1.3;
+    truth.effects = {Effect(true_wave, true_amount)};
+    Channels made;
+    EXPECT_TRUE(Run(truth, Span::kEstimation, &made).ok());
+    for (int i = 0; i < kScreenRows; ++i) {  // every decoy does a little
+      for (int k = 0; k < kDecoys; ++k) made[0][Row(i)] += 0.1 * Wave(k, i);
+    }
+    measured_.push_back({"load_cell_N", made[0], 1.0});
+  }
+  const std::vector<MeasuredBlock>& Measured() const override { return measured_; }
+  Status Run(const PhsParams& params, Span, Channels* out) const override {
+    out->assign(1, std::vector<double>(kScreenRows, 0.0));
+    for (int i = 0; i < kScreenRows; ++i) {
+      double& y = (*out)[0][Row(i)];
+      y = 100 * params.friction.scale * std::sin(0.03 * i);
+      for (const auto& e : params.effects) {
+        y +=
+            1e3 * std::pow(e.values.at(kNumber) / 1e-13, power_) * Wave(std::stoi(e.targets[0]), i);
+      }
+    }
+    return {};
+  }
+  Status Uncertainty(const PhsParams&, Span, Channels* deviation) const override {
+    deviation->assign(1, std::vector<double>(kScreenRows, 0.0));
+    return {};
+  }
+  FreeModel Declared(const PhsParams& declared) const override {
+    return {declared, {{"friction.scale", 1, 0.1, 10, true, 1}}};
+  }
+  std::vector<Candidate> Candidates(const PhsParams&) const override { return {}; }
+  std::shared_ptr<const ForwardModel> Coarse(double) const override { return nullptr; }
+
+  static hydraulics::EffectParams Effect(int wave, double amount) {
+    return {"external_leakage", {std::to_string(wave)}, {{kNumber, amount}}};
+  }
+
+ private:
+  static size_t Row(int i) { return static_cast<size_t>(i); }
+  static double Wave(int k, int i) { return std::sin((0.2 + 0.11 * k) * i); }
+  double power_;
+  std::vector<MeasuredBlock> measured_;
+};
+
+Candidate OfWave(int wave, double start) {
+  Candidate c;
+  c.effect = "wave " + std::to_string(wave);
+  c.params = Waves::Effect(wave, start);
+  c.free = {{std::string("effects.external_leakage.") + kNumber, start, 1e-19, 1e-7, true, 1}};
+  c.starts = {{start}};
+  c.none = {0};
+  return c;
+}
+
+/// What is fitted first of twelve decoys whose starts are right and one whose start is not.
+std::string FirstOf(double power, double amount, double start, double* fitted) {
+  const auto forward = std::make_shared<const Waves>(power, kDecoys, amount);
+  const PhsParams declared = phs_model::FindPhsParams("quarter_setup2").value();
+  const auto problem = FitProblem::Create(forward, declared);
+  const FreeModel model = forward->Declared(declared);
+  const FitResult fit =
+      FitNear(problem.value(), model, {1.0}, {}, {.max_steps = 10, .final_slopes = true});
+  const auto points = PointsAbout(problem.value(), model, fit, 1, false);
+  std::vector<Candidate> list;
+  const double as_decoys_are = 1e-13 * std::pow(1e-4, 1 / power);  // 0.1 N
+  for (int k = 0; k < kDecoys; ++k) list.push_back(OfWave(k, as_decoys_are));
+  list.push_back(OfWave(kDecoys, start));
+  Effort effort;
+  effort.coarse_fits = 1;  // three are tried
+  const auto trials =
+      ScreenCandidates(problem.value(), model, points, list, effort, [](double) { return true; });
+  *fitted = trials.front().coarse.values.back();
+  return trials.front().candidate->effect;
+}
+
+TEST(Screening, AnEffectWhoseStartIsAThousandTimesTooLargeIsTried) {
+  double fitted = 0;
+  EXPECT_EQ(FirstOf(1, 1e-15, 1e-12, &fitted), "wave 12");
+  EXPECT_NEAR(fitted, 1e-15, 5e-17);
+}
+
+TEST(Screening, OneWhoseStartIsTooSmallToShowIsTried) {
+  double fitted = 0;
+  EXPECT_EQ(FirstOf(1, 1e-15, 1e-17, &fitted), "wave 12");
+  EXPECT_NEAR(fitted, 1e-15, 5e-17);
+}
+
+TEST(Screening, AStiffnessIsMovedTheOtherWay) {  // what it does falls with its amount
+  double fitted = 0;
+  EXPECT_EQ(FirstOf(-1, 1e-11, 1e-14, &fitted), "wave 12");
+  EXPECT_NEAR(fitted, 1e-11, 5e-13);
+}
+
+}  // namespace
+}  // namespace phs::identify::search
