@@ -22,10 +22,11 @@ struct Probe {
   double score = 1e300;        ///< -2 ln L
 };
 
-/// Of each start the best by what a step promises, and the best of all as they stand.
+/// Of each start the best by what a step promises; the best of all as they stand, and the best by what
+/// a step promises once the amounts are moved (Scale).
 struct Probes {
   std::vector<Probe> promised;  ///< best first
-  Probe present;
+  Probe present, moved;
   /// Of a single start and point: a step that keeps its promise has begun there.
   bool one = false;
 };
@@ -49,11 +50,10 @@ std::vector<double> ValuesAt(const Base& base, const std::vector<double>& start)
   return values;
 }
 
-/// Score of a start about a point, and what one step from there promises. `own`: slopes of the
-/// candidate's numbers.
+/// What one step from a start about a point promises. `own`: slopes of the candidate's numbers.
 void Promise(const FitProblem& problem, const FreeModel& model, const Base& base, size_t point,
              const std::vector<double>& values, const Eigen::VectorXd& coefficients,
-             const Eigen::MatrixXd& own, Probe* promised, Probe* present) {
+             const Eigen::MatrixXd& own, Probe* promised) {
   const Likelihood& likelihood = problem.likelihood();
   const Eigen::MatrixXd& known = base.at->slopes;
   Eigen::MatrixXd slopes(likelihood.size(), known.cols() + own.cols());
@@ -62,7 +62,6 @@ void Promise(const FitProblem& problem, const FreeModel& model, const Base& base
       BoundedStep(model, values, base.weight.cwiseProduct(coefficients), slopes, 1e-6, kReach);
   const Eigen::VectorXd then =
       coefficients + known * step.head(known.cols()) + own * step.tail(own.cols());
-  Keep(likelihood.MinusTwoLog(likelihood.Powers(coefficients)), point, values, present);
   Keep(likelihood.MinusTwoLog(likelihood.Powers(then)), point, Moved(model, values, step),
        promised);
 }
@@ -118,8 +117,9 @@ Probes Probed(const FitProblem& problem, const FreeModel& model, const std::vect
     Probe promised;
     for (size_t k = 0; k < bases.size(); ++k) {
       std::vector<double> values = ValuesAt(bases[k], start);
-      Promise(problem, whole, bases[k], k, values, bases[k].coefficients + does, own, &promised,
-              &best.present);
+      const Eigen::VectorXd there = bases[k].coefficients + does;
+      Keep(likelihood.MinusTwoLog(likelihood.Powers(there)), k, values, &best.present);
+      Promise(problem, whole, bases[k], k, values, there, own, &promised);
       const Scaled scaled = Scale(bases[k], candidate, does, own);
       if (scaled.way == 0) continue;
       for (size_t i = first; i < first + static_cast<size_t>(candidate.mains); ++i) {
@@ -127,7 +127,7 @@ Probes Probed(const FitProblem& problem, const FreeModel& model, const std::vect
         values[i] = p.FromCoordinate(p.ToCoordinate(values[i]) + scaled.way);
       }
       Promise(problem, whole, bases[k], k, values, bases[k].coefficients + scaled.share * does,
-              scaled.share * own, &promised, &best.present);
+              scaled.share * own, &best.moved);
     }
     if (!promised.values.empty()) best.promised.push_back(std::move(promised));
   }
@@ -144,11 +144,13 @@ Trial TakeSteps(const FitProblem& problem, const FreeModel& model, const std::ve
   const FreeModel whole = WithCandidate(model, candidate);
   std::vector<Probe> probes = best.promised;
   if (probes.size() > starts) probes.resize(starts);
-  probes.push_back(best.present);
+  probes.push_back(best.moved), probes.push_back(best.present);
   const NearFitOptions two{.first_own = static_cast<int>(points[0].values.size()), .max_steps = 2};
   for (const Probe& probe : probes) {
     if (probe.values.empty()) continue;
-    if (best.one && trial.coarse.ok && trial.coarse.score < best.present.score) continue;
+    const bool as_it_stands = &probe == &probes.back();
+    if (as_it_stands && best.one && trial.coarse.ok && trial.coarse.score < best.present.score)
+      break;
     FitResult fit = FitNear(problem, whole, probe.values, points[probe.point].slopes, two);
     if (fit.ok && (!trial.coarse.ok || fit.score < trial.coarse.score))
       trial.coarse = std::move(fit);
@@ -160,7 +162,7 @@ Trial TakeSteps(const FitProblem& problem, const FreeModel& model, const std::ve
   return trial;
 }
 
-/// Those that promise most or stand best, in turn.
+/// Those that promise most, stand best, or promise most once moved, in turn.
 std::vector<size_t> MostPromising(const std::vector<Probes>& probes, int most) {
   const auto ranked = [&](auto score) {
     std::vector<size_t> order(probes.size());
@@ -172,9 +174,10 @@ std::vector<size_t> MostPromising(const std::vector<Probes>& probes, int most) {
   const auto promised =
       ranked([](const Probes& p) { return p.promised.empty() ? 1e300 : p.promised.front().score; });
   const auto present = ranked([](const Probes& p) { return p.present.score; });
+  const auto moved = ranked([](const Probes& p) { return p.moved.score; });
   std::vector<size_t> out;
   for (size_t i = 0; i < probes.size() && static_cast<int>(out.size()) < most; ++i) {
-    for (const size_t k : {promised[i], present[i]}) {
+    for (const size_t k : {promised[i], present[i], moved[i]}) {
       if (probes[k].promised.empty()) continue;
       if (std::find(out.begin(), out.end(), k) == out.end()) out.push_back(k);
     }

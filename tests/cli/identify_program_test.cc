@@ -67,6 +67,20 @@ TEST_F(IdentifyProgramTest, NumbersOfTheRule) {
   ExpectRefused("is out of range", " --rule least_share=a_third");
 }
 
+TEST_F(IdentifyProgramTest, TheTwoEffectsOfAQuestion) {
+  Write(2500, [](double t) { return 1e-3 * std::sin(t); });
+  ExpectRefused("asks for two different effects", " --between backlash");
+  ExpectRefused("asks for two different effects", " --between backlash,backlash");
+  ExpectRefused("backlsh is no effect that is tried on this record",
+                " --between mount_compliance,backlsh");
+  for (const char* rig : {"hidden_bogie", "steps_setup2"}) {
+    const Output out = ExecutePhs(std::string("identify ") + rig + " --quiet --out " +
+                                  dir_.File("out") + " --between backlash,mount_compliance");
+    EXPECT_EQ(out.code, 3) << out.text;
+    EXPECT_THAT(out.text, HasSubstr("rigs cylinder, quarter, full, element"));
+  }
+}
+
 TEST_F(IdentifyProgramTest, NoReversal) {
   Write(2500, [](double t) { return 1e-4 * t; });
   ExpectRefused("friction and stiffness cannot be told apart");

@@ -57,6 +57,7 @@ TEST_F(BogieIndependentTest, NothingIsNamedInACleanRecord) {
 
 // 0.599 [0.597, 0.600] on 2026-11-26: the load of the wheels tells it.
 TEST_F(BogieIndependentTest, TheSpringsOfOneBoxAreNamed) {
+  if (std::getenv("PHS_LONG_TESTS") == nullptr) GTEST_SKIP() << "PHS_LONG_TESTS is not set";
   const auto result = Identified(32, "box_spring", 0.6, "box_spring, cant_error");
   ASSERT_EQ(result["effects"].size(), 1u) << result["candidates"].dump(1);
   EXPECT_EQ(result["effects"][0]["name"], "box_spring");

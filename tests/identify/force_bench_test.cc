@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdlib>
 
 #include "base/table.h"
 #include "identify/rig_run.h"
@@ -78,6 +79,7 @@ TEST_F(ForceBench, ItsNumbersAreFoundAndNothingElse) {
 }
 
 TEST_F(ForceBench, AFrictionThatChangesAlongTheStrokeIsFound) {
+  if (std::getenv("PHS_LONG_TESTS") == nullptr) GTEST_SKIP() << "PHS_LONG_TESTS is not set";
   Truth truth;
   truth.slope_1_per_m = 20;
   Write(truth);

@@ -125,7 +125,7 @@ TEST(UnlistedSearchTest, AGradualStopIsTheFormOfAListedEffect) {
       {"diaphragm_stop", {"L2"}, {{"min_gas_volume_m3", 4.5e-6}, {"spread", 0.12}}});
   const Identification found = Find(Declared(), Record(truth));
   ASSERT_EQ(found.effects.size(), 1u);
-  EXPECT_EQ(found.effects[0].candidate.effect, "diaphragm_stop");
+  EXPECT_EQ(found.effects[0].candidate.effect, "diaphragm_stop") << Said(found);
   EXPECT_EQ(found.effects[0].candidate.params.targets, std::vector<std::string>{"L2"});
   ASSERT_EQ(found.effects[0].candidate.free.size(), 2u);
   EXPECT_NEAR(found.after.values[found.after.values.size() - 2], 4.5e-6, 0.1e-6);

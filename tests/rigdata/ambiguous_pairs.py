@@ -1,19 +1,21 @@
 #!/usr/bin/env python3
 """Effects that a poor record does not name, and the test that `phs identify --between` designs for them.
 
-    ambiguous_pairs.py GENERATOR PHS FOLDER [--seeds N] [--only A/B] [--over-noise X]
+    ambiguous_pairs.py GENERATOR PHS FOLDER [--seeds N] [--only A/B] [--over-noise X] [--keep]
 
 Of each pair and seed, either effect is hidden in a rig that makes one small motion, so weak that the best
-declared model leaves it X times its floor there. `phs identify --between A,B` of that record designs a test;
-the same rig makes it, and a random motion of the same length and within the same limits, both by the
-equations of the independent generator. Each is identified anew, with the whole catalogue. Right: the effect
-that is there is named first, and the other is not said to explain as much.
+declared model leaves it X times its floor there; a rig where no size of the effect does that is left out.
+`phs identify --between A,B` of that record designs a test; the same rig makes it, and a random motion of the
+same length and within the same limits, both by the equations of the independent generator. Each is
+identified anew, with the whole catalogue. Right: the effect that is there is named first, and the other is
+not said to explain as much. FOLDER is made anew; --keep: what is there is kept and not made again.
 """
 import argparse
 import json
 import math
 import os
 import random
+import shutil
 import subprocess
 import sys
 
@@ -103,6 +105,13 @@ def run_case(args, pair, truth, seed):
     small_motion(small, amplitude, frequency)
     random_motion(base + "/random.csv", seed)
     generate(args, truth, seed, small, small, base + "/small")
+    with open(base + "/small/truth.json") as file:
+        size = json.load(file)["effects"][0]["size_over_noise"]
+    if not 0.5 < size / args.over_noise < 2:
+        # The declared numbers swallow it, or its largest size is too small.
+        print(json.dumps({"pair": f"{one} / {other}", "truth": truth, "seed": seed,
+                          "left_out": f"leaves {size:.3g} times its floor"}), flush=True)
+        return None
     first = identify(args, base + "/small", ["--between", f"{one},{other}"])
     design = first.get("test_design", {})
     row = {"pair": f"{one} / {other}", "truth": truth, "seed": seed, "small": first["verdict"],
@@ -143,8 +152,11 @@ def main():
     parser.add_argument("--first-seed", type=int, default=501)
     parser.add_argument("--over-noise", type=float, default=0.5)
     parser.add_argument("--only", default="")
+    parser.add_argument("--keep", action="store_true")
     parser.add_argument("--least", type=float, default=0.0, help="share that must be right")
     args = parser.parse_args()
+    if not args.keep:
+        shutil.rmtree(args.folder, ignore_errors=True)
     rows = []
     for pair in PAIRS:
         if args.only and f"{pair[0]}/{pair[1]}" not in args.only.split(","):
@@ -152,6 +164,7 @@ def main():
         for seed in range(args.first_seed, args.first_seed + args.seeds):
             for truth in pair[:2]:
                 rows.append(run_case(args, pair, truth, seed))
+    rows = [r for r in rows if r]
     print(table(rows))
     asked = [r for r in rows if not r["told_by_small"]]
     right = sum(r["designed_right"] for r in asked)
