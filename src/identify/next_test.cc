@@ -107,7 +107,7 @@ std::vector<Question> QuestionsOf(const FitProblem& problem, const Identificatio
   const auto coarse = problem.Coarse(found.declared.params, rig.coarse_step_s);
   const Result<Question> asked =
       !drivable     ? Error{"", "what drives this model is not chosen here", "", ""}
-      : coarse.ok() ? AskedQuestion(problem, coarse.value(), found, options)
+      : coarse.ok() ? AskedQuestion(problem, coarse.value(), found, options.between, options.effort)
                     : Result<Question>(coarse.error());
   if (asked.ok()) return {asked.value()};
   *why_not = JoinWords(options.between) + ": no motion could be designed; " + asked.error().where +

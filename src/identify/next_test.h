@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "base/result_dir.h"
+#include "identify/effect_search.h"
 #include "identify/test_motion.h"
 #include "identify/test_question.h"
 #include "identify/unexplained.h"

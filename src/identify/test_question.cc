@@ -187,9 +187,10 @@ std::vector<Question> OpenQuestions(const FitProblem& problem, const Identificat
 }
 
 Result<Question> AskedQuestion(const FitProblem& problem, const FitProblem& coarse,
-                               const Identification& found, const SearchOptions& options) {
+                               const Identification& found, const std::vector<std::string>& between,
+                               const Effort& effort) {
   FreeModel base;
-  const FitResult fit = FitWithout(problem, found, options.between, &base);
+  const FitResult fit = FitWithout(problem, found, between, &base);
   const std::vector<Point> points =
       fit.ok ? PointsAbout(coarse, base, fit, found.declared.free.size(), false)
              : std::vector<Point>();
@@ -197,10 +198,10 @@ Result<Question> AskedQuestion(const FitProblem& problem, const FitProblem& coar
   Question question;
   question.sizes.resize(2);
   std::vector<Result<FittedModel>> fitted(2, Error{"--between", "not fitted", "", ""});
-  ThreadBudget(options.effort.threads).ForEach(2, [&](int k) {
+  ThreadBudget(effort.threads).ForEach(2, [&](int k) {
     const auto i = static_cast<size_t>(k);
-    fitted[i] = FitNamed(problem, coarse, base, fit, points, options.between[i], options.effort,
-                         &question.sizes[i]);
+    fitted[i] =
+        FitNamed(problem, coarse, base, fit, points, between[i], effort, &question.sizes[i]);
   });
   for (const auto& f : fitted) {
     if (!f.ok()) return f.error();

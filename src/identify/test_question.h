@@ -11,7 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "identify/effect_search.h"
+#include "identify/identification.h"
+#include "identify/screening.h"
 #include "identify/test_evidence.h"
 
 namespace phs::identify::search {
@@ -31,10 +32,11 @@ Status CheckBetween(const ForwardModel& forward, const hydraulics::PhsParams& de
 /// Those that the record itself leaves, at most four.
 std::vector<Question> OpenQuestions(const FitProblem& problem, const Identification& found);
 
-/// The two effects of `options.between`. `coarse`: the problem on the coarse clock. Error: one of
-/// them could not be simulated.
+/// The two effects `between`. `coarse`: the problem on the coarse clock. Error: one of them could
+/// not be fitted.
 Result<Question> AskedQuestion(const FitProblem& problem, const FitProblem& coarse,
-                               const Identification& found, const SearchOptions& options);
+                               const Identification& found, const std::vector<std::string>& between,
+                               const Effort& effort);
 
 /// The model with its number `amount` as large as the record leaves it, the others fitted anew.
 /// `fit`: of the model.

@@ -24,17 +24,15 @@ Identification Plain(const FitProblem& problem, const PhsParams& declared) {
   return found;
 }
 
-PhsParams WithLeak(double conductance) {
+PhsParams LeakingRig(double conductance) {
   PhsParams truth = Declared();
   truth.effects.push_back({kLeak, {"L1"}, {{"conductance_m3_per_Pas", conductance}}});
   return truth;
 }
 
 Result<Question> Ask(const FitProblem& problem, const PhsParams& declared) {
-  SearchOptions options;
-  options.between = {kLeak, kHose};
   const auto coarse = problem.Coarse(declared, 0.04);
-  return AskedQuestion(problem, coarse.value(), Plain(problem, declared), options);
+  return AskedQuestion(problem, coarse.value(), Plain(problem, declared), {kLeak, kHose}, {});
 }
 
 TEST(TestQuestion, OfWhatARecordDoesNotShowTheLargestThatItLeavesOpenIsTaken) {
@@ -65,7 +63,7 @@ TEST(TestQuestion, OfWhatARecordDoesNotShowTheLargestThatItLeavesOpenIsTaken) {
 TEST(TestQuestion, WhatARecordShowsIsTakenAsFitted) {
   const double conductance = 2e-15;
   const PhsParams declared = Declared();
-  const measurement::FitData data = Record(WithLeak(conductance));
+  const measurement::FitData data = Record(LeakingRig(conductance));
   const auto problem = ProblemOf(data, declared);
   const auto asked = Ask(problem.value(), declared);
   ASSERT_TRUE(asked.ok()) << asked.error().Line();
@@ -109,7 +107,7 @@ TEST(TestQuestion, OnlyTwoDifferentEffectsThatAreTriedCanBeAskedFor) {
     ASSERT_FALSE(s.ok());
     EXPECT_NE(s.error().Line().find(kHose), std::string::npos) << "names what is allowed";
   }
-  EXPECT_FALSE(CheckBetween(forward, WithLeak(1e-12), {kLeak, kHose}).ok()) << "declared already";
+  EXPECT_FALSE(CheckBetween(forward, LeakingRig(1e-12), {kLeak, kHose}).ok()) << "declared already";
 }
 
 }  // namespace
