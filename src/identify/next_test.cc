@@ -99,16 +99,17 @@ bool IsDrivable(const FitProblem& problem, const TestRig& rig) {
 /// What was asked for, else what the record leaves open. `why_not`: of what was asked for.
 std::vector<Question> QuestionsOf(const FitProblem& problem, const Identification& found,
                                   const TestRig& rig, const SearchOptions& options,
-                                  std::string* why_not) {
+                                  const std::function<bool()>& go_on, std::string* why_not) {
   const bool drivable = IsDrivable(problem, rig);
   if (options.between.empty()) {
     return drivable ? OpenQuestions(problem, found) : std::vector<Question>();
   }
   const auto coarse = problem.Coarse(found.declared.params, rig.coarse_step_s);
   const Result<Question> asked =
-      !drivable     ? Error{"", "what drives this model is not chosen here", "", ""}
-      : coarse.ok() ? AskedQuestion(problem, coarse.value(), found, options.between, options.effort)
-                    : Result<Question>(coarse.error());
+      !drivable ? Error{"", "what drives this model is not chosen here", "", ""}
+      : coarse.ok()
+          ? AskedQuestion(problem, coarse.value(), found, options.between, options.effort, go_on)
+          : Result<Question>(coarse.error());
   if (asked.ok()) return {asked.value()};
   *why_not = JoinWords(options.between) + ": no motion could be designed; " + asked.error().where +
              " " + asked.error().what;
@@ -144,7 +145,8 @@ Status PutNextTest(const FitProblem& problem, const Identification& found, const
   const std::string other = OtherMotion(left);
   if (!other.empty()) tests.push_back(other);
   std::string why_not;
-  const std::vector<Question> questions = QuestionsOf(problem, found, rig, options, &why_not);
+  const std::vector<Question> questions =
+      QuestionsOf(problem, found, rig, options, go_on, &why_not);
   if (!why_not.empty()) tests.push_back(why_not);
   const std::optional<NextTest> test =
       DesignTest(problem, found, questions, rig, options.effort.threads, go_on);

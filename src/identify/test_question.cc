@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 #include <set>
 
 #include "base/words.h"
@@ -81,11 +82,12 @@ std::string AmountsOf(const Candidate& form, const FittedModel& fitted) {
 Result<FittedModel> FitNamed(const FitProblem& problem, const FitProblem& coarse,
                              const FreeModel& base, const FitResult& fit,
                              const std::vector<Point>& points, const std::string& name,
-                             const Effort& effort, std::string* size) {
+                             const Effort& effort, const std::function<bool()>& go_on,
+                             std::string* size) {
   std::vector<Candidate> list = problem.forward().Candidates(base.params);
   std::erase_if(list, [&](const Candidate& c) { return c.effect != name; });
   const std::vector<FullTrial> trials =
-      TryEffects(problem, coarse, base, fit, points, list, effort, [](double) { return true; });
+      TryEffects(problem, coarse, base, fit, points, list, effort, [&](double) { return go_on(); });
   const FullTrial* best = nullptr;
   const auto criterion = [&](const FullTrial& t) {
     return Criterion(problem, t.fit.score, t.fit.values.size());
@@ -188,7 +190,7 @@ std::vector<Question> OpenQuestions(const FitProblem& problem, const Identificat
 
 Result<Question> AskedQuestion(const FitProblem& problem, const FitProblem& coarse,
                                const Identification& found, const std::vector<std::string>& between,
-                               const Effort& effort) {
+                               const Effort& effort, const std::function<bool()>& go_on) {
   FreeModel base;
   const FitResult fit = FitWithout(problem, found, between, &base);
   const std::vector<Point> points =
@@ -198,10 +200,15 @@ Result<Question> AskedQuestion(const FitProblem& problem, const FitProblem& coar
   Question question;
   question.sizes.resize(2);
   std::vector<Result<FittedModel>> fitted(2, Error{"--between", "not fitted", "", ""});
+  std::mutex mutex;
+  const auto goes_on = [&] {
+    const std::lock_guard<std::mutex> lock(mutex);
+    return !go_on || go_on();
+  };
   ThreadBudget(effort.threads).ForEach(2, [&](int k) {
     const auto i = static_cast<size_t>(k);
-    fitted[i] =
-        FitNamed(problem, coarse, base, fit, points, between[i], effort, &question.sizes[i]);
+    fitted[i] = FitNamed(problem, coarse, base, fit, points, between[i], effort, goes_on,
+                         &question.sizes[i]);
   });
   for (const auto& f : fitted) {
     if (!f.ok()) return f.error();

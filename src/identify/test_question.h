@@ -8,6 +8,7 @@
 // its best by the 95 % quantile of chi squared with one degree of freedom, 3.84 (profile likelihood).
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -32,11 +33,11 @@ Status CheckBetween(const ForwardModel& forward, const hydraulics::PhsParams& de
 /// Those that the record itself leaves, at most four.
 std::vector<Question> OpenQuestions(const FitProblem& problem, const Identification& found);
 
-/// The two effects `between`. `coarse`: the problem on the coarse clock. Error: one of them could
-/// not be fitted.
+/// The two effects `between`. `coarse`: the problem on the coarse clock. `go_on`: asked on the way,
+/// false = stop. Error: one of them could not be fitted.
 Result<Question> AskedQuestion(const FitProblem& problem, const FitProblem& coarse,
                                const Identification& found, const std::vector<std::string>& between,
-                               const Effort& effort);
+                               const Effort& effort, const std::function<bool()>& go_on = {});
 
 /// The model with its number `amount` as large as the record leaves it, the others fitted anew.
 /// `fit`: of the model.
