@@ -45,6 +45,12 @@ function(phs_quick_maths target)
   target_compile_options(${target} PRIVATE -fno-math-errno -fno-trapping-math -fno-semantic-interposition)
 endfunction()
 
+# phs_quick_build(TARGET): for words, pages and options, not numbers: a release build compiles them with -O1, a third
+# faster than with -O3.
+function(phs_quick_build target)
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+endfunction()
+
 # phs_npm_ci(COMMENT): the packages of the folder's package-lock.json, in npm_dir of its binary
 # folder; npm_stamp is the file that stands for them.
 macro(phs_npm_ci comment)

@@ -15,7 +15,7 @@ def critical(speeds):
         lives = (kmh(of["nonlinear_m_s"]) if of["hunting"] == "dies" else
                  "below " + kmh(of["ramp_to_m_s"]) if of["hunting"] == "lives" else of["hunting"])
         rows.append([f"`{name}`", linear, lives])
-    return table(["bogie, km/h", "linear", "hunting lives from"], rows)
+    return table(["bogie, km/h", "linear", "non-linear critical speed"], rows)
 
 
 def figures(phs):

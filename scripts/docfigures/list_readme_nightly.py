@@ -13,7 +13,7 @@ SCENARIOS = {"rough": "curve_r550_rough", "pull_rough": "traction_r550_rough",
 
 
 def lives_from(speeds):
-    """From which speed on hunting lives, in words [km/h]."""
+    """Non-linear critical speed, in words [km/h]."""
     if speeds["hunting"] == "dies":
         return kmh(speeds["nonlinear_m_s"])
     if speeds["hunting"] == "lives":

@@ -15,4 +15,4 @@ def figures(phs):
         told = [d for d in drawn if d["nonlinear_m_s"] is not None]
         rows.append([words, band([3.6 * d["nonlinear_m_s"] for d in told], 1), f"{len(told)} of {len(drawn)}",
                      band([3.6 * d["linear_m_s"] for d in drawn], 1)])
-    return {"hunting": table(["km/h, 95 % of draws", "hunting lives from", "ramps that tell", "linear"], rows)}
+    return {"hunting": table(["km/h, 95 % of draws", "non-linear critical speed", "ramps that tell", "linear"], rows)}

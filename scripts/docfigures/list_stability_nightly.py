@@ -28,7 +28,7 @@ def lives(of):
 
 def rows_of(words, of):
     return [[f"{words}: linear"] + [linear(of[b]) for b in BOGIES],
-            [f"{words}: hunting lives from"] + [lives(of[b]) for b in BOGIES]]
+            [f"{words}: non-linear critical speed"] + [lives(of[b]) for b in BOGIES]]
 
 
 def rough(phs):

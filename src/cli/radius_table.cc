@@ -42,7 +42,7 @@ std::string Line(const Json& row) {
 /// Critical speeds on straight track, one line per bogie.
 std::string SpeedLines(const Json& speeds) {
   std::string text = fmt::format("critical speed on straight track, km/h\n  {:<19}{:>9}{:>15}\n",
-                                 "", "linear", "hunting lives");
+                                 "", "linear", "non-linear");
   for (const auto& [bogie, own] : speeds.items()) {
     const std::string linear =
         own["linear_m_s"].is_number() ? RadiusCell(own, "linear_m_s", 3.6, 0) : "stable";

@@ -58,6 +58,14 @@ Result<IdentifyOutcome> Search(const std::string& path,
   return IdentifyOutcome{.result = steps.value().result, .summary = steps.value().summary};
 }
 
+/// What is wrong with names that a manifest asks for is told with the manifest.
+Error InManifest(const std::string& path, Error error) {
+  for (const char* key : {"free: ", "candidates: "}) {
+    if (error.where.starts_with(key)) error.where = path + ": " + error.where;
+  }
+  return error;
+}
+
 }  // namespace
 
 Result<identify::RigOutcome> RunRig(const std::string& name, const ResultDir& dir) {
@@ -67,7 +75,7 @@ Result<identify::RigOutcome> RunRig(const std::string& name, const ResultDir& di
       measurement::LoadManifest(path.value(), measurement::WindowNeed::kNone);
   if (!manifest.ok()) return manifest.error();
   Result<identify::RigOutcome> outcome = identify::RunRig(manifest.value(), dir);
-  if (!outcome.ok()) return outcome.error();
+  if (!outcome.ok()) return InManifest(path.value(), outcome.error());
   if (Status s = WriteRigPage(dir, manifest.value(), outcome.value()); !s.ok()) return s.error();
   return outcome;
 }
@@ -78,7 +86,7 @@ Result<Identified> Identify(const std::string& manifest,
   const auto path = measurement::FindManifest(manifest);
   if (!path.ok()) return path.error();
   Result<IdentifyOutcome> outcome = Search(path.value(), options, watch, dir);
-  if (!outcome.ok()) return outcome.error();
+  if (!outcome.ok()) return InManifest(path.value(), outcome.error());
   Identified identified{std::move(outcome).value(), {}};
   if (identified.outcome.cancelled) return identified;
   const Status page = WriteIdentifyPage(dir);

@@ -121,7 +121,7 @@ void AddCriticalSpeeds(const json& all, ReportPage* page) {
   if (!all.contains("critical_speeds")) return;
   BarChart chart{.title = "Critical speed on straight track", .unit = "km/h"};
   BarChart::Bars linear{.label = "linear"};
-  BarChart::Bars nonlinear{.label = "hunting lives from", .colour = 1};
+  BarChart::Bars nonlinear{.label = "non-linear", .colour = 1};
   for (const auto& [bogie, speeds] : all["critical_speeds"].items()) {
     chart.categories.push_back(BogieLabel(bogie));
     linear.values.push_back(3.6 * NumberOf(speeds, "linear_m_s"));
@@ -132,7 +132,7 @@ void AddCriticalSpeeds(const json& all, ReportPage* page) {
   page->Paragraph(
       "Linear: speed above which infinitely small motions grow, by the eigenvalues of the bogie "
       "linearised about running on straight track; seals of a PHS stick there and hold like "
-      "links. Hunting lives from: the lowest speed at which hunting, once a disturbance has "
+      "links. Non-linear: the lowest speed at which hunting, once a disturbance has "
       "started it, does not die, by runs in time with the true seals and profiles. Between both "
       "speeds it depends on the disturbance. No bar: none found in the range looked at.");
   page->Add(chart);

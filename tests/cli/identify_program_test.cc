@@ -57,6 +57,11 @@ TEST_F(IdentifyProgramTest, UnknownCandidate) {
              "rig: quarter\nmodel: quarter_setup2\ndata: run.csv\n"
              "estimation: [0, 30]\nvalidation: [30, 50]\ncandidates: [backlsh]\n");
   ExpectRefused("did you mean 'backlash'?");
+  ExpectRefused("manifest.yaml: candidates: backlsh");
+  dir_.Write("manifest.yaml",
+             "rig: quarter\nmodel: quarter_setup2\ndata: run.csv\n"
+             "estimation: [0, 30]\nvalidation: [30, 50]\nfree: [fricton.scale]\n");
+  ExpectRefused("manifest.yaml: free: fricton.scale");
 }
 
 TEST_F(IdentifyProgramTest, NumbersOfTheRule) {

@@ -94,6 +94,21 @@ TEST(TestQuestion, AnAskedTestIsDesignedForWhatWasAsked) {
   EXPECT_TRUE(json["questions"][0]["if_true"][1]["size"].is_string());
 }
 
+TEST(TestQuestion, AStopIsHeardBeforeTheNextFit) {
+  const PhsParams declared = Declared();
+  const measurement::FitData data = Record(declared);
+  const auto problem = ProblemOf(data, declared);
+  const auto coarse = problem.value().Coarse(declared, 0.04);
+  for (const int heard : {0, 3}) {  // before the first candidate, and among their fits
+    int asked = 0;
+    const auto stopped =
+        AskedQuestion(problem.value(), coarse.value(), Plain(problem.value(), declared),
+                      {kLeak, kHose}, {.threads = 2}, [&] { return ++asked <= heard; });
+    EXPECT_FALSE(stopped.ok()) << "nothing was fitted to the end";
+    EXPECT_GT(asked, heard);
+  }
+}
+
 TEST(TestQuestion, OnlyTwoDifferentEffectsThatAreTriedCanBeAskedFor) {
   const PhsParams declared = Declared();
   const measurement::FitData data = Record(declared);
