@@ -182,28 +182,38 @@ MountedPlace CalcMounted(const PhsSystem& system, double t, double x, double v,
   return at;
 }
 
-/// Value in the middle between ends k and k + 1 of steps: cubic through the four ends about it; of
-/// the first step, half as long, and of the last the mean.
-double InTheMiddle(const std::vector<MountedPlace>& ends, size_t k, double MountedPlace::*value) {
-  const double mean = 0.5 * (ends[k].*value + ends[k + 1].*value);
-  if (k < 2 || k + 2 >= ends.size()) return mean;
-  return 1.125 * mean - 0.0625 * (ends[k - 1].*value + ends[k + 2].*value);
+/// Pressures at a sample half a step after an end of one: the oil goes on from there behind a piston
+/// whose place at both is known, by the stages of a step of its own (flow_rates.cc).
+/// `from`: driven end at that end of the step [m]; `speed`: of the piston at the sample [m/s].
+MountedPlace FlowToSample(const PhsSystem& system, double t, double half, double from,
+                          const MountedPlace& start, double piston, double speed,
+                          std::vector<double> state) {
+  std::vector<double> rate(state.size(), 0.0);
+  const double mean = (piston - start.piston) / half, given = from - start.piston;
+  hydraulics::Instant instant;
+  double bore, rod;
+  system.CalcHydraulics(t, half, &from, {&mean, &speed}, state.data(), &instant, rate.data(), &bore,
+                        &rod);
+  for (size_t j = static_cast<size_t>(system.num_friction_states()); j < state.size(); ++j) {
+    state[j] += half * rate[j];
+  }
+  return CalcMounted(system, t + half, piston + given, speed, state);
 }
 
 // A yielding mount: the piston's speed is that of a step, so steps are laid about the samples, from
 // middle to middle. Friction then belongs to the speed at the sample (to second order), and the
 // state is taken there as the mean of the step's two ends. Were the steps laid from sample to
 // sample, friction would lag by half a step, some hundred newtons about a reversal.
-// Pressures at the sample are those of that state; where oil flows, those at the ends of the steps,
-// interpolated: in a small chamber the mean of a flow that hardly bends moves them far.
+// Pressures at the sample are those of that state; where oil flows, those after the half step to it:
+// in a small chamber the mean of a flow that hardly bends moves them far.
 void RunMounted(const PhsSystem& system, const RigMotion& motion, const std::vector<double>& speed,
                 RigPrediction* out) {
   const int n = motion.num_samples(), states = system.num_states();
   const double h = motion.step_s;
+  const bool slow = states > system.num_friction_states();
   const std::vector<double>& x = motion.position_m[0];
   std::vector<double> state(states, 0.0), middle(states), rate(states, 0.0);
-  std::vector<MountedPlace> ends = {CalcMounted(system, motion.t0_s, x[0], 0, state)};
-  ends.reserve(static_cast<size_t>(n) + 1);
+  MountedPlace start = CalcMounted(system, motion.t0_s, x[0], 0, state);
   double from = x[0], t = motion.t0_s, piston_speed = 0;
   for (int i = 0; i < n; ++i) {
     // Cubic through both samples with their speeds, half way; straight on after the last.
@@ -212,28 +222,31 @@ void RunMounted(const PhsSystem& system, const RigMotion& motion, const std::vec
     const double step = i == 0 ? 0.5 * h : h, v = (to - from) / step;
     system.CalcStateRate(t, step, &from, &v, state.data(), rate.data(),
                          i > 1 ? &piston_speed : nullptr);
+    const std::vector<double> before = state;
     for (int j = 0; j < states; ++j) {
       middle[j] = state[j] + (i == 0 ? 0.0 : 0.5 * step * rate[j]);
       state[j] += step * rate[j];
     }
-    t += step, from = to;
-    ends.push_back(CalcMounted(system, t, to, v, state));
-    const MountedPlace &end = ends.back(), &start = ends[ends.size() - 2];
+    const MountedPlace end = CalcMounted(system, t + step, to, v, state);
     piston_speed = (end.piston - start.piston) / step;
-    const MountedPlace at = CalcMounted(system, motion.t0_s + i * h, x[i], speed[i], middle);
-    out->channels[0][i] = at.piston;
-    // Friction and end stop as at the sample.
-    out->channels[1][i] = at.pressure_force + (end.force - end.pressure_force);
+    MountedPlace at = CalcMounted(system, motion.t0_s + i * h, x[i], speed[i], middle);
+    const double piston = at.piston;
+    if (i > 0 && slow) {
+      at = FlowToSample(system, t, 0.5 * h, from, start, piston, piston_speed, before);
+    }
+    out->channels[0][i] = piston;
+    // Friction and end stop as at the sample: what the mounting held against the pressures that the
+    // piston was moved by, those of the gas as warm as it was.
+    double pushed = end.pressure_force;
+    if (slow && !system.has_flows()) {
+      std::vector<double> as_warm = state;
+      std::copy(before.begin() + system.num_friction_states(), before.end(),
+                as_warm.begin() + system.num_friction_states());
+      pushed = CalcMounted(system, t + step, to, v, as_warm).pressure_force;
+    }
+    out->channels[1][i] = at.pressure_force + (end.force - pushed);
     out->channels[2][i] = at.p_bore, out->channels[3][i] = at.p_rod;
-  }
-  if (!system.has_flows()) return;
-  for (int i = 1; i < n; ++i) {
-    const auto k = static_cast<size_t>(i);
-    const MountedPlace& end = ends[k + 1];
-    out->channels[1][i] =
-        InTheMiddle(ends, k, &MountedPlace::pressure_force) + (end.force - end.pressure_force);
-    out->channels[2][i] = InTheMiddle(ends, k, &MountedPlace::p_bore);
-    out->channels[3][i] = InTheMiddle(ends, k, &MountedPlace::p_rod);
+    t += step, from = to, start = end;
   }
 }
 
