@@ -4,7 +4,8 @@ import csv
 from docfigures.form import number, table
 
 COLUMNS = {"holdout": "`holdout`", "first_hand": "first hand", "second_hand": "second hand",
-           "third_hand": "third hand"}
+           "third_hand": "third hand", "fourth_hand": "fourth hand", "fifth_hand": "fifth hand",
+           "sixth_hand": "sixth hand, after mends"}
 VERDICTS = ("sufficient", "explained", "not_described", "undecidable")
 
 

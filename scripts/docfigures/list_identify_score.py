@@ -1,5 +1,5 @@
 """docs/identify_score.md: the blind sets, from the table of every set."""
-from docfigures.blind import VERDICTS, score_table, sets, with_verdict
+from docfigures.blind import VERDICTS, of, score_table, sets, share, with_verdict
 
 DOCUMENT = "docs/identify_score.md"
 
@@ -9,6 +9,11 @@ def figures(phs):
     present = sets(phs, "score_present.csv")
     out = {"scores": score_table(rows), "sets": str(len(rows)), "present": score_table(present),
            "present_sets": str(len(present))}
+    hands = sets(phs, "score_three_hands.csv")
+    out["hands"], out["hands_sets"] = score_table(hands), str(len(hands))
+    out["hands_described"] = share(*of(hands, "off_list", lambda row: row["described"] == "1"))
+    out["hands_explained"] = str(with_verdict(hands, "explained"))
+    out["hands_explained_right"] = str(with_verdict(hands, "explained", "exact", "one more", "formula"))
     for verdict in VERDICTS:
         out[verdict] = str(with_verdict(rows, verdict))
     clean = [row for row in rows if row["kind"] == "clean"]

@@ -38,7 +38,8 @@ const EffectInfo& ExternalLeakageInfo() {
       {
           {"conductance_m3_per_Pas", "m3/(Pa s)", 1e-14, 0, 1e-3, 1e-18, 1e-11,
            "conductance at 5 MPa and 20 °C"},
-          {"exponent", "-", 1, 0.2, 5, 0.4, 2.5, "n: 1 laminar, 1/2 orifice, > 1 widening gap"},
+          // A gap that opens in proportion: q ~ h^3 d ~ d^4.
+          {"exponent", "-", 1, 0.2, 5, 0.4, 4, "n: 1 laminar, 1/2 orifice, > 1 widening gap"},
           {"rod_ratio", "-", 1, 1e-3, 1e3, 0.2, 5, "leak of rod lines over that of bore lines"},
           {"start_s", "s", 0, -1e12, 1e12, 0, 1e6, "the leak opens at this time"},
       },

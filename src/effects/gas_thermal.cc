@@ -42,7 +42,8 @@ const EffectInfo& GasThermalInfo() {
       "lines",
       "energy equation of the gas with a thermal time constant",
       {
-          {"thermal_time_s", "s", 3, 1e-4, 1e9, 0.03, 60, "tau"},
+          // Filled with foam: conduction into pores of d = 1 mm, d^2/(pi^2 a), takes 5 ms at 1 bar.
+          {"thermal_time_s", "s", 3, 1e-4, 1e9, 1e-3, 60, "tau"},
           {"heat_capacity_ratio", "-", 1, 0.5, 1e4, 0.55, 500,
            "(gas + filler or wall that stores heat with it) / nitrogen; 0.6: a monatomic gas"},
           {"wall_heat_ratio", "-", 0, 0, 1e4, 0, 10,

@@ -75,6 +75,7 @@ const EffectInfo& LineInertanceInfo() {
                   {.free = {{"rod_ratio", 0.7, 1.45, 5}}, .of_sides = true},
                   {.free = {{"unsteady_share", 1}}},
               },
+          .contains = {"line_resistance"},
       }};
   return info;
 }

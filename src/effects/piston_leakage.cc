@@ -38,7 +38,8 @@ const EffectInfo& PistonLeakageInfo() {
       {
           {"conductance_m3_per_Pas", "m3/(Pa s)", 1e-13, 0, 1e-6, 1e-17, 1e-11,
            "conductance of the gap at 5 MPa and 20 °C"},
-          {"exponent", "-", 1, 0.2, 5, 0.4, 2.5, "n: 1 laminar, 1/2 orifice, > 1 widening gap"},
+          // A gap that opens in proportion: q ~ h^3 d ~ d^4.
+          {"exponent", "-", 1, 0.2, 5, 0.4, 4, "n: 1 laminar, 1/2 orifice, > 1 widening gap"},
           {"return_ratio", "-", 1, 1e-4, 1e4, 5e-3, 200,
            "conductance from rod to bore over that from bore to rod: a lip lifts one way"},
           {"start_s", "s", -1e12, -1e12, 1e12, 0, 1e6, "the seal fails at this time"},

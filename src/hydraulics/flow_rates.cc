@@ -156,7 +156,7 @@ void Step(const CompiledPhs& sys, double time, double h, const Instant& start,
   const Stepped done = sys.paths.empty() ? HeatStep(sys, time, h, start, speeds, state, rate)
                                          : TwoStages(sys, time, h, start, speeds, state, rate);
   if (done == Stepped::kDone) return;
-  if (halved == (done == Stepped::kUnsolved ? kMostUnsolved : kMostAcross)) return;
+  if (halved >= (done == Stepped::kUnsolved ? kMostUnsolved : kMostAcross)) return;
   const int count = sys.num_states(), first = sys.first_slow;
   const double half = 0.5 * h;
   double middle[kMaxStates] = {}, second[kMaxStates];

@@ -79,8 +79,7 @@ bool Beats(const FitProblem& problem, const Candidate& form, const FitResult& fi
                        Criterion(problem, fit.score, fit.values.size());
   const SearchRule& rule = problem.rule();
   const auto second = [&rule](const Candidate& a, const Candidate& b) {
-    return (rule.special_first && Contains(a, b)) ||
-           (rule.physical_first && IsOfInstrument(a) && !IsOfInstrument(b));
+    return rule.plain_first && (Contains(a, b) || (IsOfInstrument(a) && !IsOfInstrument(b)));
   };
   if (second(form, other)) return IsBeyondChance(rule, ahead, 1);
   if (second(other, form)) return !IsBeyondChance(rule, -ahead, 1);

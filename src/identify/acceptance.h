@@ -29,8 +29,8 @@ struct SearchRule {
   bool structures = true;
   bool cross_validation = true;
   bool beyond_zero = true;
-  bool physical_first = true;
-  bool special_first = true;
+  bool plain_first = true;
+  bool told_apart = true;
   bool options = true;
   bool elsewhere = true;
   bool superfluous = true;

@@ -194,7 +194,7 @@ Result<IdentifyOutcome> SearchAndWrite(const Manifest& manifest, const FitData& 
   const Unexplained unexplained = FindUnexplained(data, after, over_noise.value(), found);
   const std::vector<std::string> drives = WhatDrives(*problem, found);
   const std::vector<std::string> wrong = measurement::FindContradictions(after, data);
-  VerdictFacts facts{{}, NamedEffects(found), FittedNumbers(found), wrong};
+  VerdictFacts facts{{}, NamedEffects(found), UntoldNames(found), FittedNumbers(found), wrong};
   facts.faults.insert(facts.faults.end(), drives.begin(), drives.end());
   for (size_t c = 0; c < data.outputs.size(); ++c) {
     const LeftOver& left = over_noise.value()[c];

@@ -164,36 +164,46 @@ class Search {
       out_.candidates.push_back(std::move(record));
     }
     if (best < 0) return false;
-    out_.candidates[first + static_cast<size_t>(best)].verdict = kAccepted;
-    Take(out_.corrected, trials[static_cast<size_t>(best)],
-         out_.candidates[first + static_cast<size_t>(best)].evidence, trials);
+    CandidateRecord& record = out_.candidates[first + static_cast<size_t>(best)];
+    const FullTrial& trial = trials[static_cast<size_t>(best)];
+    AcceptedEffect effect = BesideRivals(trial, record.evidence, trials);
+    if (problem_.rule().told_apart && !out_.effects.empty() && !effect.rivals.empty()) {
+      record.verdict = kNotApart;
+      out_.untold = std::move(effect.rivals);
+      out_.untold.insert(out_.untold.begin(), Numbers(trial));
+      out_.untold_fit = trial.fit;
+      return false;
+    }
+    record.verdict = kAccepted;
+    out_.corrected = WithCandidate(out_.corrected, trial.form);
+    out_.after = trial.fit;
+    out_.effects.push_back(std::move(effect));
     return true;
   }
 
-  /// Adds a trial on top of `model`; what of the others chance may have put behind it is noted.
-  void Take(const FreeModel& model, const FullTrial& trial, const Evidence& evidence,
-            const std::vector<FullTrial>& others) {
+  static Rival Numbers(const FullTrial& trial) {
+    const auto own = static_cast<long>(trial.form.free.size());
+    return {trial.form, {trial.fit.values.end() - own, trial.fit.values.end()}};
+  }
+
+  /// A trial as an accepted effect; what of the others chance may have put behind it is noted.
+  AcceptedEffect BesideRivals(const FullTrial& trial, const Evidence& evidence,
+                              const std::vector<FullTrial>& others) const {
     AcceptedEffect accepted{trial.form, evidence, {}};
     for (const FullTrial& other : others) {
       if (!other.fit.ok || other.candidate->effect == trial.candidate->effect) continue;
       const double behind = Criterion(problem_, other.fit.score, other.fit.values.size()) -
                             Criterion(problem_, trial.fit.score, trial.fit.values.size());
       if (IsBeyondChance(problem_.rule(), behind, 1)) continue;
-      const bool larger = problem_.rule().special_first &&
+      const bool larger = problem_.rule().plain_first &&
                           Contains(other.form, trial.form);  // it shows all that its part does
       const std::string& name = other.candidate->effect;
       std::vector<std::string>& known =
           larger ? accepted.special_case_of : accepted.confusable_with;
       if (std::find(known.begin(), known.end(), name) == known.end()) known.push_back(name);
-      if (larger) continue;
-      accepted.rivals.push_back(
-          {other.form,
-           {other.fit.values.end() - static_cast<long>(other.form.free.size()),
-            other.fit.values.end()}});
+      if (!larger) accepted.rivals.push_back(Numbers(other));
     }
-    out_.corrected = WithCandidate(model, trial.form);
-    out_.after = trial.fit;
-    out_.effects.push_back(std::move(accepted));
+    return accepted;
   }
 
   /// Every effect must still earn its place beside the others.

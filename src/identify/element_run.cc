@@ -167,6 +167,7 @@ VerdictFacts FactsOf(const BenchFindings& f, const FitProblem& problem, const Id
   return {{{f.map_after.channel, f.left_before.over_noise, f.map_after.over_noise,
             f.after.score.nrmse, f.left_after.following}},
           search::NamedEffects(found),
+          search::UntoldNames(found),
           search::FittedNumbers(found),
           std::move(faults)};
 }

@@ -6,6 +6,7 @@
 #include "identify/accept.h"
 #include "identify/driven_formula.h"
 #include "identify/listed_name.h"
+#include "identify/passivity.h"
 
 namespace phs::identify::search {
 namespace {
@@ -49,7 +50,7 @@ void ChallengeByFormula(const FitProblem& problem, const FitProblem& coarse, con
   for (const AcceptedEffect& effect : found->effects) {
     Withdraw(effect.candidate.effect, "a formula on no list explains more", &found->candidates);
   }
-  found->effects.clear();
+  found->effects.clear(), found->untold.clear();
   const auto name =
       FindListedName(problem, coarse, found->declared, found->base, trial, effort, go_on);
   name ? Take(found->declared, *name, trial, found) : Take(trial, found);
@@ -66,9 +67,22 @@ bool AddFormula(const FitProblem& problem, const FitProblem& coarse, const Effor
     Record(trial, no, found);
     return false;
   }
+  // Where several effects explain the rest alike a formula is one more, unless it says more.
+  if (!found->untold.empty() && !SaysMore(problem, found->untold_fit, trial)) {
+    Record(trial, kNotApart, found);
+    return false;
+  }
   const auto name =
       FindListedName(problem, coarse, found->corrected, found->after, trial, effort, go_on);
-  name ? Take(found->corrected, *name, trial, found) : Take(trial, found);
+  Identification with = *found;
+  name ? Take(found->corrected, *name, trial, &with) : Take(trial, &with);
+  // Alone it says that something with a supply of its own is there; beside effects it bends one.
+  if (!found->effects.empty() && !WhatDrives(problem, with).empty()) {
+    Record(trial, "drives where it must dissipate", found);
+    return false;
+  }
+  with.untold.clear();
+  *found = std::move(with);
   return true;
 }
 

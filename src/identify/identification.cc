@@ -1,5 +1,7 @@
 #include "identify/identification.h"
 
+#include <algorithm>
+
 #include "effects/unlisted.h"
 #include "identify/accept.h"
 
@@ -27,6 +29,15 @@ bool IsToldInTheEnd(const Identification& found, size_t effect) {
   size_t base = found.declared.free.size();
   for (size_t i = 0; i < effect; ++i) base += found.effects[i].candidate.free.size();
   return IsThere(candidate, found.after, base);
+}
+
+std::vector<std::string> UntoldNames(const Identification& found) {
+  std::vector<std::string> out;
+  for (const Rival& rival : found.untold) {
+    const std::string& name = rival.form.effect;
+    if (std::find(out.begin(), out.end(), name) == out.end()) out.push_back(name);
+  }
+  return out;
 }
 
 }  // namespace phs::identify::search

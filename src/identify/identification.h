@@ -42,7 +42,10 @@ struct Identification {
   FitResult base;    ///< declared, by likelihood: what evidence is counted from
   FitResult after;
   std::vector<AcceptedEffect> effects;  ///< strongest first
-  FoundFormula formula;                 ///< of the effect `unlisted`, if accepted
+  /// Of what these leave: effects that explain it alike, so that none is taken; the best first.
+  std::vector<Rival> untold;
+  FitResult untold_fit;  ///< with the best of them
+  FoundFormula formula;  ///< of the effect `unlisted`, if accepted
   std::vector<CandidateRecord> candidates;
   bool cancelled = false;
 };
@@ -52,5 +55,8 @@ std::vector<double> ValuesWithout(const Identification& found, size_t dropped, F
 
 /// False if beside the later ones an amount of the effect has gone to the end of its range, or to none.
 bool IsToldInTheEnd(const Identification& found, size_t effect);
+
+/// Effects of `untold`, each once.
+std::vector<std::string> UntoldNames(const Identification& found);
 
 }  // namespace phs::identify::search

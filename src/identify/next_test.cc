@@ -160,6 +160,10 @@ Status PutNextTest(const FitProblem& problem, const Identification& found, const
     tests.push_back(effect.candidate.effect + " against " + JoinWords(effect.confusable_with) +
                     ": no motion could be designed; what drives this model is not chosen here");
   }
+  if (!test && !found.untold.empty()) {
+    tests.push_back("what is left, between " + JoinWords(UntoldNames(found)) +
+                    ": no motion could be designed; what drives this model is not chosen here");
+  }
   (*result)["next_test"] = tests;
   return {};
 }

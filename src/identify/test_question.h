@@ -1,7 +1,8 @@
 // What a next measurement should tell: two fitted models that the record does not tell apart.
 //
-// The record's own questions are an accepted effect against one that explains as much, and the two
-// ends of what the record leaves open of a declared number (its interval spans all that it may be).
+// The record's own questions are an accepted effect against one that explains as much, the effects
+// that explain alike what the accepted ones leave, and the two ends of what the record leaves open of
+// a declared number (its interval spans all that it may be).
 // Two effects that a user suspects are a question, too. Each is fitted to the record on top of what
 // else was found there. Where its amount is told from none, it is as fitted; where not, it is the
 // largest that the record leaves open: with the other numbers fitted anew, -2 ln L is higher than at
@@ -39,8 +40,8 @@ Result<Question> AskedQuestion(const FitProblem& problem, const FitProblem& coar
                                const Identification& found, const std::vector<std::string>& between,
                                const Effort& effort, const std::function<bool()>& go_on = {});
 
-/// The model with its number `amount` as large as the record leaves it, the others fitted anew.
-/// `fit`: of the model.
+/// The model with its number `amount` as large as the record leaves it, the others fitted anew (of
+/// a form with several amounts: its first). `fit`: of the model.
 FittedModel LargestLeftOpen(const FitProblem& problem, const FreeModel& model, const FitResult& fit,
                             size_t amount);
 

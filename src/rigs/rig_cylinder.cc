@@ -182,8 +182,8 @@ MountedPlace CalcMounted(const PhsSystem& system, double t, double x, double v,
   return at;
 }
 
-/// Pressures at a sample half a step after an end of one: the oil goes on from there behind a piston
-/// whose place at both is known, by the stages of a step of its own (flow_rates.cc).
+/// Pressures at a sample half a step after an end of one: the oil goes on from there behind a
+/// piston whose place at both is known, by the stages of a step of its own (flow_rates.cc).
 /// `from`: driven end at that end of the step [m]; `speed`: of the piston at the sample [m/s].
 MountedPlace FlowToSample(const PhsSystem& system, double t, double half, double from,
                           const MountedPlace& start, double piston, double speed,
@@ -204,8 +204,8 @@ MountedPlace FlowToSample(const PhsSystem& system, double t, double half, double
 // middle to middle. Friction then belongs to the speed at the sample (to second order), and the
 // state is taken there as the mean of the step's two ends. Were the steps laid from sample to
 // sample, friction would lag by half a step, some hundred newtons about a reversal.
-// Pressures at the sample are those of that state; where oil flows, those after the half step to it:
-// in a small chamber the mean of a flow that hardly bends moves them far.
+// Pressures at the sample are those of that state; where oil flows or gas warms, those after the
+// half step to it: in a small chamber the mean of a flow that hardly bends moves them far.
 void RunMounted(const PhsSystem& system, const RigMotion& motion, const std::vector<double>& speed,
                 RigPrediction* out) {
   const int n = motion.num_samples(), states = system.num_states();

@@ -160,7 +160,7 @@ TEST(Accept, ASpecialCaseGivesWayOnlyToWhatIsAheadBeyondChance) {
   EXPECT_FALSE(Beats(own, whole, little, special, behind));
   EXPECT_TRUE(Beats(own, whole, far, special, behind));
   SearchRule rule;
-  rule.special_first = false;
+  rule.plain_first = false;
   const FitProblem without = FitProblem::Create(std::make_shared<NoModel>(), {}, rule).value();
   EXPECT_FALSE(Beats(without, special, behind, whole, little));
   EXPECT_TRUE(Beats(without, whole, little, special, behind));

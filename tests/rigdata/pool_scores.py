@@ -34,13 +34,16 @@ def describe(suite, name, kind, truth, result):
            "form": "; ".join(e["form"] for e in truth["effects"]),
            "size_over_noise": "+".join(f"{e['size_over_noise']:.1f}" for e in truth["effects"])}
     if result is None:
-        return {**row, "accepted": "no answer", "verdict": "", "error_ratio": "", "right": "0", "exact": "0"}
+        return {**row, "accepted": "no answer", "verdict": "", "error_ratio": "", "right": "0", "exact": "0",
+                "formula": ""}
     accepted = [e["name"] for e in result["effects"]]
+    formulas = [" ".join([e["formula"], *e.get("on", [])]) for e in result["effects"] if e.get("formula")]
     decided = result["verdict"] != "undecidable"
     return {**row, "accepted": "+".join(accepted) or "nothing", "verdict": result["verdict"],
             "error_ratio": f"{error_ratio(truth, result):.3f}",
             "right": str(int(bool(accepted) and accepted[0] in hidden and decided)),
-            "exact": str(int(sorted(accepted) == sorted(hidden) and decided))}
+            "exact": str(int(sorted(accepted) == sorted(hidden) and decided)),
+            "formula": "; ".join(formulas)}
 
 
 def summary(rows):
