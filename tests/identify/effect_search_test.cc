@@ -60,6 +60,22 @@ TEST(EffectSearchTest, FindsAnOrificeLeakAndItsExponent) {
   EXPECT_NEAR(std::isnan(freed) ? fixed : freed, 0.5, 0.15);
 }
 
+// Foam in the reservoirs: the gas gives its heat to it in 14.5 ms, the foam (20 times the heat
+// capacity) its own to the vessel in 30 s. Where less than 30 ms was not plausible this was called
+// air in the oil.
+TEST(EffectSearchTest, FoamThatTakesTheHeatInMillisecondsIsHeatOfTheGas) {
+  PhsParams truth = Declared();
+  truth.effects.push_back(
+      {"gas_thermal",
+       {},
+       {{"thermal_time_s", 0.0145}, {"wall_heat_ratio", 0.05}, {"wall_time_s", 30}}});
+  const measurement::FitData data = Record(truth);
+  const Identification found = Find(Declared(), data);
+  ASSERT_EQ(found.effects.size(), 1u) << Said(found);
+  EXPECT_EQ(found.effects[0].candidate.effect, "gas_thermal");
+  EXPECT_NEAR(ValueOf(found, "effects.gas_thermal.thermal_time_s"), 0.0145, 0.002);
+}
+
 TEST(EffectSearchTest, FindsALeakThatOpensInTheRecord) {
   hydraulics::PhsParams truth = OffDeclared();
   truth.effects.push_back(

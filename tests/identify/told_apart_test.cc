@@ -41,7 +41,7 @@ Identification Search(const measurement::FitData& data, bool told_apart = true) 
   return found.value();
 }
 
-std::vector<std::string> Names(const Identification& found) {
+std::vector<std::string> AcceptedNames(const Identification& found) {
   std::vector<std::string> out;
   for (const AcceptedEffect& e : found.effects) out.push_back(e.candidate.effect);
   return out;
@@ -57,7 +57,7 @@ TEST(ToldApart, ALawWithoutARivalIsTakenBesideAnother) {
 TEST(ToldApart, OfTwoLawsThatExplainAlikeNeitherIsTakenBesideAnother) {
   const measurement::FitData data = BrakedRecord({"brake", "other_brake"});
   const Identification found = Search(data);
-  EXPECT_EQ(Names(found), std::vector<std::string>{"external_leakage"}) << Said(found);
+  EXPECT_EQ(AcceptedNames(found), std::vector<std::string>{"external_leakage"}) << Said(found);
   EXPECT_EQ(UntoldNames(found).size(), 2u);
   // The question stays: which test would tell them?
   auto problem = ProblemOf(data, Declared());
