@@ -64,12 +64,12 @@ TEST(EffectSearchTest, FindsAnOrificeLeakAndItsExponent) {
 // capacity) its own to the vessel in 30 s. Where less than 30 ms was not plausible this was called
 // air in the oil.
 TEST(EffectSearchTest, FoamThatTakesTheHeatInMillisecondsIsHeatOfTheGas) {
-  PhsParams truth = Declared();
+  hydraulics::PhsParams truth = Declared();
   truth.effects.push_back(
       {"gas_thermal",
        {},
        {{"thermal_time_s", 0.0145}, {"wall_heat_ratio", 0.05}, {"wall_time_s", 30}}});
-  const measurement::FitData data = Record(truth);
+  const FitData data = Record(truth);
   const Identification found = Find(Declared(), data);
   ASSERT_EQ(found.effects.size(), 1u) << Said(found);
   EXPECT_EQ(found.effects[0].candidate.effect, "gas_thermal");
