@@ -55,6 +55,7 @@ const EffectInfo& AccumulatorPrechargeInfo() {
               },
           .steps = {{"accumulator_precharge_Pa", true}},
           .declared = LargestPrecharge,
+          .over = {"m3", "p"},
       }};
   return info;
 }

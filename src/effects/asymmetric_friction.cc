@@ -73,6 +73,7 @@ const EffectInfo& AsymmetricFrictionInfo() {
               {
                   {.free = {{"level_N", 0}}},
               },
+          .over = {"N", "sv"},
       }};
   return info;
 }

@@ -115,6 +115,7 @@ const EffectInfo& EntrainedAirInfo() {
                   {.free = {{"polytropic_exponent", 1.1}}},
                   {.free = {{"dissolving_time_s", 0.3, 2, 2}}, .with = "saturation_Pa"},
               },
+          .over = {"m3", "p"},
       }};
   return info;
 }

@@ -62,6 +62,7 @@ const EffectInfo& ExternalLeakageInfo() {
                   {.free = {{"rod_ratio", 1}}, .of_sides = true},
                   {.free = {{"start_s", 15, 60, 3}}},
               },
+          .over = {"m3_per_s", "p"},
       }};
   return info;
 }

@@ -136,6 +136,7 @@ const EffectInfo& HoseExpansionInfo() {
                   {.free = {{"creep_m3_per_Pa", 1e-13}, {"creep_time_s", 0.5, 4, 2}}},
                   {.free = {{"rod_ratio", 1}}, .of_sides = true},
               },
+          .over = {"m3", "p"},
       }};
   return info;
 }

@@ -69,6 +69,7 @@ const EffectInfo& PistonLeakageInfo() {
                   {.free = {{"return_ratio", 0.3, 3, 2}}},
                   {.free = {{"start_s", 15, 60, 3}}},
               },
+          .over = {"m3_per_s", "p"},
       }};
   return info;
 }

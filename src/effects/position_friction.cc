@@ -104,6 +104,7 @@ const EffectInfo& PositionFrictionInfo() {
               {
                   {.free = {{"slope_1_per_m", 0}}},
               },
+          .over = {"N", "sx"},
       }};
   return info;
 }

@@ -109,6 +109,7 @@ const EffectInfo& PreslidingInfo() {
               {
                   {.free = {{"share", 0.7}}},
               },
+          .over = {"N", "s"},
       }};
   return info;
 }

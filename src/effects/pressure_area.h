@@ -1,6 +1,7 @@
-// Pressure on an unbalanced area of a part on a bench: F = A p. Element rig only; the areas of a
-// cylinder are its bore_m and rod_m. Sign: A > 0, pressure pushes in the sense of tension.
-// p: the bench's pressure channel [Pa].
+// Pressure on an area that the model does not know: F = A p. Sign: A > 0, pressure pushes in the
+// sense of tension. On a bench p is its pressure channel [Pa]. Elsewhere p is the rise above static
+// of each chamber that hangs on a target line: a bore other than declared, a hose that straightens
+// and pushes on its cylinder. It is a force alone; the oil that moves is that of bore_m and rod_m.
 #pragma once
 
 #include "hydraulics/extension.h"

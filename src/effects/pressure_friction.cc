@@ -87,6 +87,7 @@ const EffectInfo& PressureFrictionInfo() {
                   {.free = {{"difference_N_per_Pa", 0}}},
                   {.free = {{"retraction_ratio", 1}}},
               },
+          .over = {"N", "spq"},
       }};
   return info;
 }

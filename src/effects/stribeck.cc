@@ -72,6 +72,7 @@ const EffectInfo& StribeckInfo() {
               {
                   {.free = {{"exponent", 1.5}}},
               },
+          .over = {"N", "sv"},
       }};
   return info;
 }

@@ -1,6 +1,7 @@
 #include "effects/unlisted.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "effects/formula_laws.h"
 #include "effects/targets.h"
@@ -20,10 +21,9 @@ std::string CoefficientName(int k, FormulaUnit unit) {
   return "c" + std::to_string(k) + "_" + UnitSuffix(unit);
 }
 
-/// The unit whose coefficients are given; a force if none is.
-Result<FormulaUnit> UnitOf(const EffectParams& effect) {
-  FormulaUnit unit = FormulaUnit::kForce;
-  bool found = false;
+/// The unit whose coefficients are given; nothing where all are zero.
+Result<std::optional<FormulaUnit>> UnitOf(const EffectParams& effect) {
+  std::optional<FormulaUnit> unit;
   for (const FormulaUnit candidate : kUnits) {
     bool given = false;
     for (int k = 1; k <= kCoefficients; ++k) {
@@ -31,9 +31,9 @@ Result<FormulaUnit> UnitOf(const EffectParams& effect) {
       given |= value != effect.values.end() && value->second != 0;
     }
     if (!given) continue;
-    if (found)
+    if (unit)
       return RefuseEffect(effect, "coefficients of two units", "one unit: c1_N … or c1_m3 …");
-    unit = candidate, found = true;
+    unit = candidate;
   }
   return unit;
 }
@@ -42,7 +42,7 @@ Result<FormulaUnit> UnitOf(const EffectParams& effect) {
 long ForcesOn(int cylinder, const hydraulics::PhsParams& params) {
   return std::count_if(params.effects.begin(), params.effects.end(), [&](const auto& other) {
     if (other.name != UnlistedInfo().name) return false;
-    const Result<FormulaUnit> unit = UnitOf(other);
+    const auto unit = UnitOf(other);
     const std::vector<int> targets = TargetCylinders(other, params);
     return unit.ok() && unit.value() == FormulaUnit::kForce &&
            std::find(targets.begin(), targets.end(), cylinder) != targets.end();
@@ -60,20 +60,36 @@ Status AddForce(const EffectParams& effect, const Formula& formula, Extension* e
   return {};
 }
 
-Status Install(const EffectParams& effect, Extension* extension) {
-  const Result<FormulaUnit> unit = UnitOf(effect);
-  if (!unit.ok()) return unit.error();
+Result<Formula> FormulaOf(const EffectParams& effect, FormulaUnit unit) {
   std::map<std::string, double> coefficients;
   for (int k = 1; k <= kCoefficients; ++k) {
-    coefficients["c" + std::to_string(k)] = effect.values.at(CoefficientName(k, unit.value()));
+    coefficients["c" + std::to_string(k)] = effect.values.at(CoefficientName(k, unit));
   }
-  Result<Formula> formula = Formula::Parse(effect.formula, coefficients, unit.value());
-  if (!formula.ok()) {
-    Error error = formula.error();
-    error.where = "effects." + effect.name + "." + error.where;
-    return error;
+  Result<Formula> formula = Formula::Parse(effect.formula, coefficients, unit);
+  if (formula.ok()) return formula;
+  Error error = formula.error();
+  error.where = "effects." + effect.name + "." + error.where;
+  return error;
+}
+
+/// A law whose coefficients are all zero (a fit passes there) does nothing, wherever it acts; it
+/// must still be one.
+Status CheckWithoutAmount(const EffectParams& effect) {
+  Result<Formula> as_force = FormulaOf(effect, FormulaUnit::kForce);
+  for (const FormulaUnit unit : kUnits) {
+    if (FormulaOf(effect, unit).ok()) return {};
   }
-  switch (unit.value()) {
+  return as_force.error();
+}
+
+Status Install(const EffectParams& effect, Extension* extension) {
+  const auto given = UnitOf(effect);
+  if (!given.ok()) return given.error();
+  if (!given.value()) return CheckWithoutAmount(effect);
+  const FormulaUnit unit = *given.value();
+  const Result<Formula> formula = FormulaOf(effect, unit);
+  if (!formula.ok()) return formula.error();
+  switch (unit) {
     case FormulaUnit::kForce:
       return AddForce(effect, formula.value(), extension);
     case FormulaUnit::kVolume:
@@ -82,7 +98,7 @@ Status Install(const EffectParams& effect, Extension* extension) {
       return AddFlow(effect, formula.value(), extension);
     case FormulaUnit::kLength:
     case FormulaUnit::kPressure:
-      return AddReading(effect, formula.value(), unit.value(), extension);
+      return AddReading(effect, formula.value(), unit, extension);
   }
   return {};
 }

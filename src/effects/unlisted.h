@@ -9,7 +9,7 @@
 //   c1_Pa …        what a pressure sensor shows beyond it        targets: lines
 //
 // p of a line is its pressure above static, of a cylinder's flow the difference above the static
-// one; flows must vanish at p = 0. Of readings x, p, q and t are those of the true state, p and q
+// one; flows must vanish at p = 0. Of readings x, v, p, q and t are those of the true state, p and q
 // of bore and rod, also on a line. Example: formula: "c1*(max(p-9e6[Pa],0[Pa])/1e6[Pa])" with
 // c1_m3_per_s: 2e-7 on L2, a valve that opens 9 MPa above static. Not passive by construction: it
 // is what was measured.

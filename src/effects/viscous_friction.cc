@@ -77,6 +77,7 @@ const EffectInfo& ViscousFrictionInfo() {
               {
                   {.free = {{"exponent", 0.7, 1.6, 2}}},
               },
+          .over = {"N", "sv"},
       }};
   return info;
 }

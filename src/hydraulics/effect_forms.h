@@ -75,6 +75,13 @@ struct SettledNumber {
   double of_gas_volume = 0;  ///< begins, where the model declares 0, at this share of it
 };
 
+/// Over what a law acts: a formula of this unit ("N", "m3", "m3_per_s", "m", "Pa") over no other
+/// variables (symbols of effects/formula.h) is a form of it. No unit: no formula is.
+struct LawOver {
+  const char* unit = "";
+  const char* variables = "";
+};
+
 /// All that a search needs to know of an effect. No forms: it is not looked for there.
 struct EffectSearch {
   std::vector<EffectForm> rig = {}, bench = {}, bogie = {};
@@ -85,6 +92,7 @@ struct EffectSearch {
   double (*declared)(const PhsParams& params) = nullptr;
   /// Effects that are special cases of it: the larger one stands only where it explains more.
   std::vector<std::string> contains = {};
+  LawOver over = {};
 };
 
 }  // namespace phs::hydraulics

@@ -20,8 +20,8 @@ class ReadingLaw {
   /// What comes late or smoothed: changes true values at samples `step` [s] apart, in place.
   virtual void Lag(double /*step*/, std::vector<double>* /*values*/) const {}
   virtual double Gain() const noexcept { return 1; }
-  /// Added to what is shown, in the unit of the channel; of `place`, the true one, time, piston and
-  /// pressures are set.
+  /// Added to what is shown, in the unit of the channel; of `place`, the true one, time, piston, its
+  /// speed and pressures are set.
   virtual double Error(const ForcePlace& /*place*/) const noexcept { return 0; }
 };
 using ReadingLaws = std::vector<std::unique_ptr<const ReadingLaw>>;

@@ -40,7 +40,8 @@ FoundFormula SearchChannelFormula(const FitProblem& problem, const FreeModel& mo
   };
   data.has_pressure = frame.has_pressure, data.has_rod_pressure = frame.has_rod_pressure;
   data.has_temperature = frame.has_temperature;
-  data.has_friction = frame.has_friction, data.has_time_waves = frame.has_time_waves;
+  data.has_friction = frame.has_friction, data.has_speed = frame.has_speed;
+  data.has_time_waves = frame.has_time_waves;
   data.first_row = problem.block(static_cast<size_t>(channel)).begin;
   return SearchFormula(data, limits);
 }

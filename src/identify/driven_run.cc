@@ -96,8 +96,8 @@ Result<std::vector<LeftOver>> OverNoise(const FitData& data, const ForwardModel&
                          std::hypot(channel.noise, uncertain[c][i]));
       if (std::isfinite(residual.back())) sum += residual.back() * residual.back(), ++count;
     }
-    out.push_back(
-        {std::sqrt(sum / std::max(count, 1.0)), MeanSquareThatFollows(residual, signals)});
+    out.push_back({std::sqrt(sum / std::max(count, 1.0)), MeanSquareThatFollows(residual, signals),
+                   ComesAndGoes(residual)});
   }
   return out;
 }
@@ -199,7 +199,8 @@ Result<IdentifyOutcome> SearchAndWrite(const Manifest& manifest, const FitData& 
   for (size_t c = 0; c < data.outputs.size(); ++c) {
     const LeftOver& left = over_noise.value()[c];
     facts.channels.push_back({data.outputs[c].name, over_before.value()[c].over_noise,
-                              left.over_noise, scores[c].after.nrmse, left.following});
+                              left.over_noise, scores[c].after.nrmse, left.following,
+                              left.comes_and_goes});
   }
   result["channels"] = ScoresJson(scores);
   result["channels_estimation"] = ScoresJson(ScoreBoth(data, before, after, data.estimation));

@@ -142,6 +142,7 @@ json ToJson(const RowMap& map) {
 
 LeftOver LeftOfRows(const ElementData& data, const Rows& predicted, const Rows& uncertain) {
   double square = 0, following = 0, count = 0;
+  bool comes_and_goes = false;
   for (size_t r = 0; r < data.records.size(); ++r) {
     const ElementRecord& record = data.records[r];
     const rigs::RigMotion& motion = record.motion;
@@ -162,10 +163,11 @@ LeftOver LeftOfRows(const ElementData& data, const Rows& predicted, const Rows& 
       signals.back().push_back(predicted[r][k]);
     }
     following += present * MeanSquareThatFollows(residual, signals);
+    comes_and_goes = comes_and_goes || ComesAndGoes(residual);
     count += present;
   }
   if (!(count > 0)) return {};
-  return {std::sqrt(square / count), following / count};
+  return {std::sqrt(square / count), following / count, comes_and_goes};
 }
 
 std::string FormulaText(const search::Identification& found) {

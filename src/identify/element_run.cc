@@ -75,6 +75,9 @@ std::string BenchSummary(const json& result) {
       out += fmt::format("  {} {:.4g} [{:.4g}, {:.4g}]", name, p["value"].get<double>(),
                          p["low"].get<double>(), p["high"].get<double>());
     }
+    if (e.contains("form")) {
+      out += "  and of its own form F = " + e["form"]["formula"].get<std::string>();
+    }
     out += fmt::format("  delta BIC {:.0f}", e["evidence"]["delta_bic"].get<double>());
     if (!e["confusable_with"].empty()) {
       out += "  not told apart from " +
@@ -165,7 +168,7 @@ VerdictFacts FactsOf(const BenchFindings& f, const FitProblem& problem, const Id
   *drives = search::WhatDrives(problem, found);
   faults.insert(faults.end(), drives->begin(), drives->end());
   return {{{f.map_after.channel, f.left_before.over_noise, f.map_after.over_noise,
-            f.after.score.nrmse, f.left_after.following}},
+            f.after.score.nrmse, f.left_after.following, f.left_after.comes_and_goes}},
           search::NamedEffects(found),
           search::UntoldNames(found),
           search::FittedNumbers(found),

@@ -197,7 +197,12 @@ class PlaceTerms final : public TermLibrary {
       if (data_.has_friction) Add("s*" + text, "", factors + 1, 0);
     }
     for (const std::string& other : others) Add(fmt::format("{}*{}", other, x), "", 2, 0);
-    if (data_.has_friction) AddWithFriction(x, v, signed_v, others);
+    if (data_.has_friction) {
+      AddWithFriction(x, v, signed_v, others);
+    } else if (data_.has_speed) {
+      Add(signed_v, "", 1, 0), Add(v, "", 1, 0);
+      Add(signed_v + "*" + v, "", 2, 0), Add(v + "^2", "", 2, 0);
+    }
   }
 
   void AddWithFriction(const std::string& x, const std::string& v, const std::string& signed_v,

@@ -4,7 +4,8 @@
 // Terms are products of plain numbers: x/L, v/V, p/P, q/P, t/T0, dT/K and their powers, the
 // direction s of friction (with its memory of reversals), s³ (the shape of a reversal), and waves
 // sin and cos of 2 pi x/lambda, alone and times s, with lambda from a scan, and of 2 pi t/T. Each
-// coefficient has the unit of what the formula gives.
+// coefficient has the unit of what the formula gives. What a sensor shows has terms over v, |v|, v²
+// and v|v| in place of those with s: a flow past its port.
 #pragma once
 
 #include <Eigen/Core>
@@ -26,6 +27,7 @@ struct FormulaData : SelectionData {
   std::function<Eigen::VectorXd(const std::vector<std::vector<double>>&)> column;
   bool has_pressure = false, has_rod_pressure = false, has_temperature = false;
   bool has_friction = true;  ///< terms with speed and direction
+  bool has_speed = false;    ///< without friction: terms with speed alone
   /// Waves over time: one run, evenly sampled, whose places are the rows from `first_row` on.
   bool has_time_waves = false;
   Eigen::Index first_row = 0;

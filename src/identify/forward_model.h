@@ -33,6 +33,7 @@ struct FormulaFrame {
   std::function<Channels(const Channels& values)> rows;
   bool has_pressure = false, has_rod_pressure = false, has_temperature = false;
   bool has_friction = false;    ///< direction and speed too
+  bool has_speed = false;       ///< speed alone
   bool has_time_waves = false;  ///< one record whose places are the rows
 };
 

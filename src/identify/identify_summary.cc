@@ -6,20 +6,30 @@
 namespace phs::identify::search {
 namespace {
 
+std::string NumbersOf(const Json& effect) {
+  std::string out;
+  for (const auto& [name, p] : effect["parameters"].items()) {
+    out += fmt::format("  {} {:.4g} [{:.4g}, {:.4g}]", name, p["value"].get<double>(),
+                       p["low"].get<double>(), p["high"].get<double>());
+  }
+  return out;
+}
+
 std::string EffectLine(const Json& e) {
   std::string line = "effect " + e["name"].get<std::string>();
   if (e.contains("on")) line += " on " + JoinWords(e["on"].get<std::vector<std::string>>());
   if (e.contains("formula") && e["formula"].is_string()) {
     line += "  " + e["formula"].get<std::string>();
   }
-  for (const auto& [name, p] : e["parameters"].items()) {
-    line += fmt::format("  {} {:.4g} [{:.4g}, {:.4g}]", name, p["value"].get<double>(),
-                        p["low"].get<double>(), p["high"].get<double>());
-  }
+  line += NumbersOf(e);
   line += fmt::format("  delta BIC {:.0f}", e["evidence"]["delta_bic"].get<double>());
   if (!e["confusable_with"].empty()) {
     line +=
         "  not told apart from " + JoinWords(e["confusable_with"].get<std::vector<std::string>>());
+  }
+  if (e.contains("form")) {
+    line += "\n  and of its own form  " + e["form"]["formula"].get<std::string>() +
+            NumbersOf(e["form"]);
   }
   return line + "\n";
 }

@@ -3,8 +3,11 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
+#include "identify/acceptance.h"
 #include "identify/octave_bands.h"
+#include "identify/verdict.h"
 
 namespace phs::identify {
 namespace {
@@ -98,6 +101,25 @@ double MeanSquareThatFollows(const std::vector<double>& residual,
                : Explained(own, turned.middleRows(bands.begin(b), count), &left);
   }
   return std::max(0.0, sum / present);
+}
+
+bool ComesAndGoes(const std::vector<double>& residual) {
+  constexpr size_t kParts = 8, kQuiet = 2, kWays = 28;  // to choose two of eight
+  const size_t n = residual.size();
+  if (n < kLeastRows) return false;
+  std::vector<double> beyond;
+  for (size_t part = 0; part < kParts; ++part) {
+    double square = 0, count = 0;
+    for (size_t i = part * n / kParts; i < (part + 1) * n / kParts; ++i) {
+      if (std::isfinite(residual[i])) square += residual[i] * residual[i], ++count;
+    }
+    if (!(count > 0)) return false;
+    beyond.push_back(square / count - 1);
+  }
+  const double mean = std::accumulate(beyond.begin(), beyond.end(), 0.0) / kParts;
+  std::sort(beyond.begin(), beyond.end());
+  const double quiet = std::max(beyond[kQuiet - 1], kAsLargeAsNoise);
+  return mean > 0 && kWays * std::pow(quiet / mean, 2) < Acceptance{}.false_alarms;
 }
 
 }  // namespace phs::identify

@@ -11,6 +11,14 @@
 // follows, not how much in all. In octaves with fewer than 32 coefficients, mean and slope among
 // them, all counts that is beyond noise as strong as what is left in the octave above: an offset and
 // a drift are no colour.
+//
+// What follows nothing is noise of the sensor only if it is there all the time. A machine beside the
+// rig comes and goes. Of eight parts of the window let two leave at most e of what the window leaves
+// on average, both beyond the noise. A colour that lasts shorter than a part and is there all the
+// time has a power per part that varies at most as the square of a complex Gaussian amplitude does,
+// by e^-x; chance then makes two of eight so quiet with a probability below 28 e^2. Below the share
+// of false alarms that is wanted (acceptance.h) it is taken to come and go. A part counts as no
+// quieter than twice the square of its noise.
 #pragma once
 
 #include <vector>
@@ -19,8 +27,9 @@ namespace phs::identify {
 
 /// What is left of a channel over a window.
 struct LeftOver {
-  double over_noise = 0;  ///< rms over noise and the model's own uncertainty
-  double following = 0;   ///< mean square of it that follows what the rig did
+  double over_noise = 0;        ///< rms over noise and the model's own uncertainty
+  double following = 0;         ///< mean square of it that follows what the rig did
+  bool comes_and_goes = false;  ///< for a part of the window it is as quiet as its noise
 };
 
 /// Mean square of the part of `residual` (over its noise) that follows `signals`.
@@ -29,5 +38,9 @@ struct LeftOver {
 /// residual counts: nothing is taken for noise unseen.
 double MeanSquareThatFollows(const std::vector<double>& residual,
                              const std::vector<std::vector<double>>& signals);
+
+/// True if `residual` (over its noise, even in time, NaN where nothing was measured) is louder in
+/// some parts than noise that is always there. False with fewer than 64 rows.
+bool ComesAndGoes(const std::vector<double>& residual);
 
 }  // namespace phs::identify

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "effects/unlisted.h"
+#include "identify/own_form.h"
 #include "identify/residual_map.h"
 #include "measurement/channel_scores.h"
 
@@ -164,22 +164,39 @@ Json Parameters(const FreeModel& model, const FitResult& fit, size_t begin, size
   return out;
 }
 
+namespace {
+
+Json EffectJson(const Identification& found, const AcceptedEffect& effect) {
+  const std::string prefix = "effects." + effect.candidate.effect + ".";
+  size_t begin = 0;
+  while (!found.corrected.free[begin].name.starts_with(prefix)) ++begin;
+  Json entry = {{"name", effect.candidate.effect},
+                {"parameters", Parameters(found.corrected, found.after, begin,
+                                          begin + effect.candidate.free.size(), false)},
+                {"evidence", EvidenceJson(effect.evidence)},
+                {"confusable_with", effect.confusable_with}};
+  if (IsFormula(effect)) entry["formula"] = found.formula.text;
+  if (!effect.candidate.params.targets.empty()) entry["on"] = effect.candidate.params.targets;
+  return entry;
+}
+
+}  // namespace
+
 Json EffectList(const Identification& found) {
-  Json out = Json::array();
-  for (const AcceptedEffect& effect : found.effects) {
-    const std::string prefix = "effects." + effect.candidate.effect + ".";
-    size_t begin = 0;
-    while (!found.corrected.free[begin].name.starts_with(prefix)) ++begin;
-    Json entry = {{"name", effect.candidate.effect},
-                  {"parameters", Parameters(found.corrected, found.after, begin,
-                                            begin + effect.candidate.free.size(), false)},
-                  {"evidence", EvidenceJson(effect.evidence)},
-                  {"confusable_with", effect.confusable_with}};
-    if (effect.candidate.effect == effects::UnlistedInfo().name)
-      entry["formula"] = found.formula.text;
-    if (!effect.candidate.params.targets.empty()) entry["on"] = effect.candidate.params.targets;
-    out.push_back(std::move(entry));
+  const std::optional<size_t> formed = HasOwnForm(found);
+  Json out = Json::array(), form;
+  size_t host = 0;
+  for (size_t i = 0; i < found.effects.size(); ++i) {
+    Json entry = EffectJson(found, found.effects[i]);
+    if (formed == i) host = out.size();
+    if (formed && IsFormula(found.effects[i])) {
+      entry.erase("name"), entry.erase("confusable_with");
+      form = std::move(entry);
+    } else {
+      out.push_back(std::move(entry));
+    }
   }
+  if (formed) out[host]["form"] = std::move(form);
   return out;
 }
 

@@ -216,7 +216,8 @@ Result<FormulaFrame> RigForward::Frame(const PhsParams& params, const std::strin
   }
   frame.rows = [](const Channels& values) { return values; };
   frame.has_pressure = true, frame.has_rod_pressure = data_.kind == rigs::RigKind::kQuarter;
-  frame.has_friction = channel == "load_cell_N", frame.has_time_waves = true;
+  frame.has_friction = channel == "load_cell_N", frame.has_speed = true;
+  frame.has_time_waves = true;
   return frame;
 }
 

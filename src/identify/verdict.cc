@@ -14,7 +14,10 @@ constexpr double kMost = 0.5;  // of the mean square beyond the noise
 constexpr double kFar = 1.5;   // factor that a declared number may be off by, as measured rigs are
 
 /// Mean square over that of the noise that the model lacks.
-double Lacking(const ChannelLeft& c) { return std::min(c.after * c.after - 1, c.following); }
+double Lacking(const ChannelLeft& c) {
+  const double beyond = c.after * c.after - 1;
+  return c.comes_and_goes ? beyond : std::min(beyond, c.following);
+}
 
 const ChannelLeft* Worst(const VerdictFacts& facts) {
   const auto worst = std::max_element(
@@ -33,10 +36,19 @@ std::string Left(const ChannelLeft& c) {
 void AddColoured(const VerdictFacts& facts, std::vector<std::string>* reasons) {
   for (const ChannelLeft& c : facts.channels) {
     if (c.after * c.after - 1 <= kAsLargeAsNoise || c.following > kAsLargeAsNoise) continue;
+    if (c.comes_and_goes) continue;
     reasons->push_back(Left(c) +
                        "; no more than the noise follows what the rig did, the rest is noise "
                        "with a colour");
   }
+}
+
+/// What shakes the rig from beside it.
+void AddComing(const ChannelLeft& c, std::vector<std::string>* reasons) {
+  if (!c.comes_and_goes) return;
+  reasons->push_back("what " + c.channel +
+                     " is left with comes and goes: for a quarter of the validation window it is "
+                     "as good as quiet; look for what runs beside the rig");
 }
 
 /// Declared numbers that the fit has driven to an end, or far away: said in any case.
@@ -76,6 +88,7 @@ Verdict Judge(const VerdictFacts& facts) {
   bool little = false;  // is taken by the effects that are told
   if (!noise) {
     reasons.push_back(Left(*worst));
+    AddComing(*worst, &reasons);
     const double excess = worst->before * worst->before - 1;
     const double removed =
         excess > 0 ? (worst->before * worst->before - worst->after * worst->after) / excess : 0;
@@ -92,6 +105,10 @@ Verdict Judge(const VerdictFacts& facts) {
     if (!effect.special_case_of.empty()) {
       reasons.push_back(effect.name + " is a special case of " + JoinWords(effect.special_case_of) +
                         ", for which this record does not ask");
+    }
+    if (!effect.own_form.empty()) {
+      reasons.push_back(effect.name + " has another form than the listed ones: beside them " +
+                        effect.own_form);
     }
     if (effect.rivals.empty()) continue;
     reasons.push_back(effect.name + " explains no more than " + JoinWords(effect.rivals));

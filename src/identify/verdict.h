@@ -7,7 +7,8 @@
 //                   are told take most already, those two are no more than a reason
 // "Noise": of the mean square of the worst channel over that of sensor noise and uncertain input, no
 // more than 1 is beyond the noise and follows what the rig did (motion_share.h), so that whatever
-// the model lacks is no larger than the noise itself. What does not follow is noise with a colour.
+// the model lacks is no larger than the noise itself. What does not follow is noise with a colour,
+// unless it comes and goes: that is something beside the rig.
 // "Most": more than half of the mean square beyond the noise.
 #pragma once
 
@@ -27,6 +28,7 @@ struct ChannelLeft {
   double of_sigma = 0;           ///< rms over the channel's own standard deviation, corrected
   /// Mean square over that of the noise, corrected, of the part that follows what the rig did.
   double following = std::numeric_limits<double>::infinity();
+  bool comes_and_goes = false;  ///< what is left is not there all the time (motion_share.h)
 };
 
 /// An accepted effect and those that explain as much.
@@ -34,6 +36,7 @@ struct NamedEffect {
   std::string name;
   std::vector<std::string> rivals;
   std::vector<std::string> special_case_of = {};  ///< what contains it, not told from it
+  std::string own_form = {};  ///< a formula for what its law leaves of it (own_form.h)
 };
 
 /// A declared number after its fit.

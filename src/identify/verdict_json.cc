@@ -1,14 +1,19 @@
 // The verdict as it stands in result.json, from what was found.
 #include <algorithm>
 
+#include "identify/own_form.h"
 #include "identify/result_json.h"
 
 namespace phs::identify::search {
 
 std::vector<NamedEffect> NamedEffects(const Identification& found) {
   std::vector<NamedEffect> out;
-  for (const AcceptedEffect& effect : found.effects) {
+  const std::optional<size_t> formed = HasOwnForm(found);
+  for (size_t i = 0; i < found.effects.size(); ++i) {
+    const AcceptedEffect& effect = found.effects[i];
+    if (formed && IsFormula(effect)) continue;
     out.push_back({effect.candidate.effect, effect.confusable_with, effect.special_case_of});
+    if (formed == i) out.back().own_form = found.formula.text;
   }
   return out;
 }

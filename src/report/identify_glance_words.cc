@@ -34,7 +34,7 @@ std::string Amount(const std::string& key, const json& parameter) {
   const ReadableName name = Readable(key);
   const bool plain = name.unit == "–";
   const auto number = [&](const char* at) {
-    return FormatNumber(name.factor * NumberAt(parameter, at));
+    return FormatNumber(name.factor * NumberAt(parameter, at), FiguresOf(parameter));
   };
   std::string text = (plain ? Spaced(key) : name.words) + " " + number("/value");
   if (!plain) text += " " + name.unit;

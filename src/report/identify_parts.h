@@ -21,6 +21,8 @@ std::vector<std::string> NextTests(const IdentifyResults& results);
 void AddNextTests(const IdentifyResults& results, ReportPage* page);
 
 // identify_tables.cc
+/// Significant figures that show the interval of a fitted number: one of its half width, 3 to 8.
+int FiguresOf(const nlohmann::ordered_json& parameter);
 void AddErrorFigures(const IdentifyResults& results, ReportPage* page);
 void AddErrorTable(const IdentifyResults& results, ReportPage* page);
 void AddEffectTable(const IdentifyResults& results, ReportPage* page);

@@ -60,7 +60,8 @@ std::string Interval(const json& parameter, double factor) {
   const double low = factor * NumberAt(parameter, "/low");
   const double high = factor * NumberAt(parameter, "/high");
   if (!std::isfinite(low) || !std::isfinite(high)) return "–";
-  return FormatNumber(low) + " … " + FormatNumber(high);
+  const int figures = FiguresOf(parameter);
+  return FormatNumber(low, figures) + " … " + FormatNumber(high, figures);
 }
 
 /// Text of any JSON value for a table cell.
@@ -111,7 +112,29 @@ DataTable WideTable(const json& items, const std::string& caption, const std::st
   return table;
 }
 
+void AddNumbers(const json& parameters, DataTable* table) {
+  for (const auto& [name, parameter] : parameters.items()) {
+    const ReadableName readable = Readable(name);
+    table->rows.push_back(
+        {TableCell(readable.unit == "–" ? name : readable.words + " [" + readable.unit + "]"),
+         TableCell(
+             FormatNumber(readable.factor * NumberAt(parameter, "/value"), FiguresOf(parameter)),
+             true),
+         TableCell(Interval(parameter, readable.factor))});
+  }
+}
+
 }  // namespace
+
+int FiguresOf(const json& parameter) {
+  constexpr int kLeast = 3, kMost = 8;
+  const double value = NumberAt(parameter, "/value");
+  const double half = (NumberAt(parameter, "/high") - NumberAt(parameter, "/low")) / 2;
+  if (!(half > 0) || !std::isfinite(half) || !(std::abs(value) > half)) return kLeast;
+  const double of_value = std::floor(std::log10(std::abs(value)));
+  const double of_half = std::floor(std::log10(half));
+  return std::clamp(static_cast<int>(of_value - of_half) + 1, kLeast, kMost);
+}
 
 void AddErrorFigures(const IdentifyResults& results, ReportPage* page) {
   const json channels = results.all.value("channels", json::object());
@@ -174,13 +197,8 @@ void AddEffectTable(const IdentifyResults& results, ReportPage* page) {
     if (!twins.empty()) title += "; with these data not to be told from " + Spaced(CellText(twins));
     table.rows.push_back({TableCell(title)});
     const json parameters = effect.value("parameters", json::object());
-    for (const auto& [name, parameter] : parameters.items()) {
-      const ReadableName readable = Readable(name);
-      table.rows.push_back(
-          {TableCell(readable.unit == "–" ? name : readable.words + " [" + readable.unit + "]"),
-           TableCell(FormatNumber(readable.factor * NumberAt(parameter, "/value"), 4), true),
-           TableCell(Interval(parameter, readable.factor))});
-    }
+    AddNumbers(parameters, &table);
+    AddNumbers(effect.value("form", json::object()).value("parameters", json::object()), &table);
     if (parameters.empty()) table.rows.push_back({TableCell("no parameter"), "", ""});
     const json grounds = effect.value("evidence", json());
     if (!grounds.is_object() || grounds.empty()) continue;

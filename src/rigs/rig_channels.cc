@@ -1,5 +1,6 @@
 #include "rigs/rig_channels.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -21,8 +22,10 @@ using Values = std::vector<std::vector<double>>;
 /// The true state of a cylinder at every sample, as the reading laws take it.
 class TrueState {
  public:
-  TrueState(const PhsSystem& system, const Source& source, const Values& truth)
-      : piston_(truth[static_cast<size_t>(source.piston)]), further_(system.extra()) {
+  TrueState(const PhsSystem& system, const Source& source, const Values& truth, double step_s)
+      : piston_(truth[static_cast<size_t>(source.piston)]),
+        step_s_(step_s),
+        further_(system.extra()) {
     const auto& params = system.params();
     const auto& cylinder = params.cylinders[static_cast<size_t>(source.cylinder)];
     const auto pressure = [&](const std::string& name, int channel) -> Pressure {
@@ -39,6 +42,7 @@ class TrueState {
     hydraulics::ForcePlace place;
     place.time = time;
     place.piston = piston_[i];
+    place.speed = Speed(i);
     place.bore_rise = bore_.Rise(i);
     place.rod_rise = rod_.Rise(i);
     if (further_ != nullptr) {
@@ -54,7 +58,15 @@ class TrueState {
     double at_rest = 0;
     double Rise(size_t i) const { return values != nullptr ? (*values)[i] - at_rest : 0; }
   };
+  /// Central difference; to one side at the ends.
+  double Speed(size_t i) const {
+    const size_t before = i > 0 ? i - 1 : 0, after = std::min(i + 1, piston_.size() - 1);
+    if (before == after) return 0;
+    return (piston_[after] - piston_[before]) / (static_cast<double>(after - before) * step_s_);
+  }
+
   const std::vector<double>& piston_;
+  double step_s_;
   Pressure bore_, rod_;
   const hydraulics::ExtraSeries* further_;
   double extra_[hydraulics::kMaxExtra] = {};
@@ -74,7 +86,7 @@ class Instruments {
       law->Lag(step_s_, &y);
       gain *= law->Gain();
     }
-    TrueState state(system_, source, truth_);
+    TrueState state(system_, source, truth_, step_s_);
     for (size_t i = 0; i < y.size(); ++i) {
       const auto place = state.At(i, t0_s_ + static_cast<double>(i) * step_s_);
       y[i] *= gain;

@@ -163,8 +163,26 @@ TEST(Unlisted, AReadingChangesItsChannelAlone) {
     const double rise = (plain[3][i] - static_rod) / 1e6, t = 0.005 * static_cast<double>(i);
     EXPECT_NEAR(sensor[2][i], plain[2][i] + 3e4 * rise * t, 1e-6);
   }
+  const auto tap = run("c1*(v/0.05[m/s])^2", "c1_Pa", -1e5, {params.cylinders[0].rod_line});
+  for (size_t i = 37; i < 399; i += 37) {
+    const double v = 1e-3 * 0.02 * std::cos(0.02 * static_cast<double>(i)) / 0.005;
+    EXPECT_NEAR(tap[3][i] - plain[3][i], -1e5 * std::pow(v / 0.05, 2), 0.2) << "of 640 Pa";
+  }
   for (const size_t other : {1, 2, 3}) EXPECT_EQ(laser[other], plain[other]);
   for (const size_t other : {0, 1, 3}) EXPECT_EQ(sensor[other], plain[other]);
+}
+
+TEST(Unlisted, ALawWithoutAmountDoesNothingWhereverItActs) {
+  const hydraulics::PhsParams params = FindPhsParams("quarter_setup2").value();
+  for (const auto& [formula, target] :
+       {std::pair{"c1*(max(-p-1e6[Pa],0[Pa])/1e6[Pa])", "L2"}, std::pair{"c1*(x/1[m])", "1"}}) {
+    hydraulics::PhsParams with = params;
+    with.effects.push_back({"unlisted", {target}, {{"c1_m3_per_s", 0}}, formula});
+    EXPECT_TRUE(CreatePhsSystem(with).ok()) << formula;
+  }
+  hydraulics::PhsParams wrong = params;
+  wrong.effects.push_back({"unlisted", {"L2"}, {{"c1_Pa", 0}}, "c1*(p"});
+  EXPECT_FALSE(CreatePhsSystem(wrong).ok()) << "it must still be a law";
 }
 
 TEST(Unlisted, RefusesWhatHasNoMeaning) {

@@ -86,6 +86,26 @@ TEST(MotionShare, AnOffsetIsNoColour) {
   EXPECT_NEAR(MeanSquareThatFollows(residual, {Motion()}), 4, 0.2);
 }
 
+/// A machine beside the rig that runs for five seconds of fourteen.
+TEST(MotionShare, WhatRunsBesideTheRigComesAndGoes) {
+  for (const unsigned seed : {1u, 2u, 3u, 4u, 5u}) {
+    std::vector<double> machine = WhiteRow(seed, 1), weak = machine, always = machine;
+    for (size_t i = 0; i < machine.size(); ++i) {
+      const double t = kStep * static_cast<double>(i), wave = std::sin(2 * M_PI * 3.1 * t);
+      const bool runs = std::fmod(t + seed, 14) < 5;
+      machine[i] += runs ? 20 * wave : 0, weak[i] += runs ? 4 * wave : 0, always[i] += 20 * wave;
+    }
+    EXPECT_LT(MeanSquareThatFollows(machine, {Motion()}), 0.05 * 67) << seed;
+    EXPECT_TRUE(ComesAndGoes(machine)) << seed;
+    EXPECT_FALSE(ComesAndGoes(weak)) << "chance makes colours as uneven";
+    EXPECT_FALSE(ComesAndGoes(always)) << seed;
+    EXPECT_FALSE(ComesAndGoes(WhiteRow(seed, 1))) << seed;
+    for (const double remembered : {0.7, 0.95, 0.995}) {  // to one second
+      EXPECT_FALSE(ComesAndGoes(ColouredRow(seed, remembered, 20))) << remembered;
+    }
+  }
+}
+
 TEST(MotionShare, GapsAndShortRecords) {
   std::vector<double> residual = ColouredRow(8, 0.7, 3);
   for (size_t i = 100; i < 500; ++i) residual[i] = std::numeric_limits<double>::quiet_NaN();

@@ -51,6 +51,16 @@ TEST(UnlistedSearchTest, ASpringBesideTheCylinderIsNoGainOfTheLoadCell) {
   EXPECT_TRUE(found.formula.targets.empty());
 }
 
+TEST(UnlistedSearchTest, AThrustOfOneLineIsAnAreaThatTheModelDoesNotKnow) {
+  hydraulics::PhsParams truth = OffDeclared();
+  truth.effects.push_back({"pressure_area", {"L2"}, {{"area_m2", -3e-4}}});
+  const Identification found = Find(Declared(), Record(truth));
+  ASSERT_EQ(found.effects.size(), 1u) << Said(found);
+  EXPECT_EQ(found.effects[0].candidate.effect, "pressure_area");
+  EXPECT_EQ(found.effects[0].candidate.params.targets, std::vector<std::string>{"L2"});
+  EXPECT_NEAR(found.after.values.back(), -3e-4, 2e-5);
+}
+
 TEST(UnlistedSearchTest, ABumpStopBeginsAtItsPosition) {
   const FitData data = Record(WithUnlisted("c1*(max(x-0.0012[m],0[m])/0.001[m])", "c1_N", 900, {}));
   const Identification found = Find(Declared(), data);
@@ -91,6 +101,18 @@ TEST(UnlistedSearchTest, CrosstalkOfAPressureSensorIsItsReadingOverTheOther) {
   EXPECT_EQ(found.formula.unit, "Pa");
   EXPECT_EQ(found.formula.targets, std::vector<std::string>{"L2"});
   EXPECT_THAT(found.formula.text, testing::StartsWith("c1*(q/"));
+}
+
+/// Its coefficient is below zero: on its way a fit passes the law that does nothing.
+TEST(UnlistedSearchTest, ATapOnAThroatReadsLowByTheSquareOfTheSpeed) {
+  const FitData data = Record(WithUnlisted("c1*(v/0.005[m/s])^2", "c1_Pa", -1.2e5, {"L1"}));
+  const Identification found = Find(Declared(), data);
+  ASSERT_EQ(found.effects.size(), 1u) << Said(found);
+  EXPECT_EQ(found.effects[0].candidate.effect, "unlisted");
+  EXPECT_EQ(found.formula.unit, "Pa");
+  EXPECT_EQ(found.formula.targets, std::vector<std::string>{"L1"});
+  EXPECT_EQ(found.formula.text, "c1*(abs(v)/0.005[m/s])^2");
+  EXPECT_NEAR(found.after.values.back(), -1.2e5, 4e3);
 }
 
 TEST(UnlistedSearchTest, AReliefValveIsAFlowBeyondAPressure) {

@@ -31,6 +31,25 @@ TEST(Verdict, NoiseWithAColourIsNotWhatTheModelLacks) {
   EXPECT_EQ(Judge(facts).word, "not_described") << "another channel lacks something";
 }
 
+TEST(Verdict, WhatComesAndGoesIsNoNoiseOfTheSensor) {
+  VerdictFacts facts = Facts(15, 15);
+  facts.channels[0].following = 0.3;
+  ASSERT_EQ(Judge(facts).word, "sufficient");
+  facts.channels[0].comes_and_goes = true;
+  EXPECT_EQ(Judge(facts).word, "not_described");
+  EXPECT_THAT(Judge(facts).reasons, Contains(HasSubstr("comes and goes")));
+}
+
+TEST(Verdict, AFormThatIsOnNoListIsSaid) {
+  VerdictFacts facts = Facts(5, 1.05);
+  facts.effects = {{.name = "stribeck", .own_form = "c1*(v/0.02[m/s])"}};
+  EXPECT_EQ(Judge(facts).word, "explained");
+  EXPECT_THAT(
+      Judge(facts).reasons,
+      Contains("stribeck has another form than the listed ones: beside them c1*(v/0.02[m/s])"));
+  EXPECT_EQ(VerdictSentence(Judge(facts), facts), "explained by stribeck");
+}
+
 TEST(Verdict, NotDescribedWhereMuchIsLeftAndNothingFound) {
   const Verdict v = Judge(Facts(5, 5));
   EXPECT_EQ(v.word, "not_described");

@@ -39,7 +39,7 @@ TEST_F(IdentifyReport, ShowsEffectIntervalsErrorsAndDoubt) {
                     "The declared model lacks backlash with gap 0.121 mm (95 %: 0.117 to "
                     "0.125)."));
   EXPECT_TRUE(Holds(html, "backlash cannot be told from mount compliance"));
-  EXPECT_TRUE(Holds(html, "gap [mm]</th><td class=\"strong\">0.1210</td><td>0.117 … 0.125"));
+  EXPECT_TRUE(Holds(html, "gap [mm]</th><td class=\"strong\">0.121</td><td>0.117 … 0.125"));
   EXPECT_TRUE(Holds(html, "<td>0.412</td><td class=\"strong\">0.0210</td>"));  // RMSE [kN]
   EXPECT_TRUE(Holds(html, "weaker than backlash"));
   EXPECT_TRUE(Holds(html, "Residual (measured − predicted): load cell force"));
@@ -71,6 +71,26 @@ TEST_F(IdentifyReport, AnEffectOnNoListStandsWithItsFormulaAndPlace) {
                     "The declared model lacks a flow on no list on L2, "
                     "c1*(max(p-7.5e+06[Pa],0[Pa])/1e+07[Pa]) with c1 "));
   EXPECT_TRUE(Holds(html, ">delta bic<")) << "evidence has a table of its own";
+}
+
+TEST_F(IdentifyReport, AFormOnNoListStandsWithItsEffect) {
+  WriteResult(R"json({"rig":"quarter","channels":{"load_cell_N":{"before":{"nrmse":0.02},
+    "after":{"nrmse":0.01}}},"effects":[{"name":"stribeck","parameters":{"extra_N":{"value":300}},
+    "form":{"formula":"c1*(v/0.02[m/s])","parameters":{"c1_N":{"value":-41,"low":-45,"high":-37}}},
+    "evidence":{"delta_bic":123.0}}],"candidates":[]})json");
+  const std::string html = Html({.result = File("result.json")});
+  EXPECT_TRUE(Holds(html,
+                    "The declared model lacks stribeck in a form of its own, "
+                    "c1*(v/0.02[m/s]) with extra 0.300 kN"));
+  EXPECT_TRUE(Holds(html, "−0.0450 … −0.0370")) << "its numbers in the table";
+}
+
+TEST_F(IdentifyReport, AnAmountHasTheFiguresThatShowItsInterval) {
+  WriteResult(R"json({"rig":"quarter","channels":{"load_cell_N":{"before":{"nrmse":0.02},
+    "after":{"nrmse":0.01}}},"effects":[{"name":"accumulator_precharge","parameters":{
+    "precharge_Pa":{"value":14990000,"low":14982000,"high":14998000}}}],"candidates":[]})json");
+  EXPECT_TRUE(Holds(Html({.result = File("result.json")}),
+                    "precharge 14.990 MPa (95 %: 14.982 to 14.998)"));
 }
 
 TEST_F(IdentifyReport, AFormulaSaysWhatItStandsFor) {

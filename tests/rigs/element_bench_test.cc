@@ -174,12 +174,37 @@ TEST(ElementBench, MassBehindTheLoadCellOfARigAddsItsInertia) {
 }
 
 TEST(ElementBench, BenchEffectsAreRefusedInACylinderWithLines) {
-  for (const char* effect : {"pressure_area", "load_flexibility"}) {
-    hydraulics::PhsParams p = FindPhsParams("quarter_setup2").value();
-    ASSERT_TRUE(AddEffect(&p, effect).ok());
-    const auto system = CreatePhsSystem(p);
-    ASSERT_FALSE(system.ok());
-    EXPECT_NE(system.error().Line().find("bench only"), std::string::npos);
+  hydraulics::PhsParams p = FindPhsParams("quarter_setup2").value();
+  ASSERT_TRUE(AddEffect(&p, "load_flexibility").ok());
+  const auto system = CreatePhsSystem(p);
+  ASSERT_FALSE(system.ok());
+  EXPECT_NE(system.error().Line().find("bench only"), std::string::npos);
+}
+
+/// Force more by the area times the chamber's rise, in the load cell alone.
+TEST(ElementBench, OnARigAnAreaCarriesTheRiseOfItsLine) {
+  const hydraulics::PhsParams plain = FindPhsParams("quarter_setup2").value();
+  RigMotion motion{0, 0.005, {{}}, {}, {}, {}, {}};
+  for (int i = 0; i < 400; ++i) motion.position_m[0].push_back(1e-3 * std::sin(0.02 * i));
+  const auto run = [&](const hydraulics::PhsParams& params) {
+    RigPrediction out;
+    const auto rig = RigModel::Create(RigKind::kQuarter, params);
+    EXPECT_TRUE(rig.ok() && rig.value().Run(motion, &out).ok());
+    return out.channels;
+  };
+  const auto without = run(plain);
+  const auto& cylinder = plain.cylinders[0];
+  for (const bool bore : {true, false}) {
+    const std::string& line = bore ? cylinder.bore_line : cylinder.rod_line;
+    hydraulics::PhsParams params = plain;
+    params.effects.push_back({"pressure_area", {line}, {{"area_m2", 2e-4}}});
+    const auto with = run(params);
+    const size_t channel = bore ? 2 : 3;
+    const double still = plain.lines[static_cast<size_t>(plain.FindLine(line))].static_pressure_Pa;
+    for (size_t i = 0; i < 400; i += 37) {
+      EXPECT_EQ(with[channel][i], without[channel][i]);
+      EXPECT_NEAR(with[1][i] - without[1][i], 2e-4 * (with[channel][i] - still), 1e-6);
+    }
   }
 }
 

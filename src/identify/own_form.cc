@@ -1,0 +1,71 @@
+#include "identify/own_form.h"
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "effects/catalogue.h"
+#include "effects/formula.h"
+#include "effects/unlisted.h"
+
+namespace phs::identify::search {
+namespace {
+
+using effects::Formula;
+using effects::FormulaUnit;
+using hydraulics::EffectInfo;
+
+bool IsOverNoMoreThan(const FoundFormula& formula, const std::string& variables) {
+  std::map<std::string, double> coefficients;
+  for (size_t k = 0; k < formula.coefficients.size(); ++k) {
+    coefficients["c" + std::to_string(k + 1)] = 1;
+  }
+  for (const FormulaUnit unit : {FormulaUnit::kForce, FormulaUnit::kVolume, FormulaUnit::kFlow,
+                                 FormulaUnit::kLength, FormulaUnit::kPressure}) {
+    if (formula.unit != effects::UnitSuffix(unit)) continue;
+    const Result<Formula> law = Formula::Parse(formula.text, coefficients, unit);
+    return law.ok() && law.value().VariableOtherThan(variables).empty();
+  }
+  return false;
+}
+
+/// A force acts on the one piston of a rig that has formulas of force; other formulas act on
+/// cylinders or on lines as the effect does, and on none that it does not.
+bool ActsThere(const FoundFormula& formula, const EffectInfo& info, const Candidate& effect,
+               const hydraulics::PhsParams& params) {
+  if (formula.unit == effects::UnitSuffix(FormulaUnit::kForce)) return true;
+  const std::vector<std::string>& on = formula.targets;
+  const bool cylinders = std::all_of(on.begin(), on.end(), [&](const std::string& name) {
+    return params.FindCylinder(name) >= 0 && params.FindLine(name) < 0;
+  });
+  if (on.empty() || info.targets != (cylinders ? "cylinders" : "lines")) return false;
+  const std::vector<std::string>& all = effect.params.targets;
+  return all.empty() || std::all_of(on.begin(), on.end(), [&](const std::string& name) {
+           return std::find(all.begin(), all.end(), name) != all.end();
+         });
+}
+
+}  // namespace
+
+bool IsFormula(const AcceptedEffect& effect) {
+  return effect.candidate.effect == effects::UnlistedInfo().name;
+}
+
+std::optional<size_t> HasOwnForm(const Identification& found) {
+  const auto own = std::find_if(found.effects.begin(), found.effects.end(), IsFormula);
+  if (own == found.effects.end() || found.formula.empty()) return {};
+  std::optional<size_t> host;
+  for (size_t i = 0; i < found.effects.size(); ++i) {
+    const AcceptedEffect& effect = found.effects[i];
+    const EffectInfo* info = effects::Catalogue().Find(effect.candidate.effect);
+    if (info == nullptr || effect.evidence.delta_bic <= own->evidence.delta_bic) continue;
+    if (host && effect.evidence.delta_bic <= found.effects[*host].evidence.delta_bic) continue;
+    if (found.formula.unit != info->search.over.unit) continue;
+    if (!ActsThere(found.formula, *info, effect.candidate, found.corrected.params)) continue;
+    if (IsOverNoMoreThan(found.formula, info->search.over.variables)) host = i;
+  }
+  return host;
+}
+
+}  // namespace phs::identify::search
