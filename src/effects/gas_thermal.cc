@@ -63,7 +63,8 @@ const EffectInfo& GasThermalInfo() {
                   {.free = {{"thermal_time_s", 0.1, 15, 4}}},
                   // Accumulators that keep the temperature of the oil.
                   {.free = {{"thermal_time_s", 0.5, 15, 3}}, .held = {{"accumulator_ratio", 1e-4}}},
-                  {.free = {{"thermal_time_s", 1, 4, 2}, {"heat_capacity_ratio", 10, 50, 2}}},
+                  {.free = {{"thermal_time_s", 1, 4, 2}, {"heat_capacity_ratio", 5, 50, 2}},
+                   .places = Places::kEach},
                   {.free = {{"thermal_time_s", 3}}, .places = Places::kAlone},
               },
           .bogie =

@@ -1,5 +1,6 @@
 #include "effects/pressure_friction.h"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -17,15 +18,20 @@ using hydraulics::Walk;
 
 class PressedSeal final : public hydraulics::LevelLaw {
  public:
-  /// `at_rest`: p_bore - p_rod in the static state [Pa].
-  PressedSeal(const EffectParams& effect, double at_rest)
+  /// `bore_rest`, `rod_rest`: pressures in the static state [Pa].
+  PressedSeal(const EffectParams& effect, double bore_rest, double rod_rest)
       : bore_(effect.values.at("bore_N_per_Pa")),
         rod_(effect.values.at("rod_N_per_Pa")),
         difference_(effect.values.at("difference_N_per_Pa")),
         retraction_ratio_(effect.values.at("retraction_ratio")),
-        at_rest_(at_rest) {}
+        start_Pa_(effect.values.at("start_Pa")),
+        exponent_(effect.values.at("exponent")),
+        bore_rest_(bore_rest),
+        rod_rest_(rod_rest),
+        at_rest_(bore_rest - rod_rest) {}
   void Add(const LevelPlace& place, LevelParts* level) const noexcept override {
-    double grip = bore_ * place.at.bore_rise + rod_ * place.at.rod_rise;
+    double grip = bore_ * Beyond(bore_rest_, place.at.bore_rise) +
+                  rod_ * Beyond(rod_rest_, place.at.rod_rise);
     if (difference_ != 0) {
       grip += difference_ *
               (std::abs(at_rest_ + place.at.bore_rise - place.at.rod_rise) - std::abs(at_rest_));
@@ -35,15 +41,27 @@ class PressedSeal final : public hydraulics::LevelLaw {
   bool DependsOnPressure() const override { return bore_ != 0 || rod_ != 0 || difference_ != 0; }
 
  private:
-  double bore_, rod_, difference_, retraction_ratio_, at_rest_;
+  /// What of a rise presses the seal: the part above `start_Pa`, absolute, bent by the exponent.
+  double Beyond(double rest, double rise) const {
+    if (start_Pa_ == 0 && exponent_ == 1) return rise;
+    return Pressed(rest + rise - start_Pa_) - Pressed(rest - start_Pa_);
+  }
+  double Pressed(double p) const {
+    constexpr double kReference = 1e7;  // [Pa]
+    if (!(p > 0)) return 0;
+    return exponent_ == 1 ? p : kReference * std::pow(p / kReference, exponent_);
+  }
+
+  double bore_, rod_, difference_, retraction_ratio_, start_Pa_, exponent_;
+  double bore_rest_, rod_rest_, at_rest_;
 };
 
 Status Install(const EffectParams& effect, Extension* extension) {
   for (int i : TargetCylinders(effect, extension->params())) {
     const auto& c = extension->params().cylinders[static_cast<size_t>(i)];
-    const double at_rest =
-        StaticPressure(c.bore_line, *extension) - StaticPressure(c.rod_line, *extension);
-    extension->AddLevel(i, std::make_unique<PressedSeal>(effect, at_rest));
+    extension->AddLevel(
+        i, std::make_unique<PressedSeal>(effect, StaticPressure(c.bore_line, *extension),
+                                         StaticPressure(c.rod_line, *extension)));
   }
   return {};
 }
@@ -55,12 +73,14 @@ const EffectInfo& PressureFrictionInfo() {
       "pressure_friction",
       "friction",
       "cylinders",
-      "level + k (p - p0) of each chamber + k_d (|p_bore - p_rod| - at rest), by direction",
+      "level + k (p^n - p0^n) of each chamber, p beyond p_s, + k_d (|p_bore - p_rod| - at rest)",
       {
           {"bore_N_per_Pa", "N/Pa", 1e-4, -1, 1, 0, 1e-2, "k_bore"},
           {"rod_N_per_Pa", "N/Pa", 1e-4, -1, 1, 0, 1e-2, "k_rod"},
           {"difference_N_per_Pa", "N/Pa", 0, -1, 1, 0, 1e-2, "k_d"},
           {"retraction_ratio", "-", 1, 0, 1e3, 0.05, 20, "of these terms, in retraction"},
+          {"exponent", "-", 1, 0.1, 5, 0.3, 3, "n: k p (p/10 MPa)^(n-1), p beyond p_s"},
+          {"start_Pa", "Pa", 0, 0, 1e9, 0, 2e7, "p_s: each chamber presses beyond it; 0: always"},
       },
       Install,
       {
@@ -86,6 +106,8 @@ const EffectInfo& PressureFrictionInfo() {
               {
                   {.free = {{"difference_N_per_Pa", 0}}},
                   {.free = {{"retraction_ratio", 1}}},
+                  {.free = {{"start_Pa", 2e6, 8e6, 2}}},
+                  {.free = {{"exponent", 0.6, 1.6, 2}}},
               },
           .over = {"N", "spq"},
       }};

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <memory>
+#include <string>
 
 #include "effects/targets.h"
 
@@ -15,14 +16,19 @@ using hydraulics::LevelParts;
 using hydraulics::LevelPlace;
 using hydraulics::Walk;
 
-class Stribeck final : public hydraulics::LevelLaw {
+class Stribeck : public hydraulics::LevelLaw {
  public:
   explicit Stribeck(const EffectParams& effect)
       : extra_N_(effect.values.at("extra_N")),
         speed_m_s_(effect.values.at("speed_m_s")),
         exponent_(effect.values.at("exponent")) {}
   void Add(const LevelPlace& place, LevelParts* level) const noexcept override {
-    const double ratio = place.speed / speed_m_s_;
+    AddAt(place.speed, level);
+  }
+
+ protected:
+  void AddAt(double speed, LevelParts* level) const noexcept {
+    const double ratio = speed / speed_m_s_;
     level->extra += extra_N_ * std::exp(-(exponent_ == 1 ? ratio : std::pow(ratio, exponent_)));
   }
 
@@ -30,9 +36,33 @@ class Stribeck final : public hydraulics::LevelLaw {
   double extra_N_, speed_m_s_, exponent_;
 };
 
+/// Memory: the speed of the film, a lag behind |v|.
+class LaggingStribeck final : public Stribeck {
+ public:
+  explicit LaggingStribeck(const EffectParams& effect)
+      : Stribeck(effect), film_time_s_(effect.values.at("film_time_s")) {}
+  void Add(const LevelPlace& place, LevelParts* level) const noexcept override {
+    AddAt(place.memory, level);
+  }
+  std::string MemoryName() const override { return "film"; }
+  double MemoryRate(double v, double memory) const noexcept override {
+    return (std::abs(v) - memory) / film_time_s_;
+  }
+  double AdvanceMemory(double h, double v, double memory) const noexcept override {
+    return std::abs(v) + (memory - std::abs(v)) * std::exp(-h / film_time_s_);
+  }
+
+ private:
+  double film_time_s_;
+};
+
 Status Install(const EffectParams& effect, Extension* extension) {
   for (int i : TargetCylinders(effect, extension->params())) {
-    extension->AddLevel(i, std::make_unique<Stribeck>(effect));
+    if (effect.values.at("film_time_s") > 0) {
+      extension->AddLevel(i, std::make_unique<LaggingStribeck>(effect));
+    } else {
+      extension->AddLevel(i, std::make_unique<Stribeck>(effect));
+    }
   }
   return {};
 }
@@ -44,11 +74,12 @@ const EffectInfo& StribeckInfo() {
       "stribeck",
       "friction",
       "cylinders",
-      "level + F_s exp(-(|v|/v_s)^n)",
+      "level + F_s exp(-(u/v_s)^n), u: |v|, or a lag tau behind it",
       {
           {"extra_N", "N", 400, -1e5, 1e6, 0, 3000, "F_s"},
           {"speed_m_s", "m/s", 2e-3, 1e-7, 10, 1e-4, 0.05, "v_s"},
           {"exponent", "-", 1, 0.1, 10, 0.5, 3, "n"},
+          {"film_time_s", "s", 0, 0, 100, 0, 1, "tau; 0: no lag"},
       },
       Install,
       {
@@ -71,6 +102,7 @@ const EffectInfo& StribeckInfo() {
           .options =
               {
                   {.free = {{"exponent", 1.5}}},
+                  {.free = {{"film_time_s", 0.01, 0.1, 2}}},
               },
           .over = {"N", "sv"},
       }};

@@ -138,6 +138,7 @@ class Search {
     std::vector<FullTrial> trials = Try(out_.corrected, out_.after, list);
     if (cancelled_) return false;
     const size_t first = out_.candidates.size();
+    std::vector<FullTrial> passed;
     int best = -1;
     for (const FullTrial& trial : trials) {
       CandidateRecord record{trial.candidate->effect,
@@ -155,6 +156,7 @@ class Search {
       }
       if (record.verdict.empty()) {
         record.verdict = kBeaten;
+        passed.push_back(trial);
         if (best < 0 ||
             Beats(problem_, trial.form, trial.fit, trials[static_cast<size_t>(best)].form,
                   trials[static_cast<size_t>(best)].fit)) {
@@ -166,7 +168,7 @@ class Search {
     if (best < 0) return false;
     CandidateRecord& record = out_.candidates[first + static_cast<size_t>(best)];
     const FullTrial& trial = trials[static_cast<size_t>(best)];
-    AcceptedEffect effect = BesideRivals(trial, record.evidence, trials);
+    AcceptedEffect effect = BesideRivals(trial, record.evidence, passed);
     if (problem_.rule().told_apart && !out_.effects.empty() && !effect.rivals.empty()) {
       record.verdict = kNotApart;
       out_.untold = std::move(effect.rivals);
@@ -186,12 +188,13 @@ class Search {
     return {trial.form, {trial.fit.values.end() - own, trial.fit.values.end()}};
   }
 
-  /// A trial as an accepted effect; what of the others chance may have put behind it is noted.
+  /// A trial as an accepted effect; what of the others that pass the rule themselves chance may
+  /// have put behind it is noted.
   AcceptedEffect BesideRivals(const FullTrial& trial, const Evidence& evidence,
                               const std::vector<FullTrial>& others) const {
     AcceptedEffect accepted{trial.form, evidence, {}};
     for (const FullTrial& other : others) {
-      if (!other.fit.ok || other.candidate->effect == trial.candidate->effect) continue;
+      if (other.candidate->effect == trial.candidate->effect) continue;
       const double behind = Criterion(problem_, other.fit.score, other.fit.values.size()) -
                             Criterion(problem_, trial.fit.score, trial.fit.values.size());
       if (IsBeyondChance(problem_.rule(), behind, 1)) continue;

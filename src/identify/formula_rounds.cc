@@ -59,14 +59,17 @@ void ChallengeByFormula(const FitProblem& problem, const FitProblem& coarse, con
 bool AddFormula(const FitProblem& problem, const FitProblem& coarse, const Effort& effort,
                 const std::function<bool(double)>& go_on, Identification* found) {
   if (!found->formula.empty()) return false;
-  const FormulaTrial trial = TryFormula(problem, coarse, found->corrected, found->after,
-                                        {.threshold = Threshold(problem)});
-  if (!trial.fit.ok) return false;
-  if (const std::string no = Refusal(problem.rule(), trial.evidence, trial.candidate, trial.fit);
-      !no.empty()) {
-    Record(trial, no, found);
-    return false;
-  }
+  FormulaLimits limits{.threshold = Threshold(problem)};
+  FormulaTrial trial;
+  std::string no;
+  do {  // where the record does not tell the amounts of several terms apart, fewer do
+    trial = TryFormula(problem, coarse, found->corrected, found->after, limits);
+    if (!trial.fit.ok) return false;
+    no = Refusal(problem.rule(), trial.evidence, trial.candidate, trial.fit);
+    if (!no.empty()) Record(trial, no, found);
+    limits.max_terms = static_cast<int>(trial.found.terms.size()) - 1;
+  } while (no == kNotTold && limits.max_terms > 0);
+  if (!no.empty()) return false;
   // Where several effects explain the rest alike a formula is one more, unless it says more.
   if (!found->untold.empty() && !SaysMore(problem, found->untold_fit, trial)) {
     Record(trial, kNotApart, found);

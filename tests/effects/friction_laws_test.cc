@@ -25,6 +25,27 @@ TEST(Stribeck, RaisesSlowSliding) {
   }
 }
 
+// u = v (1 - exp(-t/tau)) from rest, v exp(-t/tau) after sliding (Hess and Soom 1990).
+TEST(Stribeck, AFilmThatLagsKeepsFrictionHighWhereSlidingBegins) {
+  PhsParams p = Quarter();
+  p.friction.model = FrictionModel::kStatic;  // no bristle that lags, too
+  const PhsSystem plain = Compile(p);
+  const PhsSystem lagging =
+      Compile(With(p, "stribeck", {{"extra_N", 500}, {"speed_m_s", 2e-3}, {"film_time_s", 0.2}}));
+  const double v = 4e-3, h = 1e-4;
+  for (const double t : {0.05, 0.2, 0.6}) {
+    const auto slides = [&](double at) { return v * at; };
+    const double extra =
+        Drive(lagging, t, h, slides).friction - Drive(plain, t, h, slides).friction;
+    EXPECT_NEAR(extra, 500 * std::exp(-v * (1 - std::exp(-t / 0.2)) / 2e-3), 0.5) << t;
+  }
+  const auto slows = [&](double at) { return at < 2 ? v * at : 2 * v + 0.1 * v * (at - 2); };
+  const double extra =
+      Drive(lagging, 2.1, h, slows).friction - Drive(plain, 2.1, h, slows).friction;
+  const double film = 0.1 * v + 0.9 * v * std::exp(-0.1 / 0.2);
+  EXPECT_NEAR(extra, 500 * std::exp(-film / 2e-3), 0.5);
+}
+
 TEST(Presliding, TurnsALookUpIntoASpringBeforeSliding) {
   PhsParams p = Quarter();
   p.friction.model = FrictionModel::kStatic;
@@ -57,6 +78,31 @@ TEST(Presliding, DahlsExponentShapesTheReturnFromSliding) {
         i == 1 ? 2 * std::exp(-x) : std::pow(std::pow(2, 1 - i) + (i - 1) * x, 1 / (1 - i));
     EXPECT_NEAR(h.friction, -level * (1 - g), 2e-3 * level) << "i " << i;
   }
+}
+
+/// A lip that the oil presses out bears beyond 6 MPa only.
+TEST(PressureFriction, MayBeginAtAPressure) {
+  const PhsParams p = Quarter();
+  const auto& c = p.cylinders[0];
+  const double rest = p.lines[static_cast<size_t>(p.FindLine(c.bore_line))].static_pressure_Pa;
+  const PhsSystem s =
+      Compile(With(p, "pressure_friction",
+                   {{"bore_N_per_Pa", 1e-4}, {"rod_N_per_Pa", 0}, {"start_Pa", rest + 1e6}}));
+  const PhsSystem plain = Compile(p);
+  for (const double rise : {-1e6, 0.5e6, 3e6}) {
+    hydraulics::FrictionPlace place;
+    place.bore_rise = rise;
+    EXPECT_NEAR(s.friction(0).Level(1, 0.01, place) - plain.friction(0).Level(1, 0.01, place),
+                1e-4 * std::max(rise - 1e6, 0.0), 1e-6)
+        << rise;
+  }
+  const PhsSystem root = Compile(
+      With(p, "pressure_friction",
+           {{"bore_N_per_Pa", 1e-4}, {"rod_N_per_Pa", 0}, {"start_Pa", rest}, {"exponent", 0.5}}));
+  hydraulics::FrictionPlace place;
+  place.bore_rise = 2.5e6;
+  EXPECT_NEAR(root.friction(0).Level(1, 0.01, place) - plain.friction(0).Level(1, 0.01, place),
+              1e-4 * 1e7 * 0.5, 1e-6);
 }
 
 TEST(PressureFriction, GrowsWithThePressureOfEachChamber) {
