@@ -2,9 +2,9 @@
 // >= 0. k [N/Pa] = mu pi D l of the seal lip: 0 … 5e-4 for a 100 mm cylinder (1e-4: 100 N per MPa).
 // A lip that bears only when the oil presses it out begins at a pressure p_s: of p and p0 counts
 // what is above (start_Pa, absolute). One that is soon flat, or bears ever more, grows with
-// p (p/10 MPa)^(n-1) (exponent). A lip that turns over with the motion is gripped by another share in retraction
-// (retraction_ratio). On an element bench p is the pressure channel and p0 = 0. Dissipative: part
-// of the friction level.
+// p (p/10 MPa)^(n-1) (exponent). A lip that turns over with the motion is gripped by another share
+// in retraction (retraction_ratio). On an element bench p is the pressure channel and p0 = 0.
+// Dissipative: part of the friction level.
 #pragma once
 
 #include "hydraulics/extension.h"

@@ -43,9 +43,9 @@ void AddColoured(const VerdictFacts& facts, std::vector<std::string>* reasons) {
   }
 }
 
-/// What shakes the rig from beside it.
+/// What shakes the rig from beside it: what follows the rig, or drifts, is loud in some parts, too.
 void AddComing(const ChannelLeft& c, std::vector<std::string>* reasons) {
-  if (!c.comes_and_goes) return;
+  if (!c.comes_and_goes || c.following > kAsLargeAsNoise) return;
   reasons->push_back("what " + c.channel +
                      " is left with comes and goes: for a quarter of the validation window it is "
                      "as good as quiet; look for what runs beside the rig");

@@ -9,6 +9,7 @@ namespace {
 
 using testing::Contains;
 using testing::HasSubstr;
+using testing::Not;
 
 VerdictFacts Facts(double before, double after) {
   return {{{"load_cell_N", before, after, 0.02}}, {}, {}, {}};
@@ -38,6 +39,9 @@ TEST(Verdict, WhatComesAndGoesIsNoNoiseOfTheSensor) {
   facts.channels[0].comes_and_goes = true;
   EXPECT_EQ(Judge(facts).word, "not_described");
   EXPECT_THAT(Judge(facts).reasons, Contains(HasSubstr("comes and goes")));
+  facts.channels[0].following = 40;
+  EXPECT_EQ(Judge(facts).word, "not_described");
+  EXPECT_THAT(Judge(facts).reasons, Not(Contains(HasSubstr("comes and goes"))));
 }
 
 TEST(Verdict, AFormThatIsOnNoListIsSaid) {
