@@ -54,6 +54,15 @@ TEST(ToldApart, ALawWithoutARivalIsTakenBesideAnother) {
   EXPECT_TRUE(found.untold.empty());
 }
 
+/// A rival that the rule would refuse itself: it wants more than is plausible of it.
+TEST(ToldApart, ALawAtTheEndOfItsRangeStandsAgainstNone) {
+  measurement::FitData data = BrakedRecord({"brake", "other_brake"});
+  data.own.back().numbers.front().high = 1.97e7;  // of 2e7
+  const Identification found = Search(data);
+  EXPECT_EQ(AcceptedNames(found), (std::vector<std::string>{"external_leakage", "brake"}))
+      << Said(found);
+}
+
 TEST(ToldApart, OfTwoLawsThatExplainAlikeNeitherIsTakenBesideAnother) {
   const measurement::FitData data = BrakedRecord({"brake", "other_brake"});
   const Identification found = Search(data);
