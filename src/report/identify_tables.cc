@@ -198,7 +198,10 @@ void AddEffectTable(const IdentifyResults& results, ReportPage* page) {
     table.rows.push_back({TableCell(title)});
     const json parameters = effect.value("parameters", json::object());
     AddNumbers(parameters, &table);
-    AddNumbers(effect.value("form", json::object()).value("parameters", json::object()), &table);
+    if (const json form = effect.value("form", json::object()); !form.empty()) {
+      table.rows.push_back({TableCell("its own form: " + form.value("formula", "?")), "", ""});
+      AddNumbers(form.value("parameters", json::object()), &table);
+    }
     if (parameters.empty()) table.rows.push_back({TableCell("no parameter"), "", ""});
     const json grounds = effect.value("evidence", json());
     if (!grounds.is_object() || grounds.empty()) continue;

@@ -105,8 +105,7 @@ std::string DescribeEffect(const json& effect) {
   if (effect.contains("formula") && effect["formula"].is_string()) {
     text += ", " + effect["formula"].get<std::string>();
   }
-  const std::string form = effect.value("form", json::object()).value("formula", "");
-  if (!form.empty()) text += " in a form of its own, " + form;
+  if (effect.contains("form")) text += " in a form of its own";
   return text;
 }
 
