@@ -9,11 +9,12 @@ def figures(phs):
     present = sets(phs, "score_present.csv")
     out = {"scores": score_table(rows), "sets": str(len(rows)), "present": score_table(present),
            "present_sets": str(len(present))}
-    hands = sets(phs, "score_three_hands.csv")
-    out["hands"], out["hands_sets"] = score_table(hands), str(len(hands))
-    out["hands_described"] = share(*of(hands, "off_list", lambda row: row["described"] == "1"))
-    out["hands_explained"] = str(with_verdict(hands, "explained"))
-    out["hands_explained_right"] = str(with_verdict(hands, "explained", "exact", "one more", "formula"))
+    for name, file in (("hands", "score_three_hands.csv"), ("later", "score_later_hands.csv")):
+        hands = sets(phs, file)
+        out[name], out[name + "_sets"] = score_table(hands), str(len(hands))
+        out[name + "_described"] = share(*of(hands, "off_list", lambda row: row["described"] == "1"))
+        out[name + "_explained"] = str(with_verdict(hands, "explained"))
+        out[name + "_explained_right"] = str(with_verdict(hands, "explained", "exact", "one more", "formula"))
     for verdict in VERDICTS:
         out[verdict] = str(with_verdict(rows, verdict))
     clean = [row for row in rows if row["kind"] == "clean"]

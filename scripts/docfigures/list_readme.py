@@ -23,7 +23,7 @@ def figures(phs):
         out["sum_Y_" + name] = number(wheelset(run)["sum_Y_N"] / 1e3, 1) + " kN"
         out["wear_" + name] = number(t_gamma(run), 0) + " N"
         out["work_" + name] = number(run["run"]["lost_creep_J"] / 1e3, 1) + " kJ"
-    blind = sets(phs, "score_present.csv") + sets(phs, "score_three_hands.csv")
+    blind = [row for name in ("present", "three_hands", "later_hands") for row in sets(phs, f"score_{name}.csv")]
     out["blind_sets"] = str(len(blind))
     out["blind_clean"] = str(sum(row["kind"] == "clean" for row in blind))
     out["blind_alarms"] = str(sum(row["kind"] == "clean" and bool(row["accepted"]) for row in blind))

@@ -200,8 +200,7 @@ class PlaceTerms final : public TermLibrary {
     if (data_.has_friction) {
       AddWithFriction(x, v, signed_v, others);
     } else if (data_.has_speed) {
-      Add(signed_v, "", 1, 0), Add(v, "", 1, 0);
-      Add(signed_v + "*" + v, "", 2, 0), Add(v + "^2", "", 2, 0);
+      Add(v, "", 1, 0), Add(v + "^2", "", 2, 0);
     }
   }
 
