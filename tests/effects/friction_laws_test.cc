@@ -80,7 +80,7 @@ TEST(Presliding, DahlsExponentShapesTheReturnFromSliding) {
   }
 }
 
-/// A lip that the oil presses out bears beyond 6 MPa only.
+/// A lip that the oil presses out bears from 1 MPa above rest on.
 TEST(PressureFriction, MayBeginAtAPressure) {
   const PhsParams p = Quarter();
   const auto& c = p.cylinders[0];
