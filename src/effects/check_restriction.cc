@@ -1,9 +1,7 @@
 #include "effects/check_restriction.h"
 
-#include <memory>
-
+#include "effects/restriction.h"
 #include "effects/targets.h"
-#include "hydraulics/pipe.h"
 
 namespace phs::effects {
 namespace {
@@ -19,14 +17,13 @@ Status Install(const EffectParams& effect, Extension* extension) {
   for (int i : TargetCylinders(effect, extension->params())) {
     for (Port chamber : {Port::kBore, Port::kRod}) {
       const double factor = chamber == Port::kRod ? effect.values.at("rod_ratio") : 1;
-      const PipeFlow::Resistance out{
-          factor * AtModelTemperature(effect.values.at("out_Pas_per_m3"), extension->params()),
-          factor * effect.values.at("turbulent_out_Pas2_per_m6")};
-      const PipeFlow::Resistance in{
-          factor * AtModelTemperature(effect.values.at("in_Pas_per_m3"), extension->params()),
-          factor * effect.values.at("turbulent_in_Pas2_per_m6")};
-      extension->SplitChamber(chamber, i, effect.values.at("oil_share"), "check_restriction",
-                              std::make_unique<PipeFlow>(out, in, 0));
+      const PipeFlow::Resistance out{factor * effect.values.at("out_Pas_per_m3"),
+                                     factor * effect.values.at("turbulent_out_Pas2_per_m6")};
+      const PipeFlow::Resistance in{factor * effect.values.at("in_Pas_per_m3"),
+                                    factor * effect.values.at("turbulent_in_Pas2_per_m6")};
+      extension->SplitChamber(
+          chamber, i, effect.values.at("oil_share"), "check_restriction",
+          MakeRestriction(out, in, effect.values.at("exponent"), extension->params()));
     }
   }
   return {};
@@ -39,12 +36,13 @@ const EffectInfo& CheckRestrictionInfo() {
       "check_restriction",
       "hydraulic",
       "cylinders",
-      "p_chamber - p_line = R q + K q|q|, R and K by direction",
+      "p_chamber - p_line = R q (|q|/(1e-5 m3/s))^(1/n - 1) + K q|q|, R and K by direction",
       {
           {"out_Pas_per_m3", "Pa s/m3", 1e10, 1e3, 1e16, 1e6, 1e13,
            "R at 20 °C for flow out of the chamber"},
           {"in_Pas_per_m3", "Pa s/m3", 1e9, 1e3, 1e16, 1e6, 1e13,
            "R at 20 °C for flow into the chamber"},
+          {"exponent", "-", 1, 1, 5, 1, 4, "n: 1 a pipe, > 1 a plate or reed that the flow lifts"},
           {"turbulent_out_Pas2_per_m6", "Pa s2/m6", 0, 0, 1e20, 0, 1e17, "K out of the chamber"},
           {"turbulent_in_Pas2_per_m6", "Pa s2/m6", 0, 0, 1e20, 0, 1e17, "K into the chamber"},
           {"rod_ratio", "-", 1, 1e-3, 1e3, 0.02, 50,
@@ -87,6 +85,7 @@ const EffectInfo& CheckRestrictionInfo() {
                   {.free = {{"in_Pas_per_m3", 2e7, 1e9, 2}}},
                   {.free = {{"turbulent_out_Pas2_per_m6", 2e11, 1e13, 2}}},
                   {.free = {{"turbulent_in_Pas2_per_m6", 2e11, 1e13, 2}}},
+                  {.free = {{"exponent", 1.3, 2, 2}}},
                   {.free = {{"oil_share", 0.2}}},
                   {.free = {{"rod_ratio", 1}}, .of_sides = true},
               },

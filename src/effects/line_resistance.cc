@@ -1,9 +1,7 @@
 #include "effects/line_resistance.h"
 
-#include <memory>
-
+#include "effects/restriction.h"
 #include "effects/targets.h"
-#include "hydraulics/pipe.h"
 
 namespace phs::effects {
 namespace {
@@ -18,11 +16,11 @@ Status Install(const EffectParams& effect, Extension* extension) {
   for (int i : TargetCylinders(effect, extension->params())) {
     for (Port chamber : {Port::kBore, Port::kRod}) {
       const double factor = chamber == Port::kRod ? effect.values.at("rod_ratio") : 1;
-      const PipeFlow::Resistance r{
-          factor * AtModelTemperature(effect.values.at("laminar_Pas_per_m3"), extension->params()),
-          factor * effect.values.at("turbulent_Pas2_per_m6")};
-      extension->SplitChamber(chamber, i, effect.values.at("oil_share"), "line_resistance",
-                              std::make_unique<PipeFlow>(r, r, 0));
+      const PipeFlow::Resistance r{factor * effect.values.at("laminar_Pas_per_m3"),
+                                   factor * effect.values.at("turbulent_Pas2_per_m6")};
+      extension->SplitChamber(
+          chamber, i, effect.values.at("oil_share"), "line_resistance",
+          MakeRestriction(r, r, effect.values.at("exponent"), extension->params()));
     }
   }
   return {};
@@ -35,9 +33,10 @@ const EffectInfo& LineResistanceInfo() {
       "line_resistance",
       "hydraulic",
       "cylinders",
-      "p_chamber - p_line = R q + K q|q|",
+      "p_chamber - p_line = R q (|q|/(1e-5 m3/s))^(1/n - 1) + K q|q|",
       {
           {"laminar_Pas_per_m3", "Pa s/m3", 1e9, 1e3, 1e16, 1e5, 1e12, "R at 20 °C"},
+          {"exponent", "-", 1, 1, 5, 1, 4, "n: 1 a pipe, > 1 a plate or reed that the flow lifts"},
           {"turbulent_Pas2_per_m6", "Pa s2/m6", 0, 0, 1e20, 0, 1e16, "K"},
           {"rod_ratio", "-", 1, 1e-3, 1e3, 0.02, 50,
            "resistance of the rod side over that of the bore side"},
@@ -67,6 +66,7 @@ const EffectInfo& LineResistanceInfo() {
               {
                   {.free = {{"laminar_Pas_per_m3", 6e7, 3e9, 3}}},
                   {.free = {{"turbulent_Pas2_per_m6", 1e12, 1e14, 3}}},
+                  {.free = {{"exponent", 1.3, 2, 2}}},
                   {.free = {{"oil_share", 0.2}}},
                   {.free = {{"rod_ratio", 1}}, .of_sides = true},
               },

@@ -1,6 +1,6 @@
 // The numbers of the rule of acceptance (accept.h). Beside them decide: plausible ranges and starts of the
 // effects, what a formula's single term must bring (formula_selection.h), and for the word of the
-// verdict those of verdict.cc.
+// verdict those of verdict.cc and motion_share.cc.
 #pragma once
 
 #include <span>

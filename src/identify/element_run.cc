@@ -67,24 +67,7 @@ std::string UnitOf(const std::string& channel) { return channel.substr(channel.r
 
 std::string BenchSummary(const json& result) {
   std::string out = search::FindingLines(result) + search::VerdictLines(result);
-  for (const json& e : result["effects"]) {
-    out += fmt::format("effect {}", e["name"].get<std::string>());
-    if (e.contains("formula")) out += "  F = " + e["formula"].get<std::string>();
-    for (const auto& [name, p] : e["parameters"].items()) {
-      if (e.contains("formula")) break;
-      out += fmt::format("  {} {:.4g} [{:.4g}, {:.4g}]", name, p["value"].get<double>(),
-                         p["low"].get<double>(), p["high"].get<double>());
-    }
-    if (e.contains("form")) {
-      out += "  and of its own form F = " + e["form"]["formula"].get<std::string>();
-    }
-    out += fmt::format("  delta BIC {:.0f}", e["evidence"]["delta_bic"].get<double>());
-    if (!e["confusable_with"].empty()) {
-      out += "  not told apart from " +
-             JoinWords(e["confusable_with"].get<std::vector<std::string>>());
-    }
-    out += "\n";
-  }
+  for (const json& e : result["effects"]) out += search::EffectLine(e);
   for (const char* key : {"channels_estimation", "channels"}) {
     const auto [channel, s] = *result[key].items().begin();
     out += fmt::format("{} {:10} rmse {:.4g} -> {:.4g} {}  relative {:.3f} -> {:.3f} %\n", channel,

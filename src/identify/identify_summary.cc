@@ -15,6 +15,8 @@ std::string NumbersOf(const Json& effect) {
   return out;
 }
 
+}  // namespace
+
 std::string EffectLine(const Json& e) {
   std::string line = "effect " + e["name"].get<std::string>();
   if (e.contains("on")) line += " on " + JoinWords(e["on"].get<std::vector<std::string>>());
@@ -33,8 +35,6 @@ std::string EffectLine(const Json& e) {
   }
   return line + "\n";
 }
-
-}  // namespace
 
 std::string Summary(const Json& result) {
   std::string out = FindingLines(result);

@@ -54,6 +54,8 @@ Json FindingList(const std::vector<measurement::DataFinding>& findings);
 
 /// What to measure next, for the terminal.
 /// "data: …", a line for each of the first findings.
+/// An effect of a result: its name, where it is, formula, numbers with their 95 % intervals, gain.
+std::string EffectLine(const Json& effect);
 std::string FindingLines(const Json& result);
 std::string NextTestLines(const Json& result);
 /// The ten lines for the terminal.

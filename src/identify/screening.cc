@@ -162,8 +162,16 @@ Trial TakeSteps(const FitProblem& problem, const FreeModel& model, const std::ve
   return trial;
 }
 
-/// Those that promise most, stand best, or promise most once moved, in turn.
-std::vector<size_t> MostPromising(const std::vector<Probes>& probes, int most) {
+/// What it promises at best: -2 ln L.
+double BestOf(const Probes& p) {
+  const double stepped = p.promised.empty() ? 1e300 : p.promised.front().score;
+  return std::min({stepped, p.present.score, p.moved.score});
+}
+
+/// Those that promise most, stand best, or promise most once moved, in turn. `least`: -2 ln L that each
+/// must promise at least, so that it pays for its own numbers.
+std::vector<size_t> MostPromising(const std::vector<Probes>& probes,
+                                  const std::vector<double>& least, int most) {
   const auto ranked = [&](auto score) {
     std::vector<size_t> order(probes.size());
     std::iota(order.begin(), order.end(), size_t{0});
@@ -178,11 +186,21 @@ std::vector<size_t> MostPromising(const std::vector<Probes>& probes, int most) {
   std::vector<size_t> out;
   for (size_t i = 0; i < probes.size() && static_cast<int>(out.size()) < most; ++i) {
     for (const size_t k : {promised[i], present[i], moved[i]}) {
-      if (probes[k].promised.empty()) continue;
+      if (probes[k].promised.empty() || !(BestOf(probes[k]) < least[k])) continue;
       if (std::find(out.begin(), out.end(), k) == out.end()) out.push_back(k);
     }
   }
   return out;
+}
+
+/// -2 ln L at which each candidate would just pay for its own numbers.
+std::vector<double> PaidFor(const FitProblem& coarse, const Point& point,
+                            const std::vector<Candidate>& list) {
+  std::vector<double> least;
+  for (const Candidate& candidate : list) {
+    least.push_back(point.score - Criterion(coarse, 0, candidate.free.size()));
+  }
+  return least;
 }
 
 /// Best first, at most two variants of one effect in front.
@@ -222,7 +240,8 @@ std::vector<Trial> ScreenCandidates(const FitProblem& coarse, const FreeModel& m
     const auto k = static_cast<size_t>(i);
     probes[k] = Probed(coarse, model, bases, list[k]);
   });
-  const std::vector<size_t> tried = MostPromising(probes, 3 * effort.coarse_fits);
+  const std::vector<size_t> tried =
+      MostPromising(probes, PaidFor(coarse, points.front(), list), 3 * effort.coarse_fits);
   std::vector<Trial> trials(tried.size());
   done = 0;
   coarse.ForEach(static_cast<int>(tried.size()), [&](int i) {

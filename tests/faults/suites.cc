@@ -65,16 +65,16 @@ Suite SweepForce() {
   return suite;
 }
 
-/// The table of steps up to its row 10: four steps of setup 2 say enough for every file of a result,
-/// and are identified in a quarter of the time.
+/// The table of steps up to its row 8, with one number free: two steps of setup 2 say enough for every
+/// file of a result, and are identified in a sixth of the time of four.
 std::string ShortStepTable() {
   const std::string text = Shipped("lowe_table_b1.csv");
-  return text.substr(0, text.find("\n11,") + 1);
+  return text.substr(0, text.find("\n9,") + 1);
 }
 
 Suite IdentifySteps() {
   return {.name = "identify_steps",
-          .files = {{"steps.yaml", Shipped("steps_setup2.yaml")},
+          .files = {{"steps.yaml", Shipped("steps_setup2.yaml") + "free: [L2.gas_volume_m3]\n"},
                     {"lowe_table_b1.csv", ShortStepTable()}},
           .arguments = {"identify", "steps.yaml", "--quiet", "--out", "out"},
           .again = {"identify", "steps.yaml", "--quiet", "--out", "out"}};

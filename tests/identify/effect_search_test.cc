@@ -60,6 +60,19 @@ TEST(EffectSearchTest, FindsAnOrificeLeakAndItsExponent) {
   EXPECT_NEAR(std::isnan(freed) ? fixed : freed, 0.5, 0.15);
 }
 
+// A plate that the flow lifts, the drop as the root of the flow and less: where pipes and orifices
+// alone were tried (n = 1 and 1/2), another hand's record of one ended as viscous friction.
+TEST(EffectSearchTest, FindsAPlateThatTheFlowLiftsAndItsExponent) {
+  hydraulics::PhsParams truth = OffDeclared();
+  truth.effects.push_back(
+      {"line_resistance", {}, {{"laminar_Pas_per_m3", 1e10}, {"exponent", 1.8}}});
+  const FitData data = Record(truth);
+  const Identification found = Find(Declared(), data);
+  ASSERT_EQ(found.effects.size(), 1u) << Said(found);
+  EXPECT_EQ(found.effects[0].candidate.effect, "line_resistance");
+  EXPECT_NEAR(ValueOf(found, "effects.line_resistance.exponent"), 1.8, 0.1);
+}
+
 // Foam in the reservoirs: the gas gives its heat to it in 14.5 ms, the foam (20 times the heat
 // capacity) its own to the vessel in 30 s. Where less than 30 ms was not plausible this was called
 // air in the oil.
