@@ -110,6 +110,12 @@ Verdict Judge(const VerdictFacts& facts) {
       reasons.push_back(effect.name + " has another form than the listed ones: beside them " +
                         effect.own_form);
     }
+    if (!effect.at_end.empty()) {
+      reasons.push_back(
+          fmt::format("{} ends at the edge of what is plausible in {}: its law may be "
+                      "another one",
+                      effect.name, JoinWords(effect.at_end)));
+    }
     if (effect.rivals.empty()) continue;
     reasons.push_back(effect.name + " explains no more than " + JoinWords(effect.rivals));
   }

@@ -1,10 +1,34 @@
 // The verdict as it stands in result.json, from what was found.
+#include <fmt/format.h>
+
 #include <algorithm>
 
+#include "identify/accept.h"
 #include "identify/own_form.h"
 #include "identify/result_json.h"
 
 namespace phs::identify::search {
+
+namespace {
+
+/// Numbers of an effect's form, but for its amounts, that ended at an end of their range. What an
+/// amount may do there decides accept.h.
+std::vector<std::string> NumbersAtEnd(const Identification& found, const Candidate& form) {
+  std::vector<std::string> out;
+  for (auto k = static_cast<size_t>(form.mains); k < form.free.size(); ++k) {
+    const FreeParameter& p = form.free[k];
+    const auto& all = found.corrected.free;
+    const auto at = std::find_if(all.begin(), all.end(),
+                                 [&](const FreeParameter& other) { return other.name == p.name; });
+    if (at == all.end()) continue;
+    const double value = found.after.values[static_cast<size_t>(at - all.begin())];
+    if (!IsAtEnd(p, value)) continue;
+    out.push_back(fmt::format("{} ({:.3g})", p.name.substr(p.name.rfind('.') + 1), value));
+  }
+  return out;
+}
+
+}  // namespace
 
 std::vector<NamedEffect> NamedEffects(const Identification& found) {
   std::vector<NamedEffect> out;
@@ -13,6 +37,7 @@ std::vector<NamedEffect> NamedEffects(const Identification& found) {
     const AcceptedEffect& effect = found.effects[i];
     if (formed && IsFormula(effect)) continue;
     out.push_back({effect.candidate.effect, effect.confusable_with, effect.special_case_of});
+    out.back().at_end = NumbersAtEnd(found, effect.candidate);
     if (formed == i) out.back().own_form = found.formula.text;
   }
   return out;

@@ -54,6 +54,15 @@ TEST(Verdict, AFormThatIsOnNoListIsSaid) {
   EXPECT_EQ(VerdictSentence(Judge(facts), facts), "explained by stribeck");
 }
 
+TEST(Verdict, ANumberAtTheEndOfItsRangeIsSaid) {
+  VerdictFacts facts = Facts(5, 1.05);
+  facts.effects = {{.name = "viscous_friction", .at_end = {"exponent (0.4)"}}};
+  EXPECT_EQ(Judge(facts).word, "explained");
+  EXPECT_THAT(Judge(facts).reasons,
+              Contains("viscous_friction ends at the edge of what is plausible in exponent (0.4): "
+                       "its law may be another one"));
+}
+
 TEST(Verdict, NotDescribedWhereMuchIsLeftAndNothingFound) {
   const Verdict v = Judge(Facts(5, 5));
   EXPECT_EQ(v.word, "not_described");
