@@ -112,8 +112,8 @@ Verdict Judge(const VerdictFacts& facts) {
     }
     if (!effect.at_end.empty()) {
       reasons.push_back(
-          fmt::format("{} ends at the edge of what is plausible in {}: its law may be "
-                      "another one",
+          fmt::format("{} ends at the edge of what is plausible in {}: it may lie beyond, or the "
+                      "law be another one",
                       effect.name, JoinWords(effect.at_end)));
     }
     if (effect.rivals.empty()) continue;

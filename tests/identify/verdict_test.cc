@@ -60,7 +60,7 @@ TEST(Verdict, ANumberAtTheEndOfItsRangeIsSaid) {
   EXPECT_EQ(Judge(facts).word, "explained");
   EXPECT_THAT(Judge(facts).reasons,
               Contains("viscous_friction ends at the edge of what is plausible in exponent (0.4): "
-                       "its law may be another one"));
+                       "it may lie beyond, or the law be another one"));
 }
 
 TEST(Verdict, NotDescribedWhereMuchIsLeftAndNothingFound) {
