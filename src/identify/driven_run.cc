@@ -164,7 +164,9 @@ Result<IdentifyOutcome> SearchAndWrite(const Manifest& manifest, const FitData& 
                                        const PhsParams& declared, FitProblem* problem,
                                        const SearchOptions& options, const Progress& progress,
                                        const WriteModel& write_model, const ResultDir& dir) {
-  Result<Identification> search = Identify(problem, declared, options, progress);
+  SearchOptions asked = options;
+  asked.effort.unpromising = !manifest.candidates.empty();  // what is named is tried
+  Result<Identification> search = Identify(problem, declared, asked, progress);
   if (!search.ok()) return search.error();
   const Identification& found = search.value();
   IdentifyOutcome outcome;

@@ -188,6 +188,7 @@ SearchOptions ForBench(const SearchOptions& options, const ElementData& data,
   const auto& named = data.candidates;
   asked.formula = named.empty() || std::find(named.begin(), named.end(),
                                              effects::UnlistedInfo().name) != named.end();
+  asked.effort.unpromising = !named.empty();  // what is named is tried
   if (!faults.empty()) asked.effort.max_effects = 0, asked.formula = false;  // nothing to explain
   return asked;
 }

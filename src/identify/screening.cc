@@ -195,8 +195,10 @@ std::vector<size_t> MostPromising(const std::vector<Probes>& probes,
 
 /// -2 ln L at which each candidate would just pay for its own numbers.
 std::vector<double> PaidFor(const FitProblem& coarse, const Point& point,
-                            const std::vector<Candidate>& list) {
+                            const std::vector<Candidate>& list, const Effort& effort) {
+  if (effort.unpromising) return std::vector<double>(list.size(), 1e300);
   std::vector<double> least;
+  least.reserve(list.size());
   for (const Candidate& candidate : list) {
     least.push_back(point.score - Criterion(coarse, 0, candidate.free.size()));
   }
@@ -241,7 +243,7 @@ std::vector<Trial> ScreenCandidates(const FitProblem& coarse, const FreeModel& m
     probes[k] = Probed(coarse, model, bases, list[k]);
   });
   const std::vector<size_t> tried =
-      MostPromising(probes, PaidFor(coarse, points.front(), list), 3 * effort.coarse_fits);
+      MostPromising(probes, PaidFor(coarse, points.front(), list, effort), 3 * effort.coarse_fits);
   std::vector<Trial> trials(tried.size());
   done = 0;
   coarse.ForEach(static_cast<int>(tried.size()), [&](int i) {

@@ -96,8 +96,10 @@ Result<FittedModel> FitNamed(const FitProblem& problem, const FitProblem& coarse
                              std::string* size) {
   std::vector<Candidate> list = problem.forward().Candidates(base.params);
   std::erase_if(list, [&](const Candidate& c) { return c.effect != name; });
-  const std::vector<FullTrial> trials =
-      TryEffects(problem, coarse, base, fit, points, list, effort, [&](double) { return go_on(); });
+  Effort whatever = effort;
+  whatever.unpromising = true;  // it is asked for
+  const std::vector<FullTrial> trials = TryEffects(problem, coarse, base, fit, points, list,
+                                                   whatever, [&](double) { return go_on(); });
   const FullTrial* best = nullptr;
   const auto criterion = [&](const FullTrial& t) {
     return Criterion(problem, t.fit.score, t.fit.values.size());

@@ -76,8 +76,15 @@ Candidate OfWave(int wave, double start) {
   return c;
 }
 
-/// What is fitted first of twelve decoys whose starts are right and one whose start is not.
-std::string FirstOf(double power, double amount, double start, double* fitted) {
+/// A candidate that was tried, and the amount that its coarse fit found.
+struct Tried {
+  std::string effect;
+  double fitted = 0;
+};
+
+/// What is tried of `list`, best first, of a record with a wave of 12 that does `amount`^`power`.
+std::vector<Tried> TriedOf(double power, double amount, const std::vector<Candidate>& list,
+                           const Effort& effort) {
   const auto forward = std::make_shared<const Waves>(power, kDecoys, amount);
   const PhsParams declared = phs_model::FindPhsParams("quarter_setup2").value();
   const auto problem = FitProblem::Create(forward, declared);
@@ -85,16 +92,25 @@ std::string FirstOf(double power, double amount, double start, double* fitted) {
   const FitResult fit =
       FitNear(problem.value(), model, {1.0}, {}, {.max_steps = 10, .final_slopes = true});
   const auto points = PointsAbout(problem.value(), model, fit, 1, false);
+  std::vector<Tried> out;
+  for (const Trial& trial : ScreenCandidates(problem.value(), model, points, list, effort,
+                                             [](double) { return true; })) {
+    out.push_back({trial.candidate->effect, trial.coarse.values.back()});
+  }
+  return out;
+}
+
+/// What is fitted first of twelve decoys whose starts are right and one whose start is not.
+std::string FirstOf(double power, double amount, double start, double* fitted) {
   std::vector<Candidate> list;
   const double as_decoys_are = 1e-13 * std::pow(1e-4, 1 / power);  // 0.1 N
   for (int k = 0; k < kDecoys; ++k) list.push_back(OfWave(k, as_decoys_are));
   list.push_back(OfWave(kDecoys, start));
   Effort effort;
   effort.coarse_fits = 1;  // three are tried
-  const auto trials =
-      ScreenCandidates(problem.value(), model, points, list, effort, [](double) { return true; });
-  *fitted = trials.front().coarse.values.back();
-  return trials.front().candidate->effect;
+  const Tried first = TriedOf(power, amount, list, effort).front();
+  *fitted = first.fitted;
+  return first.effect;
 }
 
 TEST(Screening, AnEffectWhoseStartIsAThousandTimesTooLargeIsTried) {
@@ -113,6 +129,19 @@ TEST(Screening, AStiffnessIsMovedTheOtherWay) {  // what it does falls with its 
   double fitted = 0;
   EXPECT_EQ(FirstOf(-1, 1e-11, 1e-14, &fitted), "wave 12");
   EXPECT_NEAR(fitted, 1e-11, 5e-13);
+}
+
+// Waves that are not in the record: none is worth the ln N that its number costs.
+TEST(Screening, WhatCannotPayForItsNumberIsNotTried) {
+  std::vector<Candidate> list = {OfWave(kDecoys, 1e-16)};
+  for (int k = 1; k <= 5; ++k) list.push_back(OfWave(kDecoys + k, 1e-16));
+  const std::vector<Tried> tried = TriedOf(1, 2e-16, list, {});
+  ASSERT_EQ(tried.size(), 1u);
+  EXPECT_EQ(tried[0].effect, "wave 12");
+  EXPECT_NEAR(tried[0].fitted, 2e-16, 1e-17);
+  Effort whatever;
+  whatever.unpromising = true;
+  EXPECT_EQ(TriedOf(1, 2e-16, list, whatever).size(), list.size());
 }
 
 }  // namespace
