@@ -36,7 +36,7 @@ struct NamedEffect {
   std::string name;
   std::vector<std::string> rivals;
   std::vector<std::string> special_case_of = {};  ///< what contains it, not told from it
-  std::string own_form = {};  ///< a formula for what its law leaves of it (own_form.h)
+  std::string own_form = {};             ///< a formula for what its law leaves of it (own_form.h)
   std::vector<std::string> at_end = {};  ///< its numbers at the end of their plausible range
 };
 
