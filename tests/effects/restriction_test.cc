@@ -8,7 +8,6 @@
 namespace phs::effects {
 namespace {
 
-using hydraulics::GapFlow;
 using hydraulics::PipeFlow;
 
 constexpr double kR = 1e10, kAway = 4;  ///< out of the chamber; into it over that
