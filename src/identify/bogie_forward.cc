@@ -238,7 +238,9 @@ Status BogieForward::Simulate(const Scenario& of, size_t samples, Channels* out,
   scenario.duration_s = (last - model_.start_m) / scenario.speed_m_s * 1.02 + 0.3;
   scenario.record_interval_s =
       std::clamp(0.5 * data_.step_s, scenario.timestep_s, scenario.record_interval_s);
-  auto simulation = Simulation::Create(scenario);
+  const auto check =
+      largest_step_s != nullptr ? vehicle::StepCheck::kLargest : vehicle::StepCheck::kHolds;
+  auto simulation = Simulation::Create(scenario, check);
   if (!simulation.ok()) return simulation.status();
   if (largest_step_s != nullptr) *largest_step_s = simulation.value().largest_stable_step();
   auto done = simulation.value().Run();

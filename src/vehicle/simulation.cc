@@ -111,7 +111,7 @@ Simulation::~Simulation() {
 
 const plugin::Binding& Simulation::binding() const { return *plugin::Find(model_.get()); }
 
-Result<Simulation> Simulation::Create(const Scenario& scenario) {
+Result<Simulation> Simulation::Create(const Scenario& scenario, StepCheck check) {
   InstallEngineHandlers();
   auto loaded = ComposeVehicle(scenario);
   if (!loaded.ok()) return loaded.error();
@@ -142,8 +142,8 @@ Result<Simulation> Simulation::Create(const Scenario& scenario) {
     sim.data_.reset(mj_makeData(sim.model_.get()));
     plugin::ResetToStart(sim.model_.get(), sim.data_.get());
     const Eigen::VectorXd scale = ActivationScale(sim.model_.get(), sim.binding());
-    if (Status s = CheckStep(sim.model_.get(), sim.data_.get(), scale, &sim.largest_stable_step_);
-        !s.ok()) {
+    double* largest = check == StepCheck::kLargest ? &sim.largest_stable_step_ : nullptr;
+    if (Status s = CheckStep(sim.model_.get(), sim.data_.get(), scale, largest); !s.ok()) {
       return s.error();
     }
   } catch (const EngineError& e) {

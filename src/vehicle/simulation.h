@@ -34,10 +34,13 @@ struct RunOutcome {
 /// Called now and then with the share done (0 … 1); returns false to stop the run.
 using Progress = std::function<bool(double)>;
 
+/// What is asked of the step before a run: the largest stable one, or only whether it holds.
+enum class StepCheck { kLargest, kHolds };
+
 class Simulation {
  public:
   /// Loads, binds and settles. Refuses a step that is too large for the stiffness.
-  static Result<Simulation> Create(const Scenario& scenario);
+  static Result<Simulation> Create(const Scenario& scenario, StepCheck check = StepCheck::kLargest);
   Simulation(Simulation&&) noexcept = default;
   Simulation& operator=(Simulation&&) noexcept = default;
   ~Simulation();
@@ -54,7 +57,8 @@ class Simulation {
   const plugin::Binding& binding() const;
   /// As asked for; timestep_s is the step that is taken.
   const Scenario& scenario() const { return scenario_; }
-  /// Largest step at which the vehicle on straight track is numerically stable [s]; 0 = not found.
+  /// Largest step at which the vehicle on straight track is numerically stable [s]; 0 = not found,
+  /// or not asked for.
   double largest_stable_step() const { return largest_stable_step_; }
 
  private:

@@ -90,6 +90,7 @@ Status CheckStep(mjModel* m, const mjData* d, const Eigen::VectorXd& activations
   }
   // From the step itself by doubles or halves, then to 2 % below.
   const bool holds = Stable(m, d, activations, h);
+  if (holds && largest == nullptr) return {};
   double low = h, high = h;
   while (holds && low == high && high < kLargest) {
     high *= 2;
@@ -103,7 +104,7 @@ Status CheckStep(mjModel* m, const mjData* d, const Eigen::VectorXd& activations
     const double middle = std::sqrt(low * high);
     (Stable(m, d, activations, middle) ? low : high) = middle;
   }
-  *largest = low;
+  if (largest != nullptr) *largest = low;
   if (holds) return {};
   if (low == 0) {
     return Error{"vehicle", "does not stand on straight track at any step", "",

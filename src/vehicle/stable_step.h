@@ -17,9 +17,10 @@ namespace phs::vehicle {
 double StepSpectralRadius(mjModel* m, const mjData* d, double h,
                           const Eigen::VectorXd& activations = {});
 
-/// Error if the model's step is unstable, with the largest stable step found by bisection, which is
-/// also stored in `*largest` (0 if not even 1e-5 s is stable). Slow physical growth (hunting) is
-/// allowed: only growth faster than exp(20 t/s) counts.
+/// Error if the model's step is unstable, with the largest stable step found by bisection. That is
+/// also stored in `*largest` (0 if not even 1e-5 s is stable); null: it is not sought while the
+/// step holds, which costs a seventh. Slow physical growth (hunting) is allowed: only growth faster
+/// than exp(20 t/s) counts.
 Status CheckStep(mjModel* m, const mjData* d, const Eigen::VectorXd& activations, double* largest);
 
 }  // namespace phs::vehicle
