@@ -149,26 +149,25 @@ class PistonBalance {
   int cylinder_;
 };
 
+/// The move that balances, the last that the balance was calculated at.
 double SolveMove(PistonBalance* balance, double guess) {
   double low = -INFINITY, high = INFINITY, move = guess;
-  for (int i = 0; i < 80; ++i) {
+  for (int i = 0;; ++i) {
     double slope;
     const double force = balance->Calc(move, &slope);
-    if (force == 0) return move;
+    const double enough = 1e-15 + 1e-11 * std::abs(move);
+    if (std::abs(force / slope) <= enough) break;
     (force > 0 ? high : low) = move;
     double next = move - force / slope;
+    const bool between = std::isfinite(low) && std::isfinite(high);
     if (!(next > low && next < high)) {
-      next = std::isfinite(low) && std::isfinite(high) ? 0.5 * (low + high) : move;
-    } else if (i > 8 && std::isfinite(low) && std::isfinite(high)) {
-      // Newton that circles around a kink: halve every other time.
-      if (i % 2 == 0) next = 0.5 * (low + high);
+      next = between ? 0.5 * (low + high) : move;
+    } else if (i > 8 && between && i % 2 == 0) {
+      next = 0.5 * (low + high);  // Newton that circles around a kink
     }
-    const double change = std::abs(next - move);
+    if (std::abs(next - move) <= enough || i == 80) break;
     move = next;
-    if (change <= 1e-15 + 1e-11 * std::abs(move)) break;
   }
-  double slope;
-  balance->Calc(move, &slope);
   return move;
 }
 

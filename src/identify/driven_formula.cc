@@ -61,18 +61,18 @@ FoundFormula SearchReadingFormula(const FitProblem& problem, const FreeModel& mo
     const char *channel, *unit;
     std::vector<std::string> targets;
   };
-  FoundFormula best;
-  for (const Sensor& sensor :
-       {Sensor{"piston_m", "m", {}}, Sensor{"p_bore_Pa", "Pa", {cylinder.bore_line}},
-        Sensor{"p_rod_Pa", "Pa", {cylinder.rod_line}}}) {
-    const int channel = problem.FindOutput(sensor.channel);
-    if (channel < 0 || fit.channel_ms[static_cast<size_t>(channel)] < noise) continue;
-    FoundFormula found = SearchChannelFormula(problem, model, fit, sensor.channel, limits);
-    if (found.empty() || found.gain <= best.gain) continue;
-    best = std::move(found);
-    best.unit = sensor.unit, best.targets = sensor.targets;
-  }
-  return best;
+  const Sensor sensors[] = {{"piston_m", "m", {}},
+                            {"p_bore_Pa", "Pa", {cylinder.bore_line}},
+                            {"p_rod_Pa", "Pa", {cylinder.rod_line}}};
+  FoundFormula found[std::size(sensors)];
+  problem.ForEach(static_cast<int>(std::size(sensors)), [&](int k) {
+    const int channel = problem.FindOutput(sensors[k].channel);
+    if (channel < 0 || fit.channel_ms[static_cast<size_t>(channel)] < noise) return;
+    found[k] = SearchChannelFormula(problem, model, fit, sensors[k].channel, limits);
+    found[k].unit = sensors[k].unit, found[k].targets = sensors[k].targets;
+  });
+  return *std::max_element(std::begin(found), std::end(found),
+                           [](const auto& a, const auto& b) { return a.gain < b.gain; });
 }
 
 namespace {

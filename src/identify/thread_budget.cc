@@ -17,23 +17,26 @@ int ThreadBudget::Take(int most) {
 
 void ThreadBudget::ForEach(int n, const std::function<void(int)>& work) {
   std::atomic<int> next{0};
-  auto loop = [&] {
-    for (int i = next++; i < n; i = next++) work(i);
-  };
   std::vector<std::thread> helpers;
-  int taken = Take(n - 1);
-  try {
-    helpers.reserve(static_cast<size_t>(taken));
-    for (; taken > 0; --taken) {
-      helpers.emplace_back([&] {
-        loop();
-        ++free_;
-      });
+  const auto call_helpers = [&] {
+    int taken = Take(n - 1 - next);  // one item is the caller's own
+    try {
+      for (; taken > 0; --taken) {
+        helpers.emplace_back([&] {
+          for (int i = next++; i < n; i = next++) work(i);
+          ++free_;
+        });
+      }
+    } catch (const std::system_error&) {  // the system gives no more threads: those there do it all
+      free_ += taken;
     }
-  } catch (const std::system_error&) {  // the system gives no more threads: those there do it all
-    free_ += taken;
+  };
+  for (;;) {  // whoever has become free since the last item is called, too
+    call_helpers();
+    const int i = next++;
+    if (i >= n) break;
+    work(i);
   }
-  loop();
   ++free_;  // while it waits, the calling thread's place is the others'
   for (std::thread& t : helpers) t.join();
   --free_;

@@ -1,5 +1,5 @@
-// Threads shared by the loops of a search, one inside the other: a loop takes what is free, and who
-// has no more work of the outer loop lends a hand in the inner ones of the others.
+// Threads shared by the loops of a search, one inside the other: a loop takes what is free before
+// each of its items, so who has no more work of the outer loop lends a hand in the inner ones.
 #pragma once
 
 #include <atomic>
@@ -11,8 +11,8 @@ class ThreadBudget {
  public:
   /// `threads` in all, with the one that calls.
   explicit ThreadBudget(int threads) : free_(threads - 1) {}
-  /// Calls work(i) for i in 0 … n-1 on the calling thread and those free now; returns when all is
-  /// done. Results must not depend on the order.
+  /// Calls work(i) for i in 0 … n-1 on the calling thread and those that are or become free;
+  /// returns when all is done. Results must not depend on the order.
   void ForEach(int n, const std::function<void(int)>& work);
 
  private:

@@ -1,5 +1,6 @@
 #include "measurement/time_wave.h"
 
+#include <bit>
 #include <cmath>
 #include <complex>
 #include <unsupported/Eigen/FFT>
@@ -7,7 +8,7 @@
 namespace phs::measurement {
 namespace {
 
-constexpr int kPadding = 4;
+constexpr size_t kPadding = 4;
 
 double Power(const std::vector<double>& y, double cycles_per_sample) {
   const std::complex<double> turn = std::polar(1.0, 2 * M_PI * cycles_per_sample);
@@ -24,11 +25,12 @@ TimeWave FindTimeWave(const std::vector<double>& weighted, double step_s) {
   TimeWave out;
   if (n < 32) return out;
   std::vector<double> padded = weighted;
-  padded.resize(kPadding * weighted.size(), 0.0);
+  // A power of two: a length with a large prime factor takes as long as its square.
+  padded.resize(std::bit_ceil(kPadding * weighted.size()), 0.0);
   Eigen::FFT<double> transform;
   std::vector<std::complex<double>> lines;
   transform.fwd(lines, padded);
-  const double width = 1 / (kPadding * n);  // between lines, cycles per sample
+  const double width = 1 / static_cast<double>(padded.size());  // between lines, cycles per sample
   const auto first = static_cast<size_t>(std::ceil(kLeastPeriods / n / width));
   const auto last = static_cast<size_t>(kMost / width);
   size_t highest = first;
@@ -42,7 +44,7 @@ TimeWave FindTimeWave(const std::vector<double>& weighted, double step_s) {
     }
   }
   out.frequency_Hz = best / step_s;
-  out.looked_at = static_cast<double>(last - first) / kPadding;
+  out.looked_at = static_cast<double>(last - first) * width * n;
   return out;
 }
 

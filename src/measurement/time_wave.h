@@ -1,5 +1,5 @@
 // The strongest wave in a record: Fourier transform of the evenly sampled record, padded with
-// zeros to four times its length, then a finer search about the highest line.
+// zeros to at least four times its length, then a finer search about the highest line.
 #pragma once
 
 #include <vector>
