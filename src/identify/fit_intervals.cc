@@ -39,7 +39,8 @@ std::vector<double> EvenHalfWidths(const Likelihood& likelihood, const BandPower
       const double there = likelihood.blocks()[b].present * static_cast<double>(n);
       const double freedom = std::max(1.0, there - twice - taken);
       const double floor = std::pow(deviation[begin], 2);  // the power itself where it is above
-      const double power = std::max(floor, powers(b, k) * there / freedom);
+      double power = std::max(floor, powers(b, k) * there / freedom);
+      power *= 1 + there * likelihood.Shared(b, k);  // what theory leaves open they tell as one
       const Eigen::VectorXd part =
           std::pow(weight[begin], 2) * power * follows.middleCols(begin, n).rowwise().squaredNorm();
       variance += part;

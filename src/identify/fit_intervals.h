@@ -18,7 +18,9 @@ void SetIntervals(const FitProblem& problem, FitResult* result);
 /// times the mean square that is left, and known with n - h degrees of freedom. A number whose
 /// variance is a sum over bands v_b has (sum v_b)^2 / sum(v_b^2/(n_b - h_b)) of them (Satterthwaite
 /// 1946, Biometrics Bulletin 2, 110), and Student's quantile: what is told by few coefficients, as an
-/// offset by the slowest octave, is less sure. `slopes`: weighted coefficients over numbers.
+/// offset by the slowest octave, is less sure. What theory leaves open of a band is one draw over
+/// all blocks (likelihood.h): its n coefficients tell as n/(1 + n C g), and their part of the variance
+/// is larger by that. `slopes`: weighted coefficients over numbers.
 std::vector<double> EvenHalfWidths(const Likelihood& likelihood, const BandPowers& powers,
                                    const Eigen::MatrixXd& slopes);
 

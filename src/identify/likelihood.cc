@@ -51,9 +51,10 @@ void Likelihood::SetFloors(double noise_known) {
   }
   for (const std::vector<double>& own : doubt) {
     std::vector<double>& most_worth = most_worth_.rows().emplace_back();
+    std::vector<double>& shared = shared_.rows().emplace_back();
     for (size_t k = 0; k < own.size(); ++k) {
-      const double shared = 2 * std::max(1.0, sharing[k]) * own[k];
-      most_worth.push_back(2 / (noise_known * noise_known + shared));
+      shared.push_back(std::max(1.0, sharing[k]) * own[k]);
+      most_worth.push_back(2 / (noise_known * noise_known + 2 * shared.back()));
     }
   }
 }

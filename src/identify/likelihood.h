@@ -88,6 +88,8 @@ class Likelihood {
   double Count() const;
   /// m of a band: what it is worth in independent samples.
   double Worth(size_t block, int band) const;
+  /// C g of a band: what theory leaves open of it is one draw, whose n coefficients tell as 1/(C g).
+  double Shared(size_t block, int band) const { return shared_(block, band); }
   /// Part 0 … parts-1 of the record that each coefficient lies in.
   std::vector<int> Parts(int parts) const;
 
@@ -101,6 +103,7 @@ class Likelihood {
   int size_ = 0;            ///< coefficients of all blocks
   BandPowers floor_;        ///< power that is noise or left open by theory
   BandPowers most_worth_;   ///< 2/e²
+  BandPowers shared_;       ///< C g
   Eigen::MatrixXd theory_;  ///< D: a column for each
   Eigen::MatrixXd along_;   ///< coefficients -> a
 };

@@ -94,6 +94,25 @@ TEST(ThreadBudget, WhoWaitsForAHelperLendsItItsPlace) {
   EXPECT_TRUE(both);
 }
 
+TEST(ThreadBudget, WhoBecomesFreeJoinsALoopThatRuns) {
+  ThreadBudget threads(2);
+  std::atomic<bool> running{false}, both{false};
+  std::atomic<int> inside{0};
+  threads.ForEach(2, [&](int i) {
+    if (i == 1) {  // has no more work than this
+      WaitFor([&] { return running.load(); });
+      return;
+    }
+    threads.ForEach(3000, [&](int) {  // begins with no thread free
+      running = true;
+      if (++inside == 2) both = true;
+      if (!both) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      --inside;
+    });
+  });
+  EXPECT_TRUE(both);
+}
+
 TEST(ThreadBudget, OneThreadIsTheCallersOwn) {
   ThreadBudget threads(1);
   const auto caller = std::this_thread::get_id();
