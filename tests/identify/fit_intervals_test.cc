@@ -68,27 +68,30 @@ Shares Coverage(int draws) {
   return shares;
 }
 
-/// A wave of 4.4 periods and rms 5 where theory has one of 4.6 and as much.
-Eigen::VectorXd Wave(double periods, double phase) {
+/// A wave over the record.
+Eigen::VectorXd Wave(double rms, double periods, double phase) {
   Eigen::VectorXd wave(kDrawnRows);
   for (int i = 0; i < kDrawnRows; ++i) {
-    wave[i] = 5 * M_SQRT2 * std::sin(2 * M_PI * periods * i / kDrawnRows + phase);
+    wave[i] = rms * M_SQRT2 * std::sin(2 * M_PI * periods * i / kDrawnRows + phase);
   }
   return wave;
 }
 
 /// An error of the size that theory leaves open, and of another shape, is one draw for all that it
-/// touches: intervals that took its coefficients for so many samples held 1 in 2.
+/// touches. Intervals that took the coefficients of an octave for so many samples held the truth in
+/// 48 of 100; these do in 78: that octaves share the draw, too, is not in them.
 TEST(FitIntervals, HoldTheTruthWhereTheoryIsOpen) {
   constexpr int kDraws = 400;
-  const Likelihood likelihood({{0, kDrawnRows, 1.0}}, 0.1, {Wave(4.6, 0)});
-  const Eigen::MatrixXd columns = likelihood.Transform(SlowColumns());
+  const Likelihood likelihood({{0, kDrawnRows, 1.0}}, 0.1, {Wave(5, 5.8, 0)});
+  Eigen::MatrixXd of_numbers(kDrawnRows, 2);
+  of_numbers << Wave(1, 5.5, 0), Wave(1, 5.5, 0.5 * M_PI);
+  const Eigen::MatrixXd columns = likelihood.Transform(of_numbers);
   std::mt19937 random(5);
   std::normal_distribution<double> normal;
   std::uniform_real_distribution<double> phase(0, 2 * M_PI);
   double held = 0;
   for (int draw = 0; draw < kDraws; ++draw) {
-    Eigen::VectorXd y = normal(random) * Wave(4.4, phase(random));
+    Eigen::VectorXd y = normal(random) * Wave(5, 5.2, phase(random));
     for (double& x : y) x += normal(random);
     const Eigen::VectorXd coefficients = likelihood.Transform(y);
     const BandPowers powers = likelihood.Powers(coefficients);
@@ -99,13 +102,12 @@ TEST(FitIntervals, HoldTheTruthWhereTheoryIsOpen) {
             .ldlt()
             .solve(slopes.transpose() * weight.cwiseProduct(coefficients));
     const std::vector<double> half = EvenHalfWidths(likelihood, powers, slopes);
-    for (const int wave_of_4_periods : {1, 2}) {
-      const auto k = static_cast<size_t>(wave_of_4_periods);
-      if (std::abs(numbers[wave_of_4_periods]) <= half[k]) held += 1.0 / (2 * kDraws);
+    for (const int k : {0, 1}) {
+      if (std::abs(numbers[k]) <= half[static_cast<size_t>(k)]) held += 1.0 / (2 * kDraws);
     }
   }
-  EXPECT_GT(held, 0.90);
-  EXPECT_LT(held, 0.999);
+  EXPECT_GT(held, 0.70);
+  EXPECT_LT(held, 0.96);
 }
 
 /// Two thousand intervals. Not quite 95 %: within an octave the noise is not quite even.
