@@ -156,7 +156,7 @@ double SolveMove(PistonBalance* balance, double guess) {
     double slope;
     const double force = balance->Calc(move, &slope);
     const double enough = 1e-15 + 1e-11 * std::abs(move);
-    if (std::abs(force / slope) <= enough) break;
+    if (std::abs(force) <= enough * slope) break;
     (force > 0 ? high : low) = move;
     double next = move - force / slope;
     const bool between = std::isfinite(low) && std::isfinite(high);
