@@ -155,12 +155,12 @@ void PlacePistons(const CompiledPhs& sys, double time, const double* x, const do
   }
 }
 
-// Pistons and every pressure.
+// Pistons and every pressure, from those of `at` if it has been solved before.
 void SolveInstant(const CompiledPhs& sys, double time, const double* x, const double* state,
                   Instant* at) {
   PlacePistons(sys, time, x, state, at);
   sys.CalcPushed(state, at);
-  sys.SolveNodes(state, at);
+  sys.SolveNodes(state, at, at);
 }
 
 // Pistons and the pressures of their chambers; other nodes stay unknown.

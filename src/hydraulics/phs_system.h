@@ -66,8 +66,8 @@ class PhsSystem {
   /// changes the volumes of `state` that have passed there, and their flows to none. What else flows
   /// (leaks, a failure) and every other state stays as it is.
   void SettleChambers(double time, const double* x, double* state) const;
-  /// Calc and CalcStateRate in parts: Solve finds pistons and pressures, which do not ask for
-  /// speeds; `x` and `state` below are those of Solve.
+  /// Calc and CalcStateRate in parts: Solve finds pistons and pressures, which do not ask for speeds,
+  /// from `at` as made or near by; `x` and `state` below are those of Solve.
   void Solve(double time, const double* x, const double* state, Instant* at) const noexcept;
   void CalcAt(const Instant& at, const double* x, const double* v, const double* state,
               PhsOutputs* out) const noexcept;

@@ -70,8 +70,13 @@ class Search {
     out_.declared = problem_.forward().Declared(declared);
     std::vector<double> start;
     for (const auto& p : out_.declared.free) start.push_back(p.start);
-    const NearFitOptions plain{.max_steps = 15, .flat = true, .final_slopes = true};
+    NearFitOptions plain{.max_steps = 15, .flat = true};
+    if (coarse_.num_rows() < problem_.num_rows()) {  // most of the way, in a part of the time
+      const FitResult rough = FitNear(coarse_, out_.declared, start, {}, plain);
+      if (rough.ok) start = rough.values;
+    }
     out_.before = FitNear(problem_, out_.declared, start, {}, plain);
+    plain.final_slopes = true;
     if (out_.before.ok) {
       if (Status s = SetWeights(out_.declared, out_.before.values); !s.ok()) return s;
       out_.before = FitNear(problem_, out_.declared, out_.before.values, {}, plain);
@@ -101,7 +106,7 @@ class Search {
   /// bristle on a piston at rest turns a micrometre into newtons, the declared model does not.
   void Reweigh() {
     if (cancelled_ || !SetWeights(out_.corrected, out_.after.values).ok()) return;
-    Refit(out_.declared, &out_.base), Refit(out_.corrected, &out_.after);
+    Refit(out_.declared, &out_.base), RefitCorrected();
     out_.before = FitNear(problem_, out_.declared, out_.before.values, {},
                           {.max_steps = 4, .flat = true, .final_slopes = true});
   }
@@ -110,6 +115,12 @@ class Search {
     FitResult again =
         FitNear(problem_, model, fit->values, {}, {.max_steps = 6, .final_slopes = true});
     if (again.ok) *fit = std::move(again);
+  }
+
+  void RefitCorrected() {
+    do {
+      Refit(out_.corrected, &out_.after);
+    } while (problem_.rule().options && TakeOutEdges(&out_));
   }
 
   std::vector<FullTrial> Try(const FreeModel& model, const FitResult& fit,
@@ -231,6 +242,7 @@ class Search {
       if (gone == effects::UnlistedInfo().name) out_.formula = {};
       out_.effects.erase(out_.effects.begin() + static_cast<long>(i));
       out_.corrected = model, out_.after = std::move(rest);
+      if (rule.options && TakeOutEdges(&out_)) RefitCorrected();
       i = 0;
     }
   }

@@ -31,6 +31,37 @@ bool IsToldInTheEnd(const Identification& found, size_t effect) {
   return IsThere(candidate, found.after, base);
 }
 
+namespace {
+
+void TakeOut(size_t number, FreeModel* model, FitResult* fit) {
+  const auto at = static_cast<long>(number);
+  model->free.erase(model->free.begin() + at);
+  fit->values.erase(fit->values.begin() + at);
+  if (fit->half_95.size() > number) fit->half_95.erase(fit->half_95.begin() + at);
+  const Eigen::Index behind = fit->slopes.cols() - at - 1;
+  if (behind < 0) return;
+  fit->slopes.middleCols(at, behind) = fit->slopes.rightCols(behind).eval();
+  fit->slopes.conservativeResize(Eigen::NoChange, fit->slopes.cols() - 1);
+}
+
+}  // namespace
+
+bool TakeOutEdges(Identification* found) {
+  const size_t before = found->after.values.size();
+  size_t base = found->declared.free.size();
+  for (AcceptedEffect& effect : found->effects) {
+    Candidate& form = effect.candidate;
+    const bool listed = form.effect != effects::UnlistedInfo().name;
+    for (size_t k = form.free.size(); listed && k-- > form.none.size();) {
+      if (!IsAtEnd(form.free[k], found->after.values[base + k])) continue;
+      form.free.erase(form.free.begin() + static_cast<long>(k));
+      TakeOut(base + k, &found->corrected, &found->after);
+    }
+    base += form.free.size();
+  }
+  return found->after.values.size() < before;
+}
+
 std::vector<std::string> UntoldNames(const Identification& found) {
   std::vector<std::string> out;
   for (const Rival& rival : found.untold) {

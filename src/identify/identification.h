@@ -56,6 +56,11 @@ std::vector<double> ValuesWithout(const Identification& found, size_t dropped, F
 /// False if beside the later ones an amount of the effect has gone to the end of its range, or to none.
 bool IsToldInTheEnd(const Identification& found, size_t effect);
 
+/// Takes the further numbers of the effects' forms out that have gone to the end of their range since
+/// (effect_form.h asks the same when an effect is tried); true if there were any: then `after` is to
+/// be fitted anew, its values are those of the numbers that are left.
+bool TakeOutEdges(Identification* found);
+
 /// Effects of `untold`, each once.
 std::vector<std::string> UntoldNames(const Identification& found);
 

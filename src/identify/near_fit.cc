@@ -40,7 +40,7 @@ class Fitter {
       if (before - score_ < kEnough && first_ == options_.first_own) break;
     }
     at_.ok = true;
-    if (options_.final_slopes) {
+    if (options_.final_slopes && !current_) {
       first_ = 0;
       at_.ok = TakeColumns();
     }
@@ -71,7 +71,7 @@ class Fitter {
     if (!problem_.CalcSlopes(model_, at_.values, first_, at_.residual, &own)) return false;
     at_.runs += count() - first_;
     at_.slopes.rightCols(count() - first_) = problem_.likelihood().Transform(own);
-    fresh_ = first_ == 0;
+    fresh_ = current_ = first_ == 0;
     first_ = options_.first_own;
     return true;
   }
@@ -122,7 +122,7 @@ class Fitter {
       if (!(next < cost)) continue;
       fall = cost - next;
       at_.values = std::move(moved), at_.residual = std::move(r);
-      coefficients_ = coefficients;
+      coefficients_ = coefficients, current_ = false;
       lambda_ = std::max(1e-7, lambda_ / 10);
       break;
     }
@@ -144,6 +144,7 @@ class Fitter {
   double score_ = 0, lambda_ = 1e-4;
   int first_;
   bool fresh_ = false;
+  bool current_ = false;  // all slopes are those about the values
 };
 
 }  // namespace

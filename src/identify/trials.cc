@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 
+#include "identify/accept.h"
 #include "identify/effect_form.h"
 #include "identify/evidence.h"
 #include "identify/near_fit.h"
@@ -81,6 +82,17 @@ std::vector<double> FullStart(const FitProblem& problem, const FreeModel& whole,
   return best;
 }
 
+/// False if a fit gains too little for the rule even with the `core` of its numbers alone, or takes too
+/// little of what is left: then nobody asks for its slopes and intervals.
+bool MayPass(const FitProblem& problem, const FitResult& without, const FitResult& with,
+             size_t core, double tried) {
+  if (!with.ok) return false;
+  const Evidence e = Compare(problem, without, with, tried);
+  const double gain = without.score - with.score - Criterion(problem, 0, core);
+  return IsBeyondChance(problem.rule(), gain, tried) &&
+         e.share >= problem.rule().accept.least_share;
+}
+
 }  // namespace
 
 std::vector<FullTrial> TryEffects(const FitProblem& problem, const FitProblem& coarse,
@@ -115,10 +127,13 @@ std::vector<FullTrial> TryEffects(const FitProblem& problem, const FitProblem& c
     trial.fit = FitNear(problem, whole, FullStart(problem, whole, fit, trial), {},
                         {.first_own = 0, .max_steps = 1});
     if (!trial.fit.ok) return;
-    trial.fit = FitNear(
-        problem, whole, trial.fit.values, trial.fit.slopes,
-        {.first_own = static_cast<int>(whole.free.size()), .max_steps = 15, .final_slopes = true});
-    DropEdges(problem, model, trial.candidate->free.size(), &trial.form, &trial.fit);
+    trial.fit = FitNear(problem, whole, trial.fit.values, trial.fit.slopes,
+                        {.first_own = static_cast<int>(whole.free.size()), .max_steps = 15});
+    const size_t core = trial.candidate->free.size();
+    if (!MayPass(problem, fit, trial.fit, core, static_cast<double>(list.size()))) return;
+    trial.fit =
+        FitNear(problem, whole, trial.fit.values, {}, {.max_steps = 0, .final_slopes = true});
+    DropEdges(problem, model, core, &trial.form, &trial.fit);
   });
   return trials;
 }

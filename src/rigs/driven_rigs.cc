@@ -61,10 +61,12 @@ class DrivenMass {
 
   /// Over h, `force` pulling at its end.
   void Step(double t, double h, double force) {
-    const double move = FindMove(speed_ * h, mass_ / (h * h), [&](double trial) {
+    hydraulics::Instant at;
+    system_.Solve(t, &x_, state_.data(), &at);
+    const double move = FindMove(speed_ * h, mass_ / (h * h), &guess_, [&](double trial) {
       const double v = trial / h, end = x_ + trial;
-      system_.CalcStateRate(t, h, &x_, &v, state_.data(), rate_.data(),
-                            system_.has_mounts() ? nullptr : &speed_);
+      system_.CalcStateRateAt(at, h, &x_, &v, state_.data(), rate_.data(),
+                              system_.has_mounts() ? nullptr : &speed_);
       for (size_t j = 0; j < state_.size(); ++j) next_[j] = state_[j] + h * rate_[j];
       double held = 0;
       PhsOutputs out;
@@ -82,6 +84,7 @@ class DrivenMass {
   const PhsSystem& system_;
   double mass_;
   double x_ = 0, speed_ = 0;
+  MoveGuess guess_;
   std::vector<double> state_, rate_, next_;
 };
 

@@ -4,7 +4,7 @@
 // Driven by a force P [N], tension > 0, which pulls the piston with the mass m that moves with it:
 //   m x'' = P(t) - F(x, x', states)       F: tension force of the cylinder with its friction
 // One step is backward Euler in x with all states of the PHS advanced along the trial motion;
-// P - F falls with the move, so a bracketed secant finds it. First order in the step: an
+// P - F falls with the move, so secants find it. First order in the step: an
 // oscillation of m on the oil is followed where steps are far below its period (`substeps`), else
 // damped away; the path on which P = F is met at any step. At start x = 0, at rest.
 #pragma once

@@ -42,12 +42,12 @@ class DrivenPart {
   /// Speed at the end of a stage of length `a` from base values, `h` after the step's begin;
   /// `friction`: at that begin, then at the end.
   double Stage(double at, double h, double a, double base_x, double base_v,
-               MountedFriction* friction) const {
+               MountedFriction* friction) {
     double extra[hydraulics::kMaxExtra];
     const hydraulics::FrictionPlace place = ElementPlace(system_, motion_, at, extra);
     const double force = ForceAt(at), m = part_.mass_kg;
     const MountedFriction begin = *friction;
-    const double move = FindMove(a * base_v, m / (a * a), [&](double trial) {
+    const double move = FindMove(a * base_v, m / (a * a), &guess_, [&](double trial) {
       const double v = trial / a, x = base_x + trial;
       *friction = begin;
       return m * (v - base_v) / a + ElementForce(part_, x, v, place.bore_rise) +
@@ -71,6 +71,7 @@ class DrivenPart {
   const RigMotion& motion_;
   const hydraulics::ElementParams& part_;
   double x_, v_;
+  MoveGuess guess_;
   MountedFriction friction_;
 };
 

@@ -1,46 +1,51 @@
 // The move over one step of backward Euler at which what holds against a mass vanishes.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace phs::rigs {
 
-/// Root of `imbalance(move)`, which rises with the move: bracketed from `start` in steps that grow
-/// from imbalance / `stiffness`, then Illinois. The last call of `imbalance` is at the result.
+/// What a step hands on to the next, and how well a balance is met.
+struct MoveGuess {
+  double slope = 0;      ///< imbalance over move where it last was zero; at least `least` is taken
+  double enough = 1e-5;  ///< of the imbalance
+};
+
+/// Root of `imbalance(move)` [N or N m], which rises with the move by `least` or more (the mass over
+/// the square of the step; all else is passive): from `start` by the guessed slope, then by secants,
+/// halved where these leave the bracket or close in slowly. To `enough` of the imbalance or 1e-11 of
+/// the move. The last call of `imbalance` is at the result.
 template <typename Imbalance>
-double FindMove(double start, double stiffness, const Imbalance& imbalance) {
-  double a = start;
-  double fa = imbalance(a);
-  double reach = std::abs(fa) / stiffness;
-  double b = fa > 0 ? a - reach : a + reach;
-  double fb = fa == 0 ? 0 : imbalance(b);
-  for (int i = 0; i < 60 && fa * fb > 0; ++i) {
-    reach *= 2;
-    a = b;
-    fa = fb;
-    b = fa > 0 ? a - reach : a + reach;
-    fb = imbalance(b);
-  }
-  double move = std::abs(fb) < std::abs(fa) ? b : a;
-  int stuck = 0;
-  for (int i = 0; i < 80 && fa != 0 && fb != 0; ++i) {
-    move = (a * fb - b * fa) / (fb - fa);
-    const double f = imbalance(move);
-    if (f == 0 || std::abs(b - a) <= 1e-14 + 1e-11 * std::abs(move) || std::abs(f) < 1e-5) break;
-    if ((f > 0) == (fb > 0)) {
-      b = move;
-      fb = f;
-      if (++stuck > 1) fa *= 0.5;
-    } else {
-      a = b;
-      fa = fb;
-      b = move;
-      fb = f;
-      stuck = 0;
+double FindMove(double start, double least, MoveGuess* guess, const Imbalance& imbalance) {
+  constexpr double kNone = std::numeric_limits<double>::infinity();
+  double x = start, f = imbalance(x);
+  double low = -kNone, high = kNone;  // of the root
+  double slope = std::max(least, guess->slope);
+  double before = 0;  // the step that led to x
+  int slow = 0;       // steps that did not halve the bracket
+  for (int i = 0; i < 200 && std::abs(f) >= guess->enough; ++i) {
+    const double width = high - low, enough = 1e-14 + 1e-11 * std::abs(x);
+    (f > 0 ? high : low) = x;
+    if (high - low <= enough) break;
+    slow = high - low > 0.5 * width ? slow + 1 : 0;
+    double step = -f / slope;
+    if (std::abs(step) < enough) step = std::copysign(enough, step);
+    if (high - low == kNone) {  // no bracket yet: what bends cannot hold it back
+      const double twice = 2 * std::abs(before);
+      if (step * before > 0 && std::abs(step) < twice) step = std::copysign(twice, step);
+    } else if (slow > 2 || !(x + step > low && x + step < high)) {
+      step = 0.5 * (low + high) - x;
+      slow = 0;
     }
+    const double held = f;
+    x += step, f = imbalance(x);
+    before = step;
+    slope = std::max(least, (f - held) / step);
   }
-  imbalance(move);
-  return move;
+  guess->slope = slope;
+  return x;
 }
 
 }  // namespace phs::rigs

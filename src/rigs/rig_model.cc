@@ -194,7 +194,8 @@ void RigModel::Impl::RunFull(const RigMotion& motion, const std::vector<std::vec
                              RigPrediction* out) const {
   const int n = motion.num_samples(), lines = system.num_lines();
   const double h = motion.step_s / options.substeps;
-  HingedBeam beam(system, options.beam);
+  HingedBeam beam(system, options.beam, motion.t0_s, motion.position_m[0][0],
+                  motion.position_m[1][0]);
   double piston[4], force[4];
   std::vector<double> pressure(lines);
   PhsOutputs at;
@@ -203,9 +204,8 @@ void RigModel::Impl::RunFull(const RigMotion& motion, const std::vector<std::vec
   at.force = force;
   at.pressure = pressure.data();
   for (int i = 0; i < n; ++i) {
-    const double t = motion.t0_s + i * motion.step_s;
     const double x1 = motion.position_m[0][i], x2 = motion.position_m[1][i];
-    beam.Calc(t, x1, x2, speed[0][i], speed[1][i], &at);
+    beam.Calc(speed[0][i], speed[1][i], &at);
     for (int c = 0; c < 4; ++c) {
       out->channels[c][i] = piston[c];
       out->channels[4 + c][i] = force[c];
@@ -215,7 +215,7 @@ void RigModel::Impl::RunFull(const RigMotion& motion, const std::vector<std::vec
     const double v1 = (motion.position_m[0][i + 1] - x1) / motion.step_s;
     const double v2 = (motion.position_m[1][i + 1] - x2) / motion.step_s;
     for (int k = 0; k < options.substeps; ++k) {
-      beam.Step(t + k * h, h, x1 + k * h * v1, x2 + k * h * v2, v1, v2);
+      beam.Step(h, x1 + (k + 1) * h * v1, x2 + (k + 1) * h * v2);
     }
   }
 }

@@ -203,6 +203,38 @@ TEST(Accept, InTheEndEachEffectIsJudgedByItsOwnNumbers) {
   EXPECT_FALSE(IsToldInTheEnd(found, 1));
 }
 
+TEST(Identification, AFurtherNumberThatALaterFitMovesToTheEndOfItsRangeGoes) {
+  const FreeParameter volume{"L1.oil_volume_m3", 1e-3, 4e-4, 2.5e-3, true};
+  const FreeParameter gap{"effects.backlash.gap_m", 1e-4, 1e-6, 1e-3, true};
+  const FreeParameter contact{"effects.backlash.contact_N_per_m", 1e8, 1e6, 1e11, true};
+  const FreeParameter hardening{"effects.backlash.hardening_1_per_m2", 1e6, 1e3, 1e9, true};
+  const FreeParameter load{"effects.sensor_offset.load_N", 0, -100, 100, false, 1};
+  Identification found;
+  found.declared.free = {volume};
+  found.corrected.free = {volume, gap, contact, hardening, load};
+  AcceptedEffect play, offset;
+  play.candidate.effect = "backlash", offset.candidate.effect = "sensor_offset";
+  play.candidate.free = {gap, contact, hardening}, offset.candidate.free = {load};
+  play.candidate.none = {0, 0},
+  offset.candidate.none = {0};  // hardening is no number of its own form
+  found.effects = {play, offset};
+  found.after.values = {1e-3, 1e-4, 1e11, 1e7, 30};
+  found.after.half_95 = {1, 2, 3, 4, 5};
+  found.after.slopes = Eigen::MatrixXd::Identity(5, 5);
+  EXPECT_FALSE(TakeOutEdges(&found)) << "the contact is of the form itself: the verdict says it";
+  found.after.values[3] = 1e9;
+  EXPECT_TRUE(TakeOutEdges(&found));
+  EXPECT_EQ(found.after.values, (std::vector<double>{1e-3, 1e-4, 1e11, 30}));
+  EXPECT_EQ(found.after.half_95, (std::vector<double>{1, 2, 3, 5}));
+  EXPECT_EQ(found.after.slopes.cols(), 4);
+  EXPECT_EQ(found.after.slopes(4, 3), 1) << "the offset's column has moved up";
+  ASSERT_EQ(found.corrected.free.size(), 4u);
+  EXPECT_EQ(found.corrected.free[3].name, load.name);
+  EXPECT_EQ(found.effects[0].candidate.free.size(), 2u);
+  EXPECT_EQ(found.effects[1].candidate.free.size(), 1u);
+  EXPECT_FALSE(TakeOutEdges(&found));
+}
+
 TEST(Accept, AnAmountMustBeBeyondZeroAndInsideItsRange) {
   Candidate linear;
   linear.free = {{"effects.sensor_offset.load_N", 0, -100, 100, false, 1}};
