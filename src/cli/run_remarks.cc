@@ -18,12 +18,12 @@ constexpr size_t kMostNamed = 8;  ///< other numbers that move, by name
 
 /// A headline number; FOREMOST in its name stands for the leading wheelset, LAST for the trailing
 /// one of the same bogie.
-struct Row {
+struct RemarkRow {
   const char* label;
   const char* name;
 };
 
-const Row kRows[] = {
+const RemarkRow kRows[] = {
     {"angle of attack, lead", "steady_curve.wheelsets.FOREMOST.angle_of_attack_rad"},
     {"angle of attack, trail", "steady_curve.wheelsets.LAST.angle_of_attack_rad"},
     {"lateral position, lead", "steady_curve.wheelsets.FOREMOST.lateral_m"},
@@ -45,7 +45,7 @@ void Replace(const std::string& what, const std::string& by, std::string* text) 
 }
 
 /// The name of a row's number in one summary.
-std::string NameOf(const Row& row, const Json& summary) {
+std::string NameOf(const RemarkRow& row, const Json& summary) {
   std::string foremost = "lead";
   if (summary.contains("steady_curve")) {
     foremost = summary["steady_curve"]["wheelsets"][0]["name"].get<std::string>();
@@ -101,7 +101,7 @@ std::string DiscretisationTable(const NamedSummaries& summaries, const Json& rat
   for (const auto& [name, summary] : summaries) text += fmt::format("{:>{}}", name, wide);
   text += '\n' + std::string(36 + wide * summaries.size(), '-') + '\n';
   std::string others;
-  for (const Row& row : kRows) {
+  for (const RemarkRow& row : kRows) {
     text += fmt::format("{:<36}", row.label);
     for (const auto& [name, summary] : summaries) {
       text +=
@@ -111,7 +111,7 @@ std::string DiscretisationTable(const NamedSummaries& summaries, const Json& rat
   }
   for (const auto& [name, summary] : summaries) {
     std::set<std::string> shown;
-    for (const Row& row : kRows) shown.insert(NameOf(row, summary));
+    for (const RemarkRow& row : kRows) shown.insert(NameOf(row, summary));
     others += OthersThatMove(name, summary["discretisation"], shown);
     if (summary["discretisation"]["half_step_status"] != "ok") {
       others += fmt::format("! {}: the run with half the step ended as '{}'\n", name,

@@ -30,7 +30,7 @@ struct Candidate {
   std::vector<EffectOption> options;        ///< what its form may take on beyond that
   int mains = 1;                            ///< the first so many numbers are its amounts
   bool shows_at_place = false;              ///< of one cylinder alone, told by its own load cell
-  /// Values of the first numbers at which it does nothing; 0 of a logarithmic one: nowhere.
+  /// Values at which its own numbers, without options, do nothing; 0 of a logarithmic one: nowhere.
   std::vector<double> none;
 };
 

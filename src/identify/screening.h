@@ -35,7 +35,7 @@ struct Effort {
   int full_fits = 4;            ///< effects fitted to the whole one
   int starts = 3;               ///< of a variant, from which steps are really taken
   bool elsewhere = true;        ///< candidates are tried away from the best fit too
-  bool unpromising = false;     ///< what promises not to pay for its numbers is tried, too
+  bool unpromising = false;     ///< what promises not to pay is tried and finished, too
 };
 
 /// Judges `list` on top of `model` about each of `points`. `go_on(share)`: progress, false = stop.

@@ -130,7 +130,8 @@ std::vector<FullTrial> TryEffects(const FitProblem& problem, const FitProblem& c
     trial.fit = FitNear(problem, whole, trial.fit.values, trial.fit.slopes,
                         {.first_own = static_cast<int>(whole.free.size()), .max_steps = 15});
     const size_t core = trial.candidate->free.size();
-    if (!MayPass(problem, fit, trial.fit, core, static_cast<double>(list.size()))) return;
+    const bool asked = effort.unpromising;
+    if (!asked && !MayPass(problem, fit, trial.fit, core, static_cast<double>(list.size()))) return;
     trial.fit =
         FitNear(problem, whole, trial.fit.values, {}, {.max_steps = 0, .final_slopes = true});
     DropEdges(problem, model, core, &trial.form, &trial.fit);

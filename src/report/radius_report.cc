@@ -20,7 +20,7 @@ namespace {
 using json = nlohmann::ordered_json;
 
 /// A quantity of a row as it is shown.
-struct Quantity {
+struct RadiusQuantity {
   const char* title;
   const char* axis;
   const char* key;
@@ -41,7 +41,7 @@ std::string AttackOf(const json& row, const char* key) {
   return FormatNumber(1e3 * std::abs(angle)) + " " + RailPointedTo(angle, HandOf(row));
 }
 
-constexpr Quantity kQuantities[] = {
+constexpr RadiusQuantity kRadiusQuantities[] = {
     {"Angle of attack of the leading axle", "to the outer rail [mrad]", "angle_of_attack_lead_rad",
      1e3, true},
     {"Wear: conventional bogie over own, Tγ over the run", "conventional / own [–]",
@@ -50,7 +50,7 @@ constexpr Quantity kQuantities[] = {
     {"Track-shifting force ΣY of the leading axle, steady", "ΣY [kN]", "sum_Y_lead_N", 1e-3}};
 
 /// Value of a row; NaN for a run that did not end well, since its means do not hold.
-double ValueOf(const json& row, const Quantity& q) {
+double ValueOf(const json& row, const RadiusQuantity& q) {
   if (row.value("status", "") != "ok") return kNoNumber;
   const double value = q.factor * NumberOf(row, q.key);
   return q.attack ? -HandOf(row) * value : value;
@@ -99,7 +99,7 @@ void AddTable(const json& rows, ReportPage* page) {
 
 void AddPlots(const json& rows, ReportPage* page) {
   page->BeginGrid(2);
-  for (const Quantity& q : kQuantities) {
+  for (const RadiusQuantity& q : kRadiusQuantities) {
     XyPlot plot{.title = q.title, .x_label = "radius [m]", .y_label = q.axis};
     int colour = 0;
     for (const std::string& bogie : BogiesOf(rows)) {

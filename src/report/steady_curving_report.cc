@@ -17,27 +17,27 @@ namespace {
 
 using json = nlohmann::ordered_json;
 
-struct Quantity {
+struct CurvingQuantity {
   const char* key;
   const char* title;
   const char* unit;
   double scale;
   bool attack = false;  ///< drawn positive where the axle points to the outer rail
 };
-constexpr Quantity kQuantities[] = {
+constexpr CurvingQuantity kCurvingQuantities[] = {
     {"angle_of_attack_lead_rad", "Angle of attack, leading axle", "mrad", 1e3, true},
     {"largest_Y_N", "Largest guiding force Y of a wheel", "kN", 1e-3},
     {"sum_Y_lead_N", "Sum of Y, leading axle", "kN", 1e-3},
     {"T_gamma_N", "T-gamma, all wheels", "N", 1}};
 
 /// The curves are left-hand: an angle > 0 points to the inner rail.
-std::string CellText(const json& row, const Quantity& q) {
+std::string CellText(const json& row, const CurvingQuantity& q) {
   const double value = q.scale * NumberOf(row, q.key);
   if (!q.attack || !std::isfinite(value)) return FormatNumber(value);
   return FormatNumber(std::abs(value)) + " " + RailPointedTo(value, 1);
 }
 
-XyPlot OverRadius(const json& bogies, const Quantity& quantity) {
+XyPlot OverRadius(const json& bogies, const CurvingQuantity& quantity) {
   XyPlot plot{
       .title = quantity.title,
       .x_label = "radius [m]",
@@ -54,7 +54,7 @@ XyPlot OverRadius(const json& bogies, const Quantity& quantity) {
   return plot;
 }
 
-DataTable Numbers(const json& bogies, const Quantity& quantity) {
+DataTable Numbers(const json& bogies, const CurvingQuantity& quantity) {
   DataTable table{.caption = fmt::format("{} [{}]", quantity.title, quantity.unit),
                   .head = {"Radius [m]"}};
   std::vector<std::vector<TableCell>> rows;
@@ -84,13 +84,13 @@ Status WriteSteadyCurvingReport(const std::string& curving_file, const std::stri
       "left them. Speed and cant follow the radius by one rule (docs/curving.md).");
   page.Section("Over radius");
   page.BeginGrid(2);
-  for (const Quantity& quantity : kQuantities) page.Add(OverRadius(bogies, quantity));
+  for (const CurvingQuantity& quantity : kCurvingQuantities) page.Add(OverRadius(bogies, quantity));
   page.EndGrid();
   std::vector<std::string> names;
   for (const auto& [name, rows] : bogies.items()) names.push_back(name);
   AddConicity(ConicityOfBogies(result.value("conicity", json::object()), names), &page);
   page.Section("Numbers");
-  for (const Quantity& quantity : kQuantities) page.Add(Numbers(bogies, quantity));
+  for (const CurvingQuantity& quantity : kCurvingQuantities) page.Add(Numbers(bogies, quantity));
   return page.Write(path);
 }
 

@@ -23,8 +23,7 @@ double FindMove(double start, double least, MoveGuess* guess, const Imbalance& i
   double x = start, f = imbalance(x);
   double low = -kNone, high = kNone;  // of the root
   double slope = std::max(least, guess->slope);
-  double before = 0;  // the step that led to x
-  int slow = 0;       // steps that did not halve the bracket
+  int slow = 0;  // steps that did not halve the bracket
   for (int i = 0; i < 200 && std::abs(f) >= guess->enough; ++i) {
     const double width = high - low, enough = 1e-14 + 1e-11 * std::abs(x);
     (f > 0 ? high : low) = x;
@@ -32,16 +31,12 @@ double FindMove(double start, double least, MoveGuess* guess, const Imbalance& i
     slow = high - low > 0.5 * width ? slow + 1 : 0;
     double step = -f / slope;
     if (std::abs(step) < enough) step = std::copysign(enough, step);
-    if (high - low == kNone) {  // no bracket yet: what bends cannot hold it back
-      const double twice = 2 * std::abs(before);
-      if (step * before > 0 && std::abs(step) < twice) step = std::copysign(twice, step);
-    } else if (slow > 2 || !(x + step > low && x + step < high)) {
+    if (high - low < kNone && (slow > 2 || !(x + step > low && x + step < high))) {
       step = 0.5 * (low + high) - x;
       slow = 0;
     }
     const double held = f;
     x += step, f = imbalance(x);
-    before = step;
     slope = std::max(least, (f - held) / step);
   }
   guess->slope = slope;

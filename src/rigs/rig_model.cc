@@ -274,8 +274,8 @@ Status RigModel::Run(const RigMotion& motion, RigPrediction* prediction,
       break;
     case RigKind::kElement:
       if (impl_->options.driven_by == Drive::kForce) {
-        const Status done = RunElementByForce(impl_->system, motion, {}, impl_->options.substeps,
-                                              &prediction->channels[0]);
+        Status done = RunElementByForce(impl_->system, motion, {}, impl_->options.substeps,
+                                        &prediction->channels[0]);
         if (!done.ok()) return done;
         break;
       }
