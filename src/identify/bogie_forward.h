@@ -75,6 +75,7 @@ class BogieForward final : public RecordForward {
   FreeModel Declared(const hydraulics::PhsParams& declared) const override;
   std::vector<Candidate> Candidates(const hydraulics::PhsParams& params) const override;
   std::shared_ptr<const ForwardModel> Coarse(double step_s) const override;
+  bool CoarseRunsAsLong() const override { return true; }
   /// The longest stable step, if by it the run up to the end of the estimation window differs by no
   /// more than a tenth of the noise in any channel; else 0.
   Result<double> FitStep(const hydraulics::PhsParams& params) const;

@@ -71,7 +71,8 @@ class Search {
     std::vector<double> start;
     for (const auto& p : out_.declared.free) start.push_back(p.start);
     NearFitOptions plain{.max_steps = 15, .flat = true};
-    if (coarse_.num_rows() < problem_.num_rows()) {  // most of the way, in a part of the time
+    // Most of the way in a part of the time.
+    if (coarse_.num_rows() < problem_.num_rows() && !problem_.forward().CoarseRunsAsLong()) {
       const FitResult rough = FitNear(coarse_, out_.declared, start, {}, plain);
       if (rough.ok) start = rough.values;
     }

@@ -78,6 +78,8 @@ class ForwardModel {
   }
   /// The same over the record on a clock of about `step_s`; a model that is fast may give itself.
   virtual std::shared_ptr<const ForwardModel> Coarse(double step_s) const = 0;
+  /// True if its runs take as long as those of the whole: only its rows are fewer.
+  virtual bool CoarseRunsAsLong() const { return false; }
 };
 
 inline Result<FormulaFrame> ForwardModel::Frame(const hydraulics::PhsParams& params,

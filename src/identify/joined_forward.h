@@ -47,6 +47,7 @@ class JoinedForward final : public ForwardModel {
   std::shared_ptr<const ForwardModel> Driven(const rigs::RigMotion& motion,
                                              double until_s) const override;
   std::shared_ptr<const ForwardModel> Coarse(double step_s) const override;
+  bool CoarseRunsAsLong() const override { return parts_.front().forward->CoarseRunsAsLong(); }
 
   /// The model of one run with the numbers and effects of the whole.
   hydraulics::PhsParams ParamsOf(const hydraulics::PhsParams& all, size_t run) const;
