@@ -215,8 +215,8 @@ TEST(Identification, AFurtherNumberThatALaterFitMovesToTheEndOfItsRangeGoes) {
   AcceptedEffect play, offset;
   play.candidate.effect = "backlash", offset.candidate.effect = "sensor_offset";
   play.candidate.free = {gap, contact, hardening}, offset.candidate.free = {load};
-  play.candidate.none = {0, 0},
-  offset.candidate.none = {0};  // hardening is no number of its own form
+  play.candidate.none = {0, 0};  // hardening is no number of its own form
+  offset.candidate.none = {0};
   found.effects = {play, offset};
   found.after.values = {1e-3, 1e-4, 1e11, 1e7, 30};
   found.after.half_95 = {1, 2, 3, 4, 5};
