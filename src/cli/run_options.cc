@@ -6,6 +6,7 @@
 
 #include "base/numbers.h"
 #include "base/words.h"
+#include "cli/number_within.h"
 
 namespace phs::cli {
 
@@ -16,7 +17,7 @@ CLI::Option* AddTrackOption(CLI::App* verb, std::string* track, const std::strin
 void AddTimestepOption(CLI::App* verb, double* timestep_s, const std::string& what) {
   verb->add_option("--timestep", *timestep_s,
                    what + " in seconds, instead of the scenario's or the bogie file's")
-      ->check(CLI::PositiveNumber);  // what the model stands is judged with it
+      ->check(NumberWithin(1e-6, 0.05));  // what the model stands is judged with it
 }
 
 void AddFrictionOption(CLI::App* verb, rail::FrictionSettings* friction) {

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "base/result_dir.h"
+#include "cli/number_within.h"
 #include "cli/result_checks.h"
 #include "cli/verb_table.h"
 #include "jobs/alarms_job.h"
@@ -98,27 +99,27 @@ void AddAlarms(CLI::App* verb, Action* action) {
   ask.workers = 0;
   verb->add_option("--wanted", ask.wanted_per_1000_km,
                    "False alarms in 1000 km that are wanted at most, all hoses together")
-      ->check(CLI::Range(1e-6, 1e3))
+      ->check(NumberWithin(1e-6, 1e3))
       ->capture_default_str();
   verb->add_option("--learn-km", ask.learn_km, "Distance to learn from, in each service")
-      ->check(CLI::Range(1.0, 1e5))
+      ->check(NumberWithin(1.0, 1e5))
       ->capture_default_str();
   verb->add_option("--test-km", ask.test_km, "Distance to count on, all services together")
-      ->check(CLI::Range(1.0, 1e6))
+      ->check(NumberWithin(1.0, 1e6))
       ->capture_default_str();
   verb->add_option("--bursts", ask.bursts, "Bursts of each hose in each service")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
   verb->add_option("--lag", ask.times.lag_s, "Lag behind every signal, s")
-      ->check(CLI::Range(0.0, 60.0))
+      ->check(NumberWithin(0.0, 60.0))
       ->capture_default_str();
   verb->add_option("--mean", ask.times.mean_s,
                    "Time over which the mean is taken that signals are also told against, s")
-      ->check(CLI::Range(1.0, 1e5))
+      ->check(NumberWithin(1.0, 1e5))
       ->capture_default_str();
   verb->add_option("--block", ask.block_m,
                    "Block of track whose extremes are learned from, m; 0: a whole run")
-      ->check(CLI::Range(10.0, 1e5) | CLI::Range(0.0, 0.0))
+      ->check(NumberWithin(10.0, 1e5) | NumberWithin(0.0, 0.0))
       ->capture_default_str();
   verb->add_option("--seed", ask.seed, "Of the tracks that are drawn")->capture_default_str();
   verb->add_option("--workers", ask.workers, "Runs at a time (one per core without it)")

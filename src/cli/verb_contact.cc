@@ -9,6 +9,7 @@
 
 #include "base/origin.h"
 #include "base/table.h"
+#include "cli/number_within.h"
 #include "cli/verb_table.h"
 #include "jobs/contact_job.h"
 #include "rail/creep_cases.h"
@@ -182,14 +183,14 @@ void AddContact(CLI::App* verb, Action* action) {
                  "Radius difference, contact angles and equivalent conicity of a pair");
   what->require_option(1);
   verb->add_option("--reach_m", options->reach_m, "--functions: largest lateral position")
-      ->check(CLI::Range(2e-3, 40e-3))
+      ->check(NumberWithin(2e-3, 40e-3))
       ->capture_default_str();
   verb->add_option("--step_m", options->step_m, "--functions: between lateral positions")
-      ->check(CLI::Range(1e-5, 1e-3))
+      ->check(NumberWithin(1e-5, 1e-3))
       ->capture_default_str();
   verb->add_option("--load_N", options->load_N,
                    "--functions: on each wheel, elastic bodies (0: rigid bodies)")
-      ->check(CLI::Range(0.0, 1e6));
+      ->check(NumberWithin(0.0, 1e6));
   verb->add_option("--report", options->report, "--functions: page with the plots (HTML)");
   verb->add_option("--method", options->method,
                    "Creep law (kalker_table for --cases, fastsim for --wheelset): " +

@@ -8,6 +8,7 @@
 #include "cli/assessment_table.h"
 #include "cli/curve_options.h"
 #include "cli/curve_table.h"
+#include "cli/number_within.h"
 #include "cli/run_options.h"
 #include "cli/run_remarks.h"
 #include "cli/verb_table.h"
@@ -122,7 +123,7 @@ void AddCompare(CLI::App* verb, Action* action) {
           "Radii in metres, separated by commas: track and speed of scenario curve_rRADIUS "
           "each; prints a table, writes bogies.json and report.html")
       ->delimiter(',')
-      ->check(CLI::PositiveNumber);
+      ->check(NumberWithin(1, 1e7));
   verb->add_flag("--stability", options->stability,
                  "With --radii: linear and non-linear critical speed of every bogie too");
   verb->callback([=] {

@@ -7,7 +7,9 @@
 #include <optional>
 
 #include "base/axle_words.h"
+#include "base/progress.h"
 #include "base/result_dir.h"
+#include "cli/number_within.h"
 #include "cli/result_checks.h"
 #include "cli/run_options.h"
 #include "cli/verb_table.h"
@@ -96,7 +98,9 @@ int RunCurving(CurvingVerb verb) {
                                         [&](const Json& row) {
                                           if (text) PrintRadius(row);
                                         }};
-  const auto solved = jobs::SolveCurves(verb.request, {}, tell);
+  const auto solved =
+      jobs::SolveCurves(verb.request, {.stopped = [] { return StopSignal() != 0; }}, tell);
+  if (StopSignal() != 0) return Stopped("nothing written");
   if (!solved.ok()) return BadInput(solved.error());
   if (!text) fmt::print("{}\n", solved.value().dump(2));
   if (dir) {
@@ -125,10 +129,10 @@ void AddCurving(CLI::App* verb, Action* action) {
   verb->add_option("--speed-limit", o->request.speed_limit_km_h, "km/h")->capture_default_str();
   verb->add_option("--cant", o->request.largest_cant_m,
                    "Largest cant, m; default 0.060 on 1067 mm, wider in proportion")
-      ->check(CLI::Range(0.0, 0.2));
+      ->check(NumberWithin(0.0, 0.2));
   verb->add_option("--deficiency", o->request.deficiency_m,
                    "Cant deficiency, m; default 0.045 on 1067 mm, wider in proportion")
-      ->check(CLI::Range(-0.1, 0.2));
+      ->check(NumberWithin(-0.1, 0.2));
   AddFrictionOption(verb, &o->request.scenario.friction);
   AddTimestepOption(verb, &o->request.scenario.timestep_s);
   verb->add_option("--vehicle", o->request.scenario.vehicle, "bogie or locomotive")

@@ -4,7 +4,9 @@
 #include <memory>
 #include <optional>
 
+#include "base/progress.h"
 #include "base/result_dir.h"
+#include "cli/number_within.h"
 #include "cli/result_checks.h"
 #include "cli/run_options.h"
 #include "cli/verb_table.h"
@@ -51,7 +53,8 @@ int RunModes(ModesOptions options) {
   if (!asked.ok()) return BadInput(asked.error());
   std::optional<ResultDir>& dir = asked.value();
   const analysis::AxleModeOptions& measure = options.request.measure;
-  auto all = jobs::MeasureModes(options.request);
+  auto all = jobs::MeasureModes(options.request, {.stopped = [] { return StopSignal() != 0; }});
+  if (StopSignal() != 0) return Stopped("nothing written");
   if (!all.ok()) return BadInput(all.error());
   if (options.common.format == "json") {
     fmt::print("{}\n", jobs::ModesJson(all.value()[0], options.request).dump(2));
@@ -86,7 +89,7 @@ void AddModes(CLI::App* verb, Action* action) {
                  "Track that gives the gauge; default straight track as wide as the bogie's own");
   AddTimestepOption(verb, &options->request.scenario.timestep_s);
   verb->add_option("--frequency", options->request.measure.frequency_Hz, "Hz")
-      ->check(CLI::Range(0.01, 20.0));
+      ->check(NumberWithin(0.01, 20.0));
   verb->callback([=] { *action = [=] { return RunModes(*options); }; });
 }
 

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "base/result_dir.h"
+#include "cli/number_within.h"
 #include "cli/result_checks.h"
 #include "cli/run_options.h"
 #include "cli/verb_table.h"
@@ -178,7 +179,7 @@ void AddStability(CLI::App* verb, Action* action) {
   verb->add_flag("--map", o->request.map,
                  "Map of hunting by harmonic balance: speed over amplitude");
   verb->add_option("--map-to", o->request.balance.largest_m, "Largest amplitude of the map, m")
-      ->check(CLI::Range(1e-4, 0.03))
+      ->check(NumberWithin(1e-4, 0.03))
       ->capture_default_str();
   verb->add_option("--harmonics", o->request.balance.harmonics, "Of the map")
       ->check(CLI::Range(1, 15))

@@ -1,5 +1,7 @@
 #include "effects/sensor_gain.h"
 
+#include <memory>
+
 #include "effects/readings.h"
 
 namespace phs::effects {
@@ -12,20 +14,26 @@ using hydraulics::Sensor;
 
 class Scale final : public hydraulics::ReadingLaw {
  public:
-  explicit Scale(double gain) : gain_(gain) {}
-  double Gain() const noexcept override { return gain_; }
+  explicit Scale(double gain, double below_zero = 1) : above_(gain), below_(gain * below_zero) {}
+  double Scaled(double value) const noexcept override {
+    return (value > 0 ? above_ : below_) * value;
+  }
 
  private:
-  double gain_;
+  double above_, below_;
 };
 
 Status Install(const EffectParams& effect, Extension* extension) {
   AddReadings<Scale>(effect,
-                     {{Sensor::kLoad, "load"},
-                      {Sensor::kBorePressure, "p_bore"},
+                     {{Sensor::kBorePressure, "p_bore"},
                       {Sensor::kRodPressure, "p_rod"},
                       {Sensor::kPiston, "piston"}},
                      1, extension);
+  const double load = effect.values.at("load"), ratio = effect.values.at("load_compression");
+  if (load == 1 && ratio == 1) return {};
+  for (int i : TargetCylinders(effect, extension->params())) {
+    extension->AddReading(i, Sensor::kLoad, std::make_unique<Scale>(load, ratio));
+  }
   return {};
 }
 
@@ -35,9 +43,12 @@ const EffectInfo& SensorGainInfo() {
   static const EffectInfo info = {"sensor_gain",
                                   "instrument",
                                   "cylinders",
-                                  "shown = gain true",
+                                  "shown = gain true; of a load cell in compression gain times "
+                                  "load_compression",
                                   {
                                       {"load", "-", 1, -100, 100, 0.4, 2.5, "load cell"},
+                                      {"load_compression", "-", 1, 1e-3, 1e3, 0.4, 2.5,
+                                       "gain of the load cell in compression over that in tension"},
                                       {"p_bore", "-", 1, -100, 100, 0.4, 2.5, "bore pressure"},
                                       {"p_rod", "-", 1, -100, 100, 0.4, 2.5, "rod pressure"},
                                       {"piston", "-", 1, -100, 100, 0.4, 2.5, "piston"},
@@ -47,6 +58,7 @@ const EffectInfo& SensorGainInfo() {
                                       .rig =
                                           {
                                               {.free = {{"load", 1}}},
+                                              {.free = {{"load_compression", 1}}},
                                               {.free = {{"p_bore", 1}}},
                                               {.free = {{"p_rod", 1}}},
                                               {.free = {{"piston", 1}}},
@@ -56,6 +68,7 @@ const EffectInfo& SensorGainInfo() {
                                           {
                                               {.free = {{"p_bore", 1}}},
                                               {.free = {{"p_rod", 1}}},
+                                              {.free = {{"load_compression", 1}}, .with = "load"},
                                           },
                                   }};
   return info;

@@ -21,19 +21,21 @@ class Stribeck : public hydraulics::LevelLaw {
   explicit Stribeck(const EffectParams& effect)
       : extra_N_(effect.values.at("extra_N")),
         speed_m_s_(effect.values.at("speed_m_s")),
-        exponent_(effect.values.at("exponent")) {}
+        exponent_(effect.values.at("exponent")),
+        retraction_ratio_(effect.values.at("retraction_ratio")) {}
   void Add(const LevelPlace& place, LevelParts* level) const noexcept override {
-    AddAt(place.speed, level);
+    AddAt(place.speed, place.sign, level);
   }
 
  protected:
-  void AddAt(double speed, LevelParts* level) const noexcept {
+  void AddAt(double speed, double sign, LevelParts* level) const noexcept {
     const double ratio = speed / speed_m_s_;
-    level->extra += extra_N_ * std::exp(-(exponent_ == 1 ? ratio : std::pow(ratio, exponent_)));
+    const double extra = sign > 0 ? extra_N_ : retraction_ratio_ * extra_N_;
+    level->extra += extra * std::exp(-(exponent_ == 1 ? ratio : std::pow(ratio, exponent_)));
   }
 
  private:
-  double extra_N_, speed_m_s_, exponent_;
+  double extra_N_, speed_m_s_, exponent_, retraction_ratio_;
 };
 
 /// Memory: the speed of the film, a lag behind |v|.
@@ -42,7 +44,7 @@ class LaggingStribeck final : public Stribeck {
   explicit LaggingStribeck(const EffectParams& effect)
       : Stribeck(effect), film_time_s_(effect.values.at("film_time_s")) {}
   void Add(const LevelPlace& place, LevelParts* level) const noexcept override {
-    AddAt(place.memory, level);
+    AddAt(place.memory, place.sign, level);
   }
   std::string MemoryName() const override { return "film"; }
   double MemoryRate(double v, double memory) const noexcept override {
@@ -79,6 +81,7 @@ const EffectInfo& StribeckInfo() {
           {"extra_N", "N", 400, -1e5, 1e6, 0, 3000, "F_s"},
           {"speed_m_s", "m/s", 2e-3, 1e-7, 10, 1e-4, 0.05, "v_s"},
           {"exponent", "-", 1, 0.1, 10, 0.5, 3, "n"},
+          {"retraction_ratio", "-", 1, 0, 1e3, 0.05, 20, "of F_s, in retraction"},
           {"film_time_s", "s", 0, 0, 100, 0, 1, "tau; 0: no lag"},
       },
       Install,
@@ -102,6 +105,7 @@ const EffectInfo& StribeckInfo() {
           .options =
               {
                   {.free = {{"exponent", 1.5}}},
+                  {.free = {{"retraction_ratio", 1}}},
                   {.free = {{"film_time_s", 0.01, 0.1, 2}}},
               },
           .over = {"N", "sv"},

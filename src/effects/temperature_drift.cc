@@ -20,14 +20,16 @@ class Ramp final : public hydraulics::AmbientLaw {
   explicit Ramp(const EffectParams& effect)
       : rate_(effect.values.at("rate_K_per_s")),
         start_s_(effect.values.at("start_s")),
+        stop_s_(effect.values.at("stop_s")),
         settling_s_(effect.values.at("settling_s")),
         limit_K_(effect.values.at("limit_K")) {}
   double Rise(double time) const noexcept override {
-    return std::clamp(rate_ * DriftTime(time, start_s_, settling_s_), -limit_K_, limit_K_);
+    const double seconds = DriftTime(time, start_s_, settling_s_, stop_s_);
+    return std::clamp(rate_ * seconds, -limit_K_, limit_K_);
   }
 
  private:
-  double rate_, start_s_, settling_s_, limit_K_;
+  double rate_, start_s_, stop_s_, settling_s_, limit_K_;
 };
 
 class Swing final : public hydraulics::AmbientLaw {
@@ -62,12 +64,15 @@ const EffectInfo& TemperatureDriftInfo() {
       "temperature_drift",
       "environment",
       "",
-      "T = T_static + rate t from start_s on (limited, or rate T_s (1 - exp(-t/T_s))) + A sin(2 pi "
-      "t/period)",
+      "T = T_static + rate t from start_s on (limited, or rate T_s (1 - exp(-t/T_s)), back again "
+      "from "
+      "stop_s on) + A sin(2 pi t/period)",
       {
           {"rate_K_per_s", "K/s", 0.01, -10, 10, -0.05, 0.05, "r"},
           {"settling_s", "s", 0, 0, 1e6, 0, 1e4, "T_s of a warming that settles; 0 = never"},
           {"start_s", "s", 0, -1e12, 1e12, 0, 1e6, "the ramp begins at this time"},
+          {"stop_s", "s", 1e12, -1e12, 1e12, 0, 1e6,
+           "it ends there, and with T_s what it gave goes"},
           {"limit_K", "K", 40, 0, 100, 1, 60, "limit of the ramp"},
           {"amplitude_K", "K", 0, -60, 60, -30, 30, "A; < 0: it first cools"},
           {"period_s", "s", 86400, 1e-3, 1e12, 60, 1e5, "period"},
@@ -91,6 +96,7 @@ const EffectInfo& TemperatureDriftInfo() {
                   {.free = {{"softening_1_per_K", 4e-3}}},
                   {.free = {{"rod_ratio", 1}}, .of_sides = true},
                   {.free = {{"start_s", 15, 60, 3}}, .without = "period_s"},
+                  {.free = {{"stop_s", 15, 60, 3}}, .without = "period_s"},
               },
       }};
   return info;

@@ -1,7 +1,8 @@
 // What the instruments of a cylinder show of the truth on a rig.
 //
-// Several laws at one sensor: shown = (product of gains) true', + sum of errors, where true' is the
-// true series after all lags. Lags and gains are linear, so the order of the laws does not count.
+// Several laws at one sensor: shown = scales(true') + sum of errors, where true' is the true series
+// after all lags. Lags and scales do not change the sign and are linear to either side of zero, so
+// the order of the laws does not count (but where a lag crosses zero).
 #pragma once
 
 #include <memory>
@@ -19,7 +20,7 @@ class ReadingLaw {
   virtual ~ReadingLaw() = default;
   /// What comes late or smoothed: changes true values at samples `step` [s] apart, in place.
   virtual void Lag(double /*step*/, std::vector<double>* /*values*/) const {}
-  virtual double Gain() const noexcept { return 1; }
+  virtual double Scaled(double value) const noexcept { return value; }
   /// Added to what is shown, in the unit of the channel; of `place`, the true one, time, piston, its
   /// speed and pressures are set.
   virtual double Error(const ForcePlace& /*place*/) const noexcept { return 0; }

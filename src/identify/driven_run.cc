@@ -198,6 +198,7 @@ Result<IdentifyOutcome> SearchAndWrite(const Manifest& manifest, const FitData& 
   const std::vector<std::string> wrong = measurement::FindContradictions(after, data);
   VerdictFacts facts{{}, NamedEffects(found), UntoldNames(found), FittedNumbers(found), wrong};
   facts.faults.insert(facts.faults.end(), drives.begin(), drives.end());
+  facts.faults.insert(facts.faults.end(), data.faults.begin(), data.faults.end());
   for (size_t c = 0; c < data.outputs.size(); ++c) {
     const LeftOver& left = over_noise.value()[c];
     facts.channels.push_back({data.outputs[c].name, over_before.value()[c].over_noise,

@@ -1,5 +1,7 @@
 #include "identify/effect_variants.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -128,6 +130,10 @@ void AddForm(const EffectInfo& info, const EffectForm& form, const PhsParams& pa
 
 }  // namespace
 
+bool IsInstant(const std::string& name) {
+  return name.ends_with(".start_s") || name.ends_with(".stop_s");
+}
+
 Candidate MakeCandidate(const EffectInfo& info, const EffectForm& form, const FormScale& scale) {
   Candidate candidate;
   candidate.effect = candidate.params.name = info.name;
@@ -193,11 +199,29 @@ FreeModel WithCandidate(const FreeModel& model, const Candidate& candidate) {
   return out;
 }
 
+std::map<std::string, double> HeldNumbers(const Candidate& candidate) {
+  std::map<std::string, double> held;
+  const EffectInfo* info = effects::Catalogue().FindFor(candidate.params);
+  if (info == nullptr) return held;
+  for (const EffectParameter& p : info->parameters) {
+    const auto value = candidate.params.values.find(p.name);
+    const bool is_free = std::any_of(
+        candidate.free.begin(), candidate.free.end(),
+        [&](const FreeParameter& f) { return f.name == "effects." + info->name + "." + p.name; });
+    if (is_free || value == candidate.params.values.end() || value->second == p.otherwise) continue;
+    held[p.name] = value->second;
+  }
+  return held;
+}
+
 std::string VariantName(const Candidate& candidate) {
   std::string name;
   for (const auto& t : candidate.params.targets) name += (name.empty() ? "" : ",") + t;
   for (const auto& p : candidate.free) {
     name += (name.empty() ? "" : ",") + p.name.substr(p.name.rfind('.') + 1);
+  }
+  for (const auto& [held, value] : HeldNumbers(candidate)) {
+    name += fmt::format(",{}={:.4g}", held, value);
   }
   return name;
 }

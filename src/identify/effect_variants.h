@@ -4,6 +4,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -41,6 +42,9 @@ struct FormScale {
   std::optional<double> declared;  ///< what is declared of the first number
 };
 
+/// A time of the record at which something begins or ends: `name` ends with .start_s or .stop_s.
+bool IsInstant(const std::string& name);
+
 /// One form of an effect, its starts and options.
 Candidate MakeCandidate(const hydraulics::EffectInfo& info, const hydraulics::EffectForm& form,
                         const FormScale& scale);
@@ -58,6 +62,10 @@ std::vector<std::string> CandidateNames();
 /// The candidate with one of its options free as well; it and others with a number in common go off
 /// the list of its options.
 Candidate WithOption(const Candidate& candidate, size_t option);
+
+/// Numbers of its effect that its form holds at other than their defaults: an orifice has exponent
+/// 0.5. Empty for formulas and laws of one's own.
+std::map<std::string, double> HeldNumbers(const Candidate& candidate);
 
 /// Targets and free numbers, for people: "L2,oil_share".
 std::string VariantName(const Candidate& candidate);

@@ -73,16 +73,18 @@ Result<ElementRecord> MakeRecord(RigRun& run, double band_Hz, bool by_force) {
   return record;
 }
 
-/// A motion in millimetres, spikes, and stretches in which the force stands still at an end of its
-/// range or elsewhere: mended or left out, with a word.
+/// A motion in millimetres, spikes, and stretches in which motion or force stands still to the last
+/// digit, at an end of its range or elsewhere: mended or left out, with a word.
 void LeaveOutFaults(RigRun* run) {
   Channel &x = run->inputs[0], &force = run->outputs[0];
   measurement::MendInputScale({}, &x, &run->findings);
   measurement::MarkMotionSpikes(&x, &run->findings);
   measurement::MarkSpikes(&force, &run->findings);
-  force.noise.white = WhiteNoise(force.y, force.bad);
-  force.noise.quantum = Quantum(force.y);
-  measurement::MarkStuck(&force, *run, &run->findings);
+  for (measurement::Channel* channel : {&x, &force}) {
+    channel->noise.white = WhiteNoise(channel->y, channel->bad);
+    channel->noise.quantum = Quantum(channel->y);
+    measurement::MarkStuck(channel, *run, &run->findings);
+  }
 }
 
 }  // namespace

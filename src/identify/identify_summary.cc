@@ -12,6 +12,10 @@ std::string NumbersOf(const Json& effect) {
     out += fmt::format("  {} {:.4g} [{:.4g}, {:.4g}]", name, p["value"].get<double>(),
                        p["low"].get<double>(), p["high"].get<double>());
   }
+  const Json held = effect.value("held", Json::object());
+  for (const auto& [name, value] : held.items()) {
+    out += fmt::format("  {} {:.4g} (held)", name, value.get<double>());
+  }
   return out;
 }
 

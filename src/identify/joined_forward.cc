@@ -245,7 +245,7 @@ FreeModel JoinedForward::Declared(const PhsParams& declared) const {
 std::vector<Candidate> JoinedForward::Candidates(const PhsParams& params) const {
   std::vector<Candidate> out = lead_->Candidates(ParamsOf(params, 0));
   // Each run has a clock of its own: nothing begins at one time in all.
-  const auto begins = [](const FreeParameter& p) { return p.name.ends_with(".start_s"); };
+  const auto begins = [](const FreeParameter& p) { return IsInstant(p.name); };
   std::erase_if(out, [&](Candidate& c) {
     std::erase_if(c.options, [&](const EffectOption& option) {
       return std::any_of(option.free.begin(), option.free.end(), begins);

@@ -8,6 +8,7 @@
 #include "identify/acceptance.h"
 #include "identify/octave_bands.h"
 #include "identify/verdict.h"
+#include "measurement/series.h"
 
 namespace phs::identify {
 namespace {
@@ -65,6 +66,17 @@ double Explained(const Eigen::VectorXd& y, const Eigen::MatrixXd& columns, doubl
   return taken - *left * static_cast<double>(count);
 }
 
+bool IsLoudInBursts(const std::vector<double>& residual) {
+  constexpr double kLeastIndependent = 40;
+  std::vector<double> present;
+  for (const double r : residual) {
+    if (std::isfinite(r)) present.push_back(r);
+  }
+  const auto count = static_cast<double>(present.size());
+  return measurement::ComesInBursts(present) &&
+         count > kLeastIndependent * measurement::CorrelationTime(present);
+}
+
 }  // namespace
 
 double MeanSquareThatFollows(const std::vector<double>& residual,
@@ -107,6 +119,7 @@ bool ComesAndGoes(const std::vector<double>& residual) {
   constexpr size_t kParts = 8, kQuiet = 2, kWays = 28;  // to choose two of eight
   const size_t n = residual.size();
   if (n < kLeastRows) return false;
+  if (IsLoudInBursts(residual)) return true;
   std::vector<double> beyond;
   for (size_t part = 0; part < kParts; ++part) {
     double square = 0, count = 0;

@@ -155,14 +155,20 @@ Status PutNextTest(const FitProblem& problem, const Identification& found, const
     (*result)["test_design"] = ToJson(*test, rig);
     if (Status s = WriteNextTest(*test, rig, dir); !s.ok()) return s;
   }
+  const std::string none =
+      ": no motion could be designed; " +
+      (IsDrivable(problem, rig) ? "every one asks more of the rig than it may (" + rig.said + ")"
+                                : "what drives this model is not chosen here");
+  if (!test && !options.between.empty() && !questions.empty()) {
+    tests.push_back(JoinWords(options.between) + none);
+  }
   for (const AcceptedEffect& effect : found.effects) {
     if (test || effect.confusable_with.empty()) continue;
     tests.push_back(effect.candidate.effect + " against " + JoinWords(effect.confusable_with) +
-                    ": no motion could be designed; what drives this model is not chosen here");
+                    none);
   }
   if (!test && !found.untold.empty()) {
-    tests.push_back("what is left, between " + JoinWords(UntoldNames(found)) +
-                    ": no motion could be designed; what drives this model is not chosen here");
+    tests.push_back("what is left, between " + JoinWords(UntoldNames(found)) + none);
   }
   (*result)["next_test"] = tests;
   return {};
@@ -223,7 +229,9 @@ std::optional<NextTest> DesignTest(const FitProblem& problem, const Identificati
   std::vector<TestMotion> refined;
   for (size_t k = 0; k < std::min(kRefined, best.size()); ++k) refined.push_back(best[k].motion);
   best = designer.Best(refined, rig.step_s, 6, 1);
-  if (best.empty() || best.front().answers.empty()) return {};
+  // What the rig cannot bear keeps the margin that it began with, however little force is allowed.
+  if (best.empty() || best.front().answers.empty() || best.front().margin <= NextTest().margin)
+    return {};
   best.front().questions = questions;
   return std::move(best.front());
 }

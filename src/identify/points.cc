@@ -46,10 +46,11 @@ std::vector<Point> PointsAbout(const FitProblem& coarse, const FreeModel& model,
   constexpr double kOutlier = 2.5;  // deviations
   std::vector<Point> points;
   const auto add = [&](Point point) {
+    if (!point.ok) return;  // one that was stopped has no values
     const bool known = std::any_of(points.begin(), points.end(), [&](const Point& p) {
       return !AreApart(model, p.values, point.values);
     });
-    if (point.ok && !known) points.push_back(std::move(point));
+    if (!known) points.push_back(std::move(point));
   };
   add(FitNear(coarse, model, fit.values, {}, {.max_steps = 6, .final_slopes = true}));
   if (points.empty() || !elsewhere) return points;

@@ -175,6 +175,7 @@ Json EffectJson(const Identification& found, const AcceptedEffect& effect) {
                                           begin + effect.candidate.free.size(), false)},
                 {"evidence", EvidenceJson(effect.evidence)},
                 {"confusable_with", effect.confusable_with}};
+  if (const auto held = HeldNumbers(effect.candidate); !held.empty()) entry["held"] = held;
   if (IsFormula(effect)) entry["formula"] = found.formula.text;
   if (!effect.candidate.params.targets.empty()) entry["on"] = effect.candidate.params.targets;
   return entry;

@@ -235,13 +235,13 @@ void BoundPeriods(double longest, std::vector<FreeParameter>* free) {
   }
 }
 
-/// What begins in the record does so between a tenth and five sixths of the estimation window, so
+/// What begins or ends in the record does so between a tenth and five sixths of the estimation window, so
 /// that it is seen without and with; the starts of its beginning are counted from the window's.
 void BoundOnsets(const std::array<double, 2>& window, std::vector<FreeParameter>* free,
                  std::vector<std::vector<double>>* starts) {
   for (size_t i = 0; i < free->size(); ++i) {
     FreeParameter& p = (*free)[i];
-    if (!p.name.ends_with(".start_s")) continue;
+    if (!IsInstant(p.name)) continue;
     const double length = window[1] - window[0];
     p.low = window[0] + 0.1 * length, p.high = window[0] + length * 5 / 6;
     p.logarithmic = false, p.scale = length / 10;

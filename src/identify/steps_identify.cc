@@ -292,11 +292,13 @@ json ToJson(const StepSearch& s, const measurement::Manifest& manifest,
 
 }  // namespace
 
-Result<RigOutcome> IdentifySteps(const measurement::Manifest& manifest, const ResultDir& dir) {
+Result<RigOutcome> IdentifySteps(const measurement::Manifest& manifest, const ResultDir& dir,
+                                 const std::function<bool()>& go_on) {
   Result<std::vector<StepCase>> cases = measurement::ReadStepCases(manifest);
   if (!cases.ok()) return cases.error();
   Result<StepProblem> problem = MakeStepProblem(manifest, cases.value());
   if (!problem.ok()) return problem.error();
+  problem.value().go_on = go_on;
   Result<StepSearch> searched = SearchSteps(problem.value(), manifest.shared);
   if (!searched.ok()) return searched.error();
   RigOutcome out;

@@ -3,6 +3,8 @@
 // settled pressures, every step predicted from the others (`phs identify`). docs/rig_table_b1.md.
 #pragma once
 
+#include <functional>
+
 #include "base/result.h"
 #include "base/result_dir.h"
 #include "identify/outcome.h"
@@ -16,7 +18,9 @@ Result<RigOutcome> RunSteps(const measurement::Manifest& manifest, const ResultD
 
 /// `phs identify`: the same file names as an identification over time, plus baseline.csv and
 /// model.yaml. "before": oil compliance and gas volumes fitted; "after": with the accepted effects;
-/// both scored on steps left out of the fit.
-Result<RigOutcome> IdentifySteps(const measurement::Manifest& manifest, const ResultDir& dir);
+/// both scored on steps left out of the fit. `go_on`: asked before every fit; false stops it, with an
+/// error.
+Result<RigOutcome> IdentifySteps(const measurement::Manifest& manifest, const ResultDir& dir,
+                                 const std::function<bool()>& go_on = {});
 
 }  // namespace phs::identify

@@ -217,6 +217,7 @@ StepThermal JudgeThermal(const StepSearch& s, size_t r) {
   out.thermal_time_s = out.low_s = out.high_s = time.value();
   for (const rigs::StepLeftOut& left : s.after.without) {
     if (left.run != r) continue;
+    if (s.problem.go_on && !s.problem.go_on()) return fail({"", "was stopped", "", ""});
     Status done = PredictBegin(s.problem, left.fit.logs, r, left.actuator_step_m, &out);
     if (!done.ok()) return fail(done.error());
   }

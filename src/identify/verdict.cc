@@ -47,8 +47,8 @@ void AddColoured(const VerdictFacts& facts, std::vector<std::string>* reasons) {
 void AddComing(const ChannelLeft& c, std::vector<std::string>* reasons) {
   if (!c.comes_and_goes || c.following > kAsLargeAsNoise) return;
   reasons->push_back("what " + c.channel +
-                     " is left with comes and goes: for a quarter of the validation window it is "
-                     "as good as quiet; look for what runs beside the rig");
+                     " is left with comes and goes: for parts of the validation window it is as "
+                     "good as quiet; look for what runs or strikes beside the rig");
 }
 
 /// Declared numbers that the fit has driven to an end, or far away: said in any case.

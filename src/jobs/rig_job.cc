@@ -53,7 +53,10 @@ Result<IdentifyOutcome> Search(const std::string& path,
     return Error{"--between", "no motion drives a table of steps",
                  "rigs cylinder, quarter, full, element", ""};
   }
-  Result<identify::RigOutcome> steps = identify::IdentifySteps(manifest.value(), dir);
+  bool stopped = false;
+  const auto go_on = [&] { return !(stopped = stopped || !watch.GoesOn(0)); };
+  Result<identify::RigOutcome> steps = identify::IdentifySteps(manifest.value(), dir, go_on);
+  if (stopped || !go_on()) return IdentifyOutcome{.cancelled = true};
   if (!steps.ok()) return steps.error();
   return IdentifyOutcome{.result = steps.value().result, .summary = steps.value().summary};
 }

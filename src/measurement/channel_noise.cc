@@ -108,8 +108,10 @@ ChannelNoise EstimateNoise(const Channel& channel, const std::vector<char>& rest
       left[j] = channel.y[begin + j] - mean - s1 / s2 * u;
     }
     TakeOutVibration(&left);
+    // Blows from beside the rig are no more its noise than a vibration is.
     const double sum = std::inner_product(left.begin(), left.end(), left.begin(), 0.0);
-    squares.push_back(sum / static_cast<double>(stretch - 2));
+    squares.push_back(ComesInBursts(left) ? std::pow(RobustDeviation(left), 2)
+                                          : sum / static_cast<double>(stretch - 2));
     times.push_back(CorrelationTime(left));
     begin += stretch;
   }

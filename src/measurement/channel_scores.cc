@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace phs::measurement {
 
@@ -25,12 +26,14 @@ ChannelScore Score(const std::vector<double>& time, const std::vector<double>& m
   score.rmse = std::sqrt(square / n);
   score.bias /= n, mean /= n;
   const double deviation = std::sqrt(std::max(0.0, mean_square / n - mean * mean));
-  score.nrmse = deviation > 0 ? score.rmse / deviation : 0;
+  const double none = score.rmse > 0 ? std::numeric_limits<double>::quiet_NaN() : 0;
+  score.nrmse = deviation > 0 ? score.rmse / deviation : none;
   for (double r : relative) score.m_re_percent += r / n;
-  for (double r : relative) {
-    score.share_at_or_below_mean += (r <= score.m_re_percent) / n;
-    score.share_below_12_percent += (r < 12) / n;
-  }
+  const auto share = [&](auto holds) {
+    return static_cast<double>(std::count_if(relative.begin(), relative.end(), holds)) / n;
+  };
+  score.share_at_or_below_mean = share([&](double r) { return r <= score.m_re_percent; });
+  score.share_below_12_percent = share([](double r) { return r < 12; });
   return score;
 }
 

@@ -10,7 +10,7 @@ namespace phs::measurement {
 
 struct ChannelScore {
   double rmse = 0;
-  double nrmse = 0;  ///< RMSE / standard deviation of the measured channel
+  double nrmse = 0;  ///< RMSE / standard deviation of what was measured; NaN if that is one value
   double bias = 0;   ///< mean of predicted - measured
   double max = 0;    ///< largest |predicted - measured|
   double m_re_percent = 0;

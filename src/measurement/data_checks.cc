@@ -55,12 +55,34 @@ bool AreSwapped(const FitData& data, const std::vector<std::vector<double>>& pre
          own_b.correlation < 0.5;
 }
 
+/// The first and the last three samples have neighbours on one side alone: each is foretold by a
+/// parabola through the three next to it, and by a straight line through two. Returns how many were
+/// no measurement; they are put on the line.
+int MarkEnds(double noise, Channel* channel) {
+  constexpr int kEnd = 3;
+  constexpr double kAmplified = 4.4;  // sqrt(1 + 9 + 9 + 1) of a sample less its parabola
+  std::vector<double>& y = channel->y;
+  const int n = static_cast<int>(y.size());
+  int marked = 0;
+  for (const int inward : {1, -1}) {
+    for (int k = kEnd - 1; k >= 0 && n > 4 * kEnd; --k) {
+      const int i = inward > 0 ? k : n - 1 - k;
+      const auto next = [&](int steps) { return y[static_cast<size_t>(i + steps * inward)]; };
+      const double parabola = 3 * next(1) - 3 * next(2) + next(3), line = 2 * next(1) - next(2);
+      const double off = std::min(std::abs(next(0) - parabola), std::abs(next(0) - line));
+      if (!(off > 12 * kAmplified * noise + 8 * std::abs(parabola - line))) continue;
+      y[static_cast<size_t>(i)] = line, channel->bad[static_cast<size_t>(i)] = 1, ++marked;
+    }
+  }
+  return marked;
+}
+
 }  // namespace
 
 void MarkSpikes(Channel* channel, std::vector<DataFinding>* findings) {
-  int removed = 0;
   std::vector<double>& y = channel->y;
   const double noise = std::max(WhiteNoise(y, channel->bad), Quantum(y) / 3.46);
+  int removed = MarkEnds(noise, channel);
   std::vector<size_t> spikes;
   for (size_t i = 2; i + 2 < y.size(); ++i) {
     const double around = (4 * (y[i - 1] + y[i + 1]) - (y[i - 2] + y[i + 2])) / 6;
@@ -77,6 +99,7 @@ void MarkSpikes(Channel* channel, std::vector<DataFinding>* findings) {
 void MarkMotionSpikes(Channel* channel, std::vector<DataFinding>* findings) {
   std::vector<double>& y = channel->y;
   const double noise = std::max(WhiteNoise(y, channel->bad), Quantum(y) / 3.46);
+  const size_t ends = MarkEnds(noise, channel);
   std::vector<size_t> spikes;
   for (size_t i = 3; i + 3 < y.size(); ++i) {
     const double inner = (4 * (y[i - 1] + y[i + 1]) - (y[i - 2] + y[i + 2])) / 6;
@@ -87,8 +110,8 @@ void MarkMotionSpikes(Channel* channel, std::vector<DataFinding>* findings) {
     if (off > 12 * noise + 4 * std::abs(inner - outer)) spikes.push_back(i);
   }
   for (const size_t i : spikes) y[i] = 0.5 * (y[i - 1] + y[i + 1]), channel->bad[i] = 1;
-  if (spikes.empty()) return;
-  findings->push_back({channel->name, fmt::format("{} spikes: left out", spikes.size())});
+  if (spikes.empty() && ends == 0) return;
+  findings->push_back({channel->name, fmt::format("{} spikes: left out", spikes.size() + ends)});
 }
 
 void MarkStuck(Channel* channel, const RigRun& run, std::vector<DataFinding>* findings) {

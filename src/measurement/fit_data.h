@@ -39,6 +39,7 @@ struct FitData {
     return time_s[i] >= estimation[0] && time_s[i] < estimation[1];
   }
   std::vector<DataFinding> findings;  ///< what was found wrong, and mended or left out
+  std::vector<std::string> faults;    ///< and what nothing mends: the verdict says so
 };
 
 }  // namespace phs::measurement

@@ -66,6 +66,9 @@ FitData Begin(const std::vector<FitData>& runs) {
   }
   for (size_t r = 0; r < runs.size(); ++r) {
     data.source += (r > 0 ? ", " : "") + runs[r].source;
+    for (const std::string& fault : runs[r].faults) {
+      data.faults.push_back(runs[r].source + ": " + fault);
+    }
     for (const DataFinding& f : runs[r].findings) {
       data.findings.push_back({f.channel, runs[r].source + ": " + f.text});
     }

@@ -87,6 +87,22 @@ RunSpec ReadOneOfRuns(YamlMap& map, const std::string& path, bool steps) {
   return run;
 }
 
+/// No row of a file may be fitted in one run and judge in another.
+void RefuseSharedRows(const Manifest& m, YamlMap* map) {
+  std::error_code none;
+  for (const RunSpec& fitted : m.runs) {
+    for (const RunSpec& judged : m.runs) {
+      const Window &e = fitted.estimation, &v = judged.validation;
+      if (&fitted == &judged || e.empty() || v.empty()) continue;
+      if (e.begin >= v.end || v.begin >= e.end) continue;
+      if (fitted.data != judged.data && !fs::equivalent(fitted.data, judged.data, none)) continue;
+      map->Fail("runs", "one validates on rows of " + judged.data + " that another is fitted to",
+                "windows apart from each other", "data used for fitting cannot judge the fit");
+      return;
+    }
+  }
+}
+
 /// What is driven, and by what.
 void ReadDriven(YamlMap& map, const std::string& rig, WindowNeed need, rigs::RigOptions* options) {
   const std::vector<std::string> drives = {"position", "force", "pressure"};
@@ -161,8 +177,8 @@ TestLimits ReadLimits(YamlMap map) {
   if (!limits.stroke_m.empty() && !limits.stroke_m.Contains(0)) {
     map.Fail("stroke_m", "does not hold 0, where a test begins", "low <= 0 < high");
   }
-  limits.speed_m_s = map.Number("speed_m_s", {.min = 0}, 0.0);
-  limits.force_N = map.Number("force_N", {.min = 0}, 0.0);
+  limits.speed_m_s = map.Number("speed_m_s", {.min = 0, .open_min = true}, 0.0);
+  limits.force_N = map.Number("force_N", {.min = 0, .open_min = true}, 0.0);
   limits.duration_s = map.Number("duration_s", {.min = 10, .max = 3600}, 60.0);
   return limits;
 }
@@ -182,6 +198,7 @@ void ReadDrive(YamlMap& map, WindowNeed need, Manifest* m) {
       m->runs.push_back(ReadOneOfRuns(run, m->path, m->rig == "steps"));
     }
     if (m->runs.empty()) map.Fail("runs", "names no run", "at least one");
+    RefuseSharedRows(*m, &map);
   } else {
     m->runs.push_back(ReadRun(map, m->path));
   }

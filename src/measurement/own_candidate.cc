@@ -21,6 +21,13 @@ bool Says(const std::string& text, const std::string& word) {
   return false;
 }
 
+/// Letters, digits and underscores, a letter first: what stands in model.yaml and in paths of numbers.
+bool IsName(const std::string& text) {
+  const auto fits = [](char c) { return c == '_' || std::isalnum(static_cast<unsigned char>(c)); };
+  return !text.empty() && std::isalpha(static_cast<unsigned char>(text[0])) &&
+         std::all_of(text.begin(), text.end(), fits);
+}
+
 std::string Expression(YamlMap& map, const std::string& key) {
   std::string text = map.Text(key);
   if (text.find_first_of(";=") != std::string::npos) {
@@ -51,6 +58,11 @@ OwnCandidate ReadOwnCandidate(YamlMap& candidates, const std::string& name,
     if (Says(all, channel.substr(0, channel.find('_')))) law.channels.push_back(channel);
   }
   for (const std::string& number : parameters.Keys()) {
+    if (!Says(all, number.substr(0, number.find('_')))) {
+      parameters.Fail(number, "does not stand in the expression or in a state",
+                      "numbers that the law uses, without their unit there");
+      continue;
+    }
     const std::vector<double> range = parameters.Numbers(number, {});
     if (range.size() != 2 || !(range[1] > range[0])) {
       parameters.Fail(number, "is no range", "[low, high], low < high");
@@ -67,6 +79,9 @@ OwnCandidate ReadOwnCandidate(YamlMap& candidates, const std::string& name,
   }
   out.effect.targets = map.Texts("targets");
   out.effect.formula = effects::ToText(law);
+  if (!IsName(name)) {
+    candidates.Fail(name, "is no name", "letters, digits and _, a letter first");
+  }
   if (effects::Catalogue().Find(name) != nullptr) {
     candidates.Fail(name, "is an effect of the catalogue", "another name for a law of one's own");
   }

@@ -169,12 +169,29 @@ void Resample(const Clock& clock, const RigRun& run, const std::vector<double>& 
   }
 }
 
+/// A column of this quantity whose unit says nothing here: p_bore_psi for p_bore_Pa; else empty.
+std::string InUnknownUnit(const Table& table, const std::string& name) {
+  const std::string stem = name.substr(0, name.rfind('_') + 1);
+  for (const std::string& column : table.names) {
+    if (column.starts_with(stem) && column.find('_', stem.size()) == std::string::npos)
+      return column;
+  }
+  return {};
+}
+
 Channel ReadChannel(const Table& table, const Manifest& manifest, const Clock& clock,
                     const std::string& name, RigRun* run) {
   Channel channel;
   channel.name = name;
   const int column = FindChannel(table, manifest, name);
-  if (column < 0) return channel;
+  if (column < 0) {
+    const std::string other = InUnknownUnit(table, name);
+    if (!other.empty()) {
+      run->findings.push_back(
+          {name, "column \"" + other + "\" is in no unit that is known: left out"});
+    }
+    return channel;
+  }
   channel.column = table.names[static_cast<size_t>(column)];
   channel.factor = FactorOf(name, channel.column);
   const auto extra = manifest.factors.find(name);
@@ -223,6 +240,14 @@ Status ClipWindow(const char* key, RigRun* run, Window* window) {
   const double end = run->Time(run->num_samples - 1) + run->step_s;
   window->begin = std::max(window->begin, run->t0_s);
   window->end = std::min(window->end, end);
+  constexpr double kMuch = 0.01;  // of the window
+  const double cut = window->begin - asked.begin + asked.end - window->end;
+  if (!window->empty() && cut > kMuch * (asked.end - asked.begin)) {
+    run->findings.push_back({key, "window [" + Text("%.10g", asked.begin) + ", " +
+                                      Text("%.10g", asked.end) + "] goes beyond the record: [" +
+                                      Text("%.10g", window->begin) + ", " +
+                                      Text("%.10g", window->end) + "] is taken"});
+  }
   if (window->empty() || run->Last(*window) - run->First(*window) < 20) {
     return Error{run->source + ": " + key,
                  "window [" + Text("%.10g", asked.begin) + ", " + Text("%.10g", asked.end) +
@@ -298,8 +323,12 @@ Result<RigRun> ReadRigRun(const RunSpec& spec, const Manifest& manifest,
   for (const std::string& name : inputs) {
     run.inputs.push_back(ReadChannel(table, manifest, clock, name, &run));
     if (!run.inputs.back().present()) {
+      const std::string other = InUnknownUnit(table, name);
       return Error{spec.data, "the driving motion " + name + " is missing", "a column " + name,
-                   "a model can only be driven by measured motion"};
+                   other.empty() ? "a model can only be driven by measured motion"
+                                 : "column \"" + other +
+                                       "\" is in no unit that is known: name it under "
+                                       "`columns:` and scale it under `factors:`"};
     }
   }
   int measured = 0;
@@ -321,6 +350,11 @@ Result<RigRun> ReadRigRun(const RunSpec& spec, const Manifest& manifest,
   if (Status s = ClipWindow("estimation", &run, &run.estimation); !s.ok()) return s.error();
   if (Status s = ClipWindow("validation", &run, &run.validation); !s.ok()) return s.error();
   if (manifest.low_pass_Hz > 0) {
+    if (manifest.low_pass_Hz >= 0.5 / run.step_s) {
+      return Error{manifest.path + ": low_pass_Hz",
+                   "would change nothing at " + Text("%g Hz", 1 / run.step_s), "below half of that",
+                   ""};
+    }
     auto smooth = [&](Channel* c) {
       if (c->present()) c->y = LowPass(c->y, run.step_s, manifest.low_pass_Hz);
     };

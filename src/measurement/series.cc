@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace phs::measurement {
 
@@ -31,6 +32,14 @@ double RobustDeviation(const std::vector<double>& y) {
   std::vector<double> away(y.size());
   for (size_t i = 0; i < y.size(); ++i) away[i] = std::abs(y[i] - median);
   return 1.4826 * Quantile(std::move(away), 0.5);
+}
+
+bool ComesInBursts(const std::vector<double>& y) {
+  constexpr double kMost = 0.75;
+  if (y.empty()) return false;
+  const double square = std::inner_product(y.begin(), y.end(), y.begin(), 0.0);
+  const double robust = RobustDeviation(y);
+  return (1 - kMost) * square / static_cast<double>(y.size()) > robust * robust;
 }
 
 std::vector<double> Autocorrelation(std::span<const double> y, int most) {

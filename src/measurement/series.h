@@ -14,6 +14,9 @@ double StandardDeviation(std::span<const double> y);
 double Quantile(std::vector<double> y, double share);
 /// 1.4826 median |y - median|: standard deviation of the normal core, deaf to outliers.
 double RobustDeviation(const std::vector<double>& y);
+/// Three quarters of the mean square of y (about zero), or more, are beyond what RobustDeviation
+/// tells of it. Noise of any colour has normal values, of which that is the whole.
+bool ComesInBursts(const std::vector<double>& y);
 /// Autocorrelation rho(0 … most) of y minus its mean.
 std::vector<double> Autocorrelation(std::span<const double> y, int most);
 /// Integrated autocorrelation time 1 + 2 sum rho (Geyer's initial positive sequence), >= 1: how

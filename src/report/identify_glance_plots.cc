@@ -125,6 +125,10 @@ void AddChangePicture(const IdentifyResults& results, ReportPage* page) {
   struct Row {
     std::string channel;
     double before, after;
+    /// One that holds nothing but noise has 100 % before and after: the error alone says little.
+    double Change() const {
+      return std::isfinite(before) && std::isfinite(after) ? std::abs(before - after) : 0;
+    }
   };
   std::vector<Row> rows;
   const json channels = results.all.value("channels", json::object());
@@ -138,15 +142,15 @@ void AddChangePicture(const IdentifyResults& results, ReportPage* page) {
   if (all == 0) return;
   if (all > kMost) {
     std::stable_sort(rows.begin(), rows.end(),
-                     [](const Row& a, const Row& b) { return a.before > b.before; });
+                     [](const Row& a, const Row& b) { return a.Change() > b.Change(); });
     rows.resize(kMost);
   }
   BarChart chart{.title = steps ? "Mean relative error, each step left out of its fit"
                                 : "Error on the validation window, of the standard deviation",
                  .unit = "%"};
   if (all > kMost) {
-    chart.title +=
-        fmt::format(" ({} of {} channels, largest first; the others under Errors)", kMost, all);
+    chart.title += fmt::format(" ({} of {} channels, most changed first; the others under Errors)",
+                               kMost, all);
   }
   chart.bars = {{.label = "declared, fitted", .colour = kBeforeColour},
                 {.label = "corrected", .colour = kAfterColour}};

@@ -61,6 +61,10 @@ std::string WithAmounts(const json& effect) {
   for (const auto& [key, parameter] : parameters.items()) {
     amounts.push_back(Amount(key, parameter));
   }
+  const json held = effect.value("held", json::object());
+  for (const auto& [key, value] : held.items()) {
+    amounts.push_back(Amount(key, {{"value", value}}) + " (held by its form)");
+  }
   return amounts.empty() ? text : text + " with " + Joined(amounts);
 }
 

@@ -124,6 +124,17 @@ void AddNumbers(const json& parameters, DataTable* table) {
   }
 }
 
+/// What the form of an effect holds at other than its default: an orifice has exponent 0.5.
+void AddHeld(const json& held, DataTable* table) {
+  for (const auto& [name, value] : held.items()) {
+    const ReadableName readable = Readable(name);
+    table->rows.push_back(
+        {TableCell(readable.unit == "–" ? name : readable.words + " [" + readable.unit + "]"),
+         TableCell(FormatNumber(readable.factor * value.get<double>()), true),
+         TableCell("held by its form")});
+  }
+}
+
 }  // namespace
 
 int FiguresOf(const json& parameter) {
@@ -198,6 +209,7 @@ void AddEffectTable(const IdentifyResults& results, ReportPage* page) {
     table.rows.push_back({TableCell(title)});
     const json parameters = effect.value("parameters", json::object());
     AddNumbers(parameters, &table);
+    AddHeld(effect.value("held", json::object()), &table);
     if (const json form = effect.value("form", json::object()); !form.empty()) {
       table.rows.push_back({TableCell("its own form: " + form.value("formula", "?")), "", ""});
       AddNumbers(form.value("parameters", json::object()), &table);

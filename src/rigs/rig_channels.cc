@@ -81,15 +81,11 @@ class Instruments {
     const ReadingLaws& laws = system_.readings(source.cylinder, sensor);
     if (laws.empty()) return;
     std::vector<double>& y = channels_[static_cast<size_t>(channel)];
-    double gain = 1;
-    for (const auto& law : laws) {
-      law->Lag(step_s_, &y);
-      gain *= law->Gain();
-    }
+    for (const auto& law : laws) law->Lag(step_s_, &y);
     TrueState state(system_, source, truth_, step_s_);
     for (size_t i = 0; i < y.size(); ++i) {
       const auto place = state.At(i, t0_s_ + static_cast<double>(i) * step_s_);
-      y[i] *= gain;
+      for (const auto& law : laws) y[i] = law->Scaled(y[i]);
       for (const auto& law : laws) y[i] += law->Error(place);
     }
   }

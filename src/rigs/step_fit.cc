@@ -180,6 +180,7 @@ Status CheckCounts(const StepProblem& problem) {
 }  // namespace
 
 Result<StepFit> FitSteps(const StepProblem& problem, const StepFit* near) {
+  if (problem.go_on && !problem.go_on()) return Error{"fit of steps", "was stopped", "", ""};
   if (Status s = CheckCounts(problem); !s.ok()) return s.error();
   Result<Vector> declared = DeclaredLogs(problem);
   if (!declared.ok()) return declared.error();

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,7 @@ struct StepNumber {
 struct StepProblem {
   std::vector<StepRun> runs;
   std::vector<StepNumber> numbers;
+  std::function<bool()> go_on = {};  ///< asked before every fit: false = stop, with an error
 
   int num_rows() const;
   /// Places in the vector of logarithms: one of a shared number, one per run of an own one.

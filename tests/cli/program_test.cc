@@ -55,6 +55,32 @@ TEST_F(ProgramTest, WrongUsageIsExitCodeTwo) {
   EXPECT_THAT(ExecutePhs("--version").text, HasSubstr("phs "));
 }
 
+// "nan" was taken for "not given", and a step of a nanosecond ran for days.
+TEST_F(ProgramTest, ANumberOfAnOptionIsFiniteAndWithinWhatItMayBe) {
+  for (const char* step : {"nan", "inf", "0", "1e-9", "-1e-3", "1", "1ms"}) {
+    for (const char* verb : {"simulate curve_r300", "stability --ramp", "modes"}) {
+      const Output out = ExecutePhs(std::string(verb) + " --timestep " + step);
+      EXPECT_EQ(out.code, 2) << verb << " " << step;
+      EXPECT_THAT(out.text, HasSubstr(std::string("is ") + step + "; allowed: 1e-06 … 0.05"));
+      EXPECT_EQ(std::count(out.text.begin(), out.text.end(), '\n'), 1) << out.text;
+    }
+  }
+  EXPECT_THAT(ExecutePhs("compare curve_r300 --radii 300,0").text,
+              HasSubstr("is 0; allowed: 1 … 1e+07"));
+  EXPECT_EQ(ExecutePhs("alarms line_a --wanted nan").code, 2);
+}
+
+// They wrote their whole result some twenty seconds later, with exit code 0.
+TEST_F(ProgramTest, CtrlCStopsWhatTakesLong) {
+  for (const char* verb : {"curving --bogies phs,rigid_link,soft_link --time-run",
+                           "identify steps_joint --quiet", "identify hidden_pair --quiet"}) {
+    const Output out = Execute("timeout --preserve-status -s INT 2 " +
+                               PhsCommand(std::string(verb) + " --out " + Path("stopped")));
+    EXPECT_EQ(out.code, 130) << verb << "\n" << out.text;
+    EXPECT_THAT(NamesIn(dir_.path()), testing::IsEmpty()) << verb;
+  }
+}
+
 TEST_F(ProgramTest, AMistypedVerbIsAnsweredWithTheNearest) {
   for (const auto& [asked, meant] : {std::pair{"simulat curve_r550", "simulate"},
                                      {"Curving", "curving"},

@@ -295,6 +295,30 @@ TEST(TemperatureDrift, MayBeginInTheRecord) {
   EXPECT_NEAR(s.Ambient(50) - p.temperature_K, 1, 1e-9);
 }
 
+// dT/dt = r [start < t < stop] - T/T_s, by small steps of its own.
+TEST(TemperatureDrift, ComesBackOnceItsSourceEnds) {
+  constexpr double kRate = 0.1, kStart = 20, kStop = 70, kSettling = 30;
+  const PhsParams p = Frictionless();
+  const PhsSystem s = Compile(With(p, "temperature_drift",
+                                   {{"rate_K_per_s", kRate},
+                                    {"start_s", kStart},
+                                    {"stop_s", kStop},
+                                    {"settling_s", kSettling}}));
+  double rise = 0, time = 0;
+  for (const double next : {10.0, 20.0, 45.0, 70.0, 71.0, 100.0, 190.0}) {
+    for (constexpr double kStep = 1e-3; time < next - kStep / 2; time += kStep) {
+      const double middle = time + kStep / 2;
+      const double source = middle > kStart && middle < kStop ? kRate : 0;
+      rise += kStep * (source - rise / kSettling) / (1 + kStep / (2 * kSettling));
+    }
+    EXPECT_NEAR(s.Ambient(next) - p.temperature_K, rise, 1e-5) << next << " s";
+  }
+  const PhsSystem steady =
+      Compile(With(p, "temperature_drift", {{"rate_K_per_s", kRate}, {"stop_s", kStop}}));
+  EXPECT_NEAR(steady.Ambient(60) - p.temperature_K, 6, 1e-12);
+  EXPECT_NEAR(steady.Ambient(500) - p.temperature_K, 7, 1e-12);
+}
+
 // Two ways to the same hour of a day: a run over it with the temperature as a law of time, and a
 // filling at 20 °C used at the temperature of that hour (hydraulics/warm_filling.h).
 TEST(TemperatureDrift, ADayOverARunMeetsTheFillingUsedAtEachHour) {

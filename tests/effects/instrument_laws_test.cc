@@ -45,6 +45,23 @@ TEST(Instruments, GainOffsetDriftDelayOnPredictedChannels) {
   EXPECT_NEAR(delay[1][200], 0.5 * (plain[1][197] + plain[1][198]), 1e-6);
 }
 
+TEST(Instruments, ALoadCellMayHaveAnotherGainInCompression) {
+  const PhsParams p = Quarter();
+  const auto plain = Shown(p);
+  const auto shown = Shown(With(p, "sensor_gain", {{"load", 1.05}, {"load_compression", 0.9}}));
+  const auto alone = Shown(With(p, "sensor_gain", {{"load_compression", 0.9}}));
+  int tension = 0, compression = 0;
+  for (size_t i = 0; i < plain[1].size(); ++i) {
+    ++(plain[1][i] > 0 ? tension : compression);
+    const double side = plain[1][i] > 0 ? 1 : 0.9;
+    EXPECT_NEAR(shown[1][i], 1.05 * side * plain[1][i], 1e-9);
+    EXPECT_NEAR(alone[1][i], side * plain[1][i], 1e-9);
+  }
+  EXPECT_GT(tension, 50);
+  EXPECT_GT(compression, 50);
+  EXPECT_EQ(shown[2], plain[2]);
+}
+
 TEST(Instruments, ADriftMayComeAndGoWithAPeriod) {
   const PhsParams p = Quarter();
   const auto plain = Shown(p);

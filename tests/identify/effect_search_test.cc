@@ -134,6 +134,17 @@ TEST(EffectSearchTest, ALoadCellThatShowsHalfAsMuchAgainIsItsGain) {
   EXPECT_NEAR(ValueOf(found, "effects.sensor_gain.load"), 1.5, 0.01);
 }
 
+// Its reading in compression was called a force over a pressure, which has that sign, too.
+TEST(EffectSearchTest, FindsALoadCellThatShowsMoreInTensionAlone) {
+  hydraulics::PhsParams truth = OffDeclared();
+  truth.effects.push_back({"sensor_gain", {}, {{"load", 1.07}, {"load_compression", 1 / 1.07}}});
+  const Identification found = Find(Declared(), Record(truth));
+  ASSERT_EQ(found.effects.size(), 1u) << Said(found);
+  EXPECT_EQ(found.effects[0].candidate.effect, "sensor_gain");
+  EXPECT_NEAR(ValueOf(found, "effects.sensor_gain.load"), 1.07, 0.005);
+  EXPECT_NEAR(ValueOf(found, "effects.sensor_gain.load_compression"), 1 / 1.07, 0.005);
+}
+
 /// A formula counts, too, and gets no listed name where nothing was to be added.
 TEST(EffectSearchTest, NoEffectIsAddedWhereNoneIsAllowed) {
   hydraulics::PhsParams truth = OffDeclared();
@@ -167,6 +178,18 @@ TEST(EffectSearchTest, FindsARestrictionInOneChamberAlone) {
   ASSERT_EQ(found.effects.size(), 1u);
   EXPECT_EQ(found.effects[0].candidate.effect, "check_restriction");
   EXPECT_LT(found.after.channel_ms[3], 1.1);
+}
+
+// A hall door that opens: what is warm cools again, and does not run away beyond the window.
+TEST(EffectSearchTest, FindsAWarmingThatComesBack) {
+  hydraulics::PhsParams truth = OffDeclared();
+  truth.effects.push_back(
+      {"temperature_drift", {}, {{"rate_K_per_s", 0.04}, {"settling_s", 11}, {"stop_s", 26}}});
+  const Identification found = Find(Declared(), Record(truth));
+  ASSERT_EQ(found.effects.size(), 1u);
+  EXPECT_EQ(found.effects[0].candidate.effect, "temperature_drift");
+  EXPECT_NEAR(ValueOf(found, "effects.temperature_drift.stop_s"), 26, 0.5);
+  EXPECT_NEAR(ValueOf(found, "effects.temperature_drift.settling_s"), 11, 0.5);
 }
 
 TEST(EffectSearchTest, AResistanceAlikeInBothDirectionsIsNoCheckValveBesideAWarming) {

@@ -106,6 +106,19 @@ TEST(MotionShare, WhatRunsBesideTheRigComesAndGoes) {
   }
 }
 
+/// A press next door strikes every 1.3 s, and the frame rings for a seventh of a second: in every part.
+TEST(MotionShare, BlowsAreNoNoiseOfTheSensor) {
+  for (const unsigned seed : {1u, 2u, 3u, 4u, 5u}) {
+    std::vector<double> press = WhiteRow(seed, 1);
+    for (size_t i = 0; i < press.size(); ++i) {
+      const double since = std::fmod(kStep * static_cast<double>(i) + 0.2 * seed, 1.3);
+      press[i] += 50 * std::exp(-since / 0.14) * std::cos(2 * M_PI * 13 * since);
+    }
+    EXPECT_LT(MeanSquareThatFollows(press, {Motion()}), 4) << seed;
+    EXPECT_TRUE(ComesAndGoes(press)) << seed;
+  }
+}
+
 TEST(MotionShare, GapsAndShortRecords) {
   std::vector<double> residual = ColouredRow(8, 0.7, 3);
   for (size_t i = 100; i < 500; ++i) residual[i] = std::numeric_limits<double>::quiet_NaN();

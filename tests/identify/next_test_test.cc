@@ -175,6 +175,20 @@ TEST(NextTest, TellsALeakFromAHoseWhereASmallSineDoesNot) {
   }
 }
 
+// Its seals alone hold with more than that: no motion is offered, not even the least of them.
+TEST(NextTest, NoMotionIsOfferedBeyondTheForceOfTheRig) {
+  const PhsParams declared = Declared();
+  const measurement::FitData data = Record(declared);
+  const auto problem = ProblemOf(data, declared);
+  const Identification found =
+      Undecided(problem.value(), declared, "external_leakage", "hose_expansion");
+  const auto questions = OpenQuestions(problem.value(), found);
+  TestRig rig = MakeTestRig({}, {"actuator_m"}, data.step_s, {data.motion[0].position},
+                            {data.motion[0].speed}, {300}, 0.02);
+  rig.coarse_step_s = 0.04;
+  EXPECT_FALSE(DesignTest(problem.value(), found, questions, rig, 2, nullptr));
+}
+
 TEST(NextTest, ANumberThatTheRecordLeavesOpenIsAQuestion) {
   const PhsParams declared = Declared();
   const measurement::FitData data = Record(declared);

@@ -235,7 +235,12 @@ TEST(OwnCandidate, BadYamlIsOneLineThatNamesItsPlace) {
               testing::AllOf(HasSubstr("bad.yaml:"), HasSubstr("eddy_brake.expression"),
                              HasSubstr("no force [N]")));
   EXPECT_THAT(refused("c*i^2*v", "c*i^2*w"), HasSubstr("unknown name w"));
-  EXPECT_THAT(refused("- i)/tau", "- i)"), HasSubstr("states.i_A"));
+  EXPECT_THAT(refused("coil/8[V/A]", "coil/8"), HasSubstr("states.i_A"));
+  EXPECT_THAT(refused("- i)/tau", "- i)/1[s]"),
+              testing::AllOf(HasSubstr("parameters.tau_s"), HasSubstr("does not stand in")));
+  for (const char* name : {"\"../evil\":", "\"my.law\":", "\"a: b\":", "\"\":", "1st:"}) {
+    EXPECT_THAT(refused("eddy_brake:", name), HasSubstr("is no name")) << name;
+  }
   EXPECT_THAT(refused("[0.5, 5.0e3]", "[5.0e3, 0.5]"), HasSubstr("is no range"));
   EXPECT_THAT(refused("tau_s:", "tau_sec:"), HasSubstr("is no unit"));
   EXPECT_THAT(refused("coil_V: u_coil", "coil_V: u_col"),

@@ -113,6 +113,23 @@ std::string FirstOf(double power, double amount, double start, double* fitted) {
   return first.effect;
 }
 
+// Stopped in any of its runs it ends with what it has.
+TEST(Points, MayBeStoppedAtAnyTime) {
+  const auto forward = std::make_shared<const Waves>(1.0, kDecoys, 1e-13);
+  const PhsParams declared = phs_model::FindPhsParams("quarter_setup2").value();
+  auto problem = FitProblem::Create(forward, declared);
+  const FreeModel model = forward->Declared(declared);
+  const FitResult fit =
+      FitNear(problem.value(), model, {1.0}, {}, {.max_steps = 10, .final_slopes = true});
+  const auto points_after = [&](int runs) {
+    problem.value().SetGoOn([left = std::make_shared<int>(runs)] { return --*left >= 0; });
+    return PointsAbout(problem.value(), model, fit, 1, true).size();
+  };
+  const size_t all = points_after(1000);
+  EXPECT_GE(all, 2u) << "the declared number held, too";
+  for (int runs = 0; runs < 100; ++runs) EXPECT_LE(points_after(runs), all) << runs;
+}
+
 TEST(Screening, AnEffectWhoseStartIsAThousandTimesTooLargeIsTried) {
   double fitted = 0;
   EXPECT_EQ(FirstOf(1, 1e-15, 1e-12, &fitted), "wave 12");

@@ -43,6 +43,18 @@ class StepsIdentifyTest : public ::testing::Test {
   ScratchDir folder_;
 };
 
+// All setups as one record take a third of a minute: who stops it must not wait for that.
+TEST_F(StepsIdentifyTest, StopsBeforeTheNextFit) {
+  const auto manifest = measurement::LoadManifest(folder_.Write(
+      "m.yaml", "rig: steps\nshared: [lines.oil_volume_m3]\nruns:\n" + Run(3) + Run(4)));
+  ASSERT_TRUE(manifest.ok());
+  const auto dir = ResultDir::Create(folder_.File("out"), true);
+  int asked = 0;
+  const auto made = IdentifySteps(manifest.value(), dir.value(), [&] { return ++asked < 4; });
+  EXPECT_FALSE(made.ok());
+  EXPECT_EQ(asked, 4);
+}
+
 TEST_F(StepsIdentifyTest, TwoSetupsAsOneRecord) {
   const Result<RigOutcome> made =
       Identify("rig: steps\nshared: [lines.oil_volume_m3, L1.accumulator_precharge_Pa]\nruns:\n" +

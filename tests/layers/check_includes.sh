@@ -40,7 +40,8 @@ done
 for folder in "${!allowed[@]}"; do
   [ -d "$folder" ] || continue
   while IFS=: read -r file line text; do
-    target="$(sed -E 's/.*#include "([^/"]+)\/.*/\1/' <<<"$text")"
+    target="${text#*\"}"
+    target="${target%%/*}"
     [[ " ${allowed[$folder]} " == *" $target "* ]] ||
       complain "$file:$line: $folder may not include $target/ (allowed: ${allowed[$folder]})"
   done < <(grep -rnE "#include \"($own)/" --include='*.cc' --include='*.h' "$folder" || true)

@@ -144,6 +144,32 @@ Still CreepBetweenRests(double wave_N) {
   return out;
 }
 
+// A first sample 10 mm off spoiled a clean record: the motion was smoothed through it.
+TEST(Spikes, AreFoundInTheFirstAndInTheLastSample) {
+  std::mt19937 random(7);
+  std::normal_distribution<double> normal;
+  Channel good{"x_m", "x_m", 1, {}, {}, {}};
+  for (int i = 0; i < 4000; ++i) {
+    good.y.push_back(0.03 * std::sin(0.009 * i + 1) + 2e-7 * normal(random));
+  }
+  good.bad.assign(good.y.size(), 0);
+  std::vector<DataFinding> none;
+  for (const auto& mark : {measurement::MarkSpikes, measurement::MarkMotionSpikes}) {
+    Channel clean = good;
+    mark(&clean, &none);
+    EXPECT_TRUE(none.empty());
+    for (const size_t at : {size_t{0}, size_t{2}, good.y.size() - 2, good.y.size() - 1}) {
+      Channel spoiled = good;
+      spoiled.y[at] += 1e-3;
+      std::vector<DataFinding> findings;
+      mark(&spoiled, &findings);
+      EXPECT_EQ(findings.size(), 1u) << at;
+      EXPECT_TRUE(spoiled.bad[at]) << at;
+      EXPECT_NEAR(spoiled.y[at], good.y[at], 2e-5) << at;
+    }
+  }
+}
+
 TEST(ChannelNoiseTest, CreepIsNoStandstill) {
   const Still still = CreepBetweenRests(0);
   const std::vector<char> rest = FindStandstill(still.actuator, {}, kStep, 1e-6);
@@ -156,6 +182,35 @@ TEST(ChannelNoiseTest, AVibrationIsNoNoise) {
   const Still still = CreepBetweenRests(300);
   const std::vector<char> rest = FindStandstill(still.actuator, {}, kStep, 1e-6);
   EXPECT_NEAR(EstimateNoise(still.load, rest, kStep).level, 30, 4);
+}
+
+TEST(ChannelNoiseTest, BlowsFromBesideTheRigAreNoNoise) {
+  Still still = CreepBetweenRests(0);
+  const std::vector<char> rest = FindStandstill(still.actuator, {}, kStep, 1e-6);
+  for (size_t i = 0; i < still.load.y.size(); ++i) {
+    const double since = std::fmod(static_cast<double>(i) * kStep, 1.3);
+    still.load.y[i] += 1500 * std::exp(-since / 0.1) * std::cos(2 * M_PI * 13 * since);
+  }
+  const double level = EstimateNoise(still.load, rest, kStep).level;  // rms with the blows 210
+  EXPECT_GT(level, 30);
+  EXPECT_LT(level, 60);
+}
+
+// Noise that remembers a tenth of a second, without and with: what bursts take away is next to
+// nothing.
+TEST(ChannelNoiseTest, NoiseOfAColourStaysAsLoudAsItIs) {
+  std::mt19937 random(11);
+  std::normal_distribution<double> normal;
+  Channel load{"load_cell_N", "load_cell_N", 1, {}, {}, {}};
+  const double kept = std::exp(-kStep / 0.1);
+  for (double y = 0; load.y.size() < 24000;) {
+    y = kept * y + std::sqrt(1 - kept * kept) * 40 * normal(random);
+    load.y.push_back(y + 10 * normal(random));
+  }
+  load.bad.assign(load.y.size(), 0);
+  // A straight line over each second takes some of the colour with it.
+  const std::vector<char> rest(load.y.size(), 1);
+  EXPECT_NEAR(EstimateNoise(load, rest, kStep).level, std::hypot(40, 10), 9);
 }
 
 TEST(TimeWaveTest, FindsAFrequencyBetweenTheLinesOfTheRecord) {

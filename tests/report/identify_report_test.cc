@@ -8,6 +8,7 @@
 #include "base/result_dir.h"
 #include "example_results.h"
 #include "holds.h"
+#include "report/readable_name.h"
 #include "tests/base/scratch_dir.h"
 
 namespace phs::report {
@@ -219,7 +220,8 @@ TEST_F(IdentifyReport, StepsAreToldByTheStepsLeftOut) {
 }
 
 TEST_F(IdentifyReport, ShortenedListsSayHowMuchTheyLeaveOut) {
-  std::string channels;
+  // One that holds noise alone is 100 % wrong before and after; it does not stand in front.
+  std::string channels = R"("quiet_Pa":{"before":{"nrmse":1.0},"after":{"nrmse":1.0}},)";
   for (int i = 0; i < 12; ++i) {
     channels += (i == 0 ? "" : ",") + ("\"p" + std::to_string(i)) +
                 "_Pa\":{\"before\":{\"nrmse\":0.0" + std::to_string(10 + i) +
@@ -229,8 +231,23 @@ TEST_F(IdentifyReport, ShortenedListsSayHowMuchTheyLeaveOut) {
               R"(},"effects":[{"name":"x","parameters":{"a_m":{"value":1},"b_m":{"value":2},
                  "c_m":{"value":3}}}]})");
   const std::string html = Html({.result = File("result.json")});
-  EXPECT_TRUE(Holds(html, "(8 of 12 channels, largest first; the others under Errors)"));
+  EXPECT_TRUE(Holds(html, "(8 of 13 channels, most changed first; the others under Errors)"));
+  const std::string bar = R"(<th class="category" colspan="3">)";
+  EXPECT_FALSE(Holds(html, bar + Readable("quiet_Pa").words));
+  const size_t most = html.find(bar + Readable("p11_Pa").words);
+  const size_t less = html.find(bar + Readable("p10_Pa").words);
+  ASSERT_NE(less, std::string::npos);
+  EXPECT_LT(most, less);
   EXPECT_TRUE(Holds(html, "x with 3 numbers (table of effects)"));
+}
+
+TEST_F(IdentifyReport, WhatAFormHoldsIsSaid) {
+  WriteResult(R"({"rig":"quarter","verdict":"explained","channels":{},"effects":[
+      {"name":"piston_leakage","parameters":{"conductance_m3_per_Pas":{"value":1e-16}},
+       "held":{"return_ratio":50}}]})");
+  const std::string html = Html({.result = File("result.json")});
+  EXPECT_TRUE(Holds(html, "return ratio 50.0 (held by its form)"));
+  EXPECT_TRUE(Holds(html, ">held by its form</td>"));
 }
 
 TEST_F(IdentifyReport, ResultsOfAnotherFormAreToldNotThrown) {
