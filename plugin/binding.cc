@@ -240,6 +240,13 @@ Status Binding::BindPhs(mjModel* m, const AttachOptions& options) {
       p.length0.push_back(m->actuator_length0[a]);
       p.dofs.push_back(DofsOfActuator(m, a));
     }
+    for (size_t i = static_cast<size_t>(num_cylinders); i < ids.size(); ++i) {
+      if (!IsCylinder(m, ids[i])) continue;  // carries a state
+      return Error{where,
+                   "has the cylinder '" + ObjectName(m, mjOBJ_ACTUATOR, ids[i]) + "', PHS model '" +
+                       model + "' only " + std::to_string(num_cylinders),
+                   "a model of as many cylinders, or of a quarter rig", ""};
+    }
     for (int a : ids) {
       if (m->actuator_dyntype[a] == mjDYN_USER) p.state_actuator.push_back(a);
     }

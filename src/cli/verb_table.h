@@ -18,7 +18,7 @@ struct Verb {
 
 AddVerb AddSimulate, AddCompare, AddContact, AddModes, AddIdentify, AddImport, AddLoads,
     AddStability, AddRig, AddCurving, AddReport, AddSweep, AddValidate, AddList, AddShow, AddNew,
-    AddSchema, AddView, AddVideo, AddAlarms, AddStudy;
+    AddSchema, AddView, AddVideo, AddAlarms, AddStudy, AddMakeTestData;
 
 inline constexpr Verb kVerbs[] = {
     {"simulate", "One bogie on one track", &AddSimulate},
@@ -42,6 +42,9 @@ inline constexpr Verb kVerbs[] = {
     {"study", "A design study repeated: a question, its parts, a report", &AddStudy},
     {"alarms", "Which pair of line pressures tells a lost hose, how soon, how often falsely",
      &AddAlarms},
+    {"make-test-data",
+     "Rig records with something hidden in them, and the score of identify on them",
+     &AddMakeTestData},
     {"validate", "Every published check: ours, reference, difference, tolerance", &AddValidate},
     {"view", "A run in a window, in three dimensions", &AddView},
     {"video", "A run as a film or picture, without a display", &AddVideo},

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
 #include "measurement/channel_noise.h"
@@ -59,15 +60,17 @@ bool AreSwapped(const FitData& data, const std::vector<std::vector<double>>& pre
 /// parabola through the three next to it, and by a straight line through two. Returns how many were
 /// no measurement; they are put on the line.
 int MarkEnds(double noise, Channel* channel) {
-  constexpr int kEnd = 3;
+  constexpr std::ptrdiff_t kEnd = 3;
   constexpr double kAmplified = 4.4;  // sqrt(1 + 9 + 9 + 1) of a sample less its parabola
   std::vector<double>& y = channel->y;
-  const int n = static_cast<int>(y.size());
+  const auto n = static_cast<std::ptrdiff_t>(y.size());
   int marked = 0;
-  for (const int inward : {1, -1}) {
-    for (int k = kEnd - 1; k >= 0 && n > 4 * kEnd; --k) {
-      const int i = inward > 0 ? k : n - 1 - k;
-      const auto next = [&](int steps) { return y[static_cast<size_t>(i + steps * inward)]; };
+  for (const std::ptrdiff_t inward : {1, -1}) {
+    for (std::ptrdiff_t k = kEnd - 1; k >= 0 && n > 4 * kEnd; --k) {
+      const std::ptrdiff_t i = inward > 0 ? k : n - 1 - k;
+      const auto next = [&](std::ptrdiff_t steps) {
+        return y[static_cast<size_t>(i + steps * inward)];
+      };
       const double parabola = 3 * next(1) - 3 * next(2) + next(3), line = 2 * next(1) - next(2);
       const double off = std::min(std::abs(next(0) - parabola), std::abs(next(0) - line));
       if (!(off > 12 * kAmplified * noise + 8 * std::abs(parabola - line))) continue;

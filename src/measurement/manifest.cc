@@ -327,6 +327,9 @@ Result<Manifest> LoadManifest(const std::string& path, WindowNeed need) {
     map.Fail("estimation", "no run has an estimation window", "[begin, end] in seconds");
   }
   if (Status s = map.Finish(); !s.ok()) return s.error();
+  for (const OwnCandidate& own : m.own) {
+    if (Status s = CheckNumbersAreUsed(own); !s.ok()) return s.error();
+  }
   return m;
 }
 

@@ -58,11 +58,6 @@ OwnCandidate ReadOwnCandidate(YamlMap& candidates, const std::string& name,
     if (Says(all, channel.substr(0, channel.find('_')))) law.channels.push_back(channel);
   }
   for (const std::string& number : parameters.Keys()) {
-    if (!Says(all, number.substr(0, number.find('_')))) {
-      parameters.Fail(number, "does not stand in the expression or in a state",
-                      "numbers that the law uses, without their unit there");
-      continue;
-    }
     const std::vector<double> range = parameters.Numbers(number, {});
     if (range.size() != 2 || !(range[1] > range[0])) {
       parameters.Fail(number, "is no range", "[low, high], low < high");
@@ -86,6 +81,16 @@ OwnCandidate ReadOwnCandidate(YamlMap& candidates, const std::string& name,
     candidates.Fail(name, "is an effect of the catalogue", "another name for a law of one's own");
   }
   return out;
+}
+
+Status CheckNumbersAreUsed(const OwnCandidate& own) {
+  for (const OwnCandidate::Number& number : own.numbers) {
+    if (Says(own.effect.formula, number.name.substr(0, number.name.find('_')))) continue;
+    return Error{own.where + ".parameters." + number.name,
+                 "does not stand in the expression or in a state",
+                 "numbers that the law uses, without their unit there", ""};
+  }
+  return {};
 }
 
 }  // namespace phs::measurement

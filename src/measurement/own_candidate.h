@@ -34,5 +34,7 @@ struct OwnCandidate {
 /// Reads the entry `name` of `candidates:`. `channels`: those of `extra:`. Errors go to the document.
 OwnCandidate ReadOwnCandidate(YamlMap& candidates, const std::string& name,
                               const std::vector<std::string>& channels);
+/// Every number of a law that was read well stands in it: of another the record says nothing.
+Status CheckNumbersAreUsed(const OwnCandidate& own);
 
 }  // namespace phs::measurement

@@ -242,7 +242,8 @@ TEST_F(IdentifyReport, ShortenedListsSayHowMuchTheyLeaveOut) {
 }
 
 TEST_F(IdentifyReport, WhatAFormHoldsIsSaid) {
-  WriteResult(R"({"rig":"quarter","verdict":"explained","channels":{},"effects":[
+  WriteResult(R"({"rig":"quarter","verdict":"explained",
+      "channels":{"a_N":{"before":{"nrmse":0.2},"after":{"nrmse":0.1}}},"effects":[
       {"name":"piston_leakage","parameters":{"conductance_m3_per_Pas":{"value":1e-16}},
        "held":{"return_ratio":50}}]})");
   const std::string html = Html({.result = File("result.json")});
