@@ -1,4 +1,5 @@
-"""docs/identify_rule.md: each part and number of the rule of acceptance left out or moved, from tests/rigdata/rule_study.csv."""
+"""docs/identify_rule.md: each part of the rule of acceptance left out, each of its numbers moved, from the tables
+tests/rigdata/rule_study_parts.csv and rule_study.csv."""
 import csv
 
 from docfigures.blind import outcome, parted
@@ -63,14 +64,18 @@ def literals(phs):
 HEAD = ["right", "false alarms", "sets that accept otherwise", "of them better / worse", "other verdict"]
 
 
-def figures(phs):
-    all_of = by_variant(phs, "rule_study.csv")
+def rows_of(phs, name, is_wanted):
+    """(rows of the table, records, clean ones) of the variants that have all records."""
+    all_of = by_variant(phs, name)
     whole = all_of[WHOLE]
-    all_of = {variant: of for variant, of in all_of.items() if len(of) == len(whole)}
-    parts = [[variant] + counted(of, whole) for variant, of in all_of.items()
-             if variant == WHOLE or variant.startswith("without")]
-    numbers = [[variant] + counted(of, whole) for variant, of in all_of.items()
-               if variant.endswith(("quartered", "halved", "doubled", "quadrupled"))]
-    clean = sum(row["kind"] == "clean" for row in whole.values())
+    rows = [[variant] + counted(of, whole) for variant, of in all_of.items()
+            if len(of) == len(whole) and is_wanted(variant)]
+    return rows, str(len(whole)), str(sum(row["kind"] == "clean" for row in whole.values()))
+
+
+def figures(phs):
+    numbers, _, _ = rows_of(phs, "rule_study.csv",
+                            lambda v: v.endswith(("quartered", "halved", "doubled", "quadrupled")))
+    parts, sets, clean = rows_of(phs, "rule_study_parts.csv", lambda v: v == WHOLE or v.startswith("without"))
     return {"parts": table(["the rule"] + HEAD, parts), "numbers": table(["number"] + HEAD, numbers),
-            "further": further(phs), **literals(phs), "sets": str(len(whole)), "clean": str(clean)}
+            "further": further(phs), **literals(phs), "sets": sets, "clean": clean}
