@@ -1,4 +1,4 @@
-// phs make-test-data: records with something hidden in them, and the score of `phs identify` on them.
+// phs make-test-data: records with something hidden in them, and the score of `phs identify` there.
 // The programs that make and judge them stand apart: they share no line with the product
 // (tests/rigdata), and know `phs` by its command line alone.
 #include <spawn.h>

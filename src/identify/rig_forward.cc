@@ -235,8 +235,8 @@ void BoundPeriods(double longest, std::vector<FreeParameter>* free) {
   }
 }
 
-/// What begins or ends in the record does so between a tenth and five sixths of the estimation window, so
-/// that it is seen without and with; the starts of its beginning are counted from the window's.
+/// What begins or ends in the record does so between a tenth and five sixths of the estimation
+/// window, so that it is seen without and with; its starts are counted from the window's begin.
 void BoundOnsets(const std::array<double, 2>& window, std::vector<FreeParameter>* free,
                  std::vector<std::vector<double>>* starts) {
   for (size_t i = 0; i < free->size(); ++i) {

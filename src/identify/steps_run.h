@@ -18,8 +18,8 @@ Result<RigOutcome> RunSteps(const measurement::Manifest& manifest, const ResultD
 
 /// `phs identify`: the same file names as an identification over time, plus baseline.csv and
 /// model.yaml. "before": oil compliance and gas volumes fitted; "after": with the accepted effects;
-/// both scored on steps left out of the fit. `go_on`: asked before every fit; false stops it, with an
-/// error.
+/// both scored on steps left out of the fit. `go_on`: asked before every fit; false stops it, with
+/// an error.
 Result<RigOutcome> IdentifySteps(const measurement::Manifest& manifest, const ResultDir& dir,
                                  const std::function<bool()>& go_on = {});
 

@@ -12,8 +12,8 @@ namespace phs::measurement {
 double WhiteNoise(const std::vector<double>& y, const std::vector<char>& bad);
 /// Smallest step between different values if all values are multiples of it, else 0.
 double Quantum(const std::vector<double>& y);
-/// Level and correlation where nothing moves: deviation from a straight line over each stretch of
-/// `rest`, where most of that is no vibration and comes in no bursts. Falls back on the white part when there is no rest.
+/// Level and correlation at `rest`: deviation from a straight line over each stretch, where most of
+/// that is no vibration and no bursts. The white part where there is no rest.
 ChannelNoise EstimateNoise(const Channel& channel, const std::vector<char>& rest, double step_s);
 
 }  // namespace phs::measurement

@@ -57,8 +57,8 @@ void FindLostMotion(const RigRun& run, const std::vector<char>& lost, FitData* d
     if (length > kLongestBridge_s && from < last) {
       data->faults.push_back(
           fmt::format("the driving motion is not known from {:.4g} to {:.4g} s, nor what leaked or "
-                      "slid there: cut the "
-                      "record, or give its parts as runs",
+                      "slid there: "
+                      "cut the record, or give its parts as runs",
                       from, from + length));
     }
     i = end + 1;
