@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <random>
@@ -108,17 +109,19 @@ TEST(ReadRigRun, KnowsItsChannels) {
   EXPECT_DOUBLE_EQ(read("factors: {t_s: 0.005}").value().step_s, 0.005);
 }
 
-/// A rig of noise and a sine, 30 s at 50 Hz; the rows between 5 and `until` are left out.
+/// A rig of noise and a sine, 30 s at 50 Hz; the rows between 5 and `until` are left out, and the
+/// actuator's sensor shows no more than `range_m` to either side.
 FitData ReadWithGap(const ScratchDir& dir, double until, const std::string& windows,
-                    const std::string& load = "load_cell_N") {
+                    const std::string& load = "load_cell_N", double range_m = 1) {
   std::mt19937 random(3);
   std::normal_distribution<double> normal;
   std::string rows = "t_s,actuator_m,piston_m," + load + "\n";
   for (int i = 0; i < 1500; ++i) {
     const double t = 0.02 * i, x = 2e-3 * std::sin(t) * std::min(1.0, t / 3);
     if (t > 5 && t < until) continue;
-    rows += fmt::format("{:.2f},{:.9f},{:.9f},{:.3f}\n", t, x + 1e-6 * normal(random),
-                        x + 1e-6 * normal(random), 1e7 * x + 30 * normal(random));
+    const double shown = std::clamp(x + 1e-6 * normal(random), -range_m, range_m);
+    rows += fmt::format("{:.2f},{:.9f},{:.9f},{:.3f}\n", t, shown, x + 1e-6 * normal(random),
+                        1e7 * x + 30 * normal(random));
   }
   dir.Write("run.csv", rows);
   const auto m = LoadManifest(
@@ -143,6 +146,16 @@ TEST(ReadFitData, AMotionThatIsLongUnknownIsAFault) {
   EXPECT_THAT(lost.faults[0], testing::HasSubstr("is not known from 5"));
   EXPECT_TRUE(ReadWithGap(dir, 5.5, windows).faults.empty());
   EXPECT_TRUE(ReadWithGap(dir, 0, windows).faults.empty());
+}
+
+// A clipped motion was taken as it stood, and a gain of the piston's sensor named for it.
+TEST(ReadFitData, ADrivingMotionAtTheEndOfItsSensorIsAFault) {
+  const ScratchDir dir;
+  const FitData data =
+      ReadWithGap(dir, 0, "estimation: [0, 20]\nvalidation: [20, 30]\n", "load_cell_N", 1.5e-3);
+  EXPECT_THAT(Findings(data), testing::HasSubstr("actuator_m saturated at -0.0015 and 0.0015"));
+  ASSERT_FALSE(data.faults.empty());
+  EXPECT_THAT(data.faults[0], testing::HasSubstr("the driving motion is not known from"));
 }
 
 TEST(ReadFitData, SaysWhatItDoesNotTake) {
