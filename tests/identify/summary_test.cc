@@ -20,5 +20,15 @@ TEST(SummaryTest, AnEffectOnNoListIsPrintedWithPlaceFormulaAndInterval) {
             "unexplained: p_bore_Pa 1.04 times its noise and uncertainty, depends on time\n");
 }
 
+// A conductance of 1e-16 of a leak that passes fifty times as much the other way.
+TEST(SummaryTest, WhatAFormHoldsStandsBesideItsNumbers) {
+  const Json effect = Json::parse(R"json({"name":"piston_leakage",
+    "parameters":{"conductance_m3_per_Pas":{"value":1e-16,"low":9e-17,"high":1.1e-16}},
+    "held":{"return_ratio":50},"evidence":{"delta_bic":100},"confusable_with":[]})json");
+  EXPECT_EQ(EffectLine(effect),
+            "effect piston_leakage  conductance_m3_per_Pas 1e-16 [9e-17, 1.1e-16]  "
+            "return_ratio 50 (held)  delta BIC 100\n");
+}
+
 }  // namespace
 }  // namespace phs::identify::search
