@@ -11,7 +11,7 @@ using rail::Side;
 using rail::Vec3;
 
 constexpr double kReach = 30;  ///< of the track before and after each wheelset [m]
-constexpr double kStep = 1.0;  ///< of the rails' pieces [m]
+constexpr double kRailPiece = 1.0;  ///< length of the rails' pieces [m]
 constexpr double kSleeperSpacing = 0.65;
 constexpr double kRailRadius = 0.036;
 constexpr float kRail[4] = {0.45f, 0.42f, 0.40f, 1};
@@ -56,9 +56,9 @@ Vec3 Along(const Vec3& from, const Vec3& direction, double length) {
 void AddTrack(const rail::Track& track, double begin, double end, mjvScene* scene) {
   for (const double hand : {1.0, -1.0}) {
     const double y = hand * (0.5 * track.gauge() + kRailRadius);
-    for (double s = kStep * std::floor(begin / kStep); s < end; s += kStep) {
+    for (double s = kRailPiece * std::floor(begin / kRailPiece); s < end; s += kRailPiece) {
       Connect(mjGEOM_CAPSULE, At(track.FrameAt(s), y, -kRailRadius),
-              At(track.FrameAt(s + kStep), y, -kRailRadius), kRailRadius, kRail, scene);
+              At(track.FrameAt(s + kRailPiece), y, -kRailRadius), kRailRadius, kRail, scene);
     }
   }
   for (double s = kSleeperSpacing * std::ceil(begin / kSleeperSpacing); s < end;

@@ -16,13 +16,13 @@ if(PHS_SANITIZE)
   target_link_options(phs_options INTERFACE -fsanitize=${PHS_SANITIZE})
 endif()
 
-# phs_folder(NAME DEPENDS targets… [SEPARATE]): the library phs_NAME from every .cc file of the folder.
-# The release preset compiles some files of a folder together, in half the time: a name outside of a
-# function stands for one thing in the whole folder, also in anonymous namespaces. SEPARATE: each file by
-# itself, where they are rows of one table and give their parts the same names, or where a program that
-# takes one of them shall not take its neighbours' libraries.
+# phs_folder(NAME DEPENDS targets… [SEPARATE] [ROWS files…]): the library phs_NAME from every .cc file of the
+# folder. The release preset compiles some files of a folder together, in half the time: a name outside of a
+# function stands for one thing in the whole folder, also in anonymous namespaces. ROWS: these files by
+# themselves, as they give their parts the same names. SEPARATE: every file by itself, where a program that takes
+# one of them shall not take its neighbours' libraries.
 function(phs_folder name)
-  cmake_parse_arguments(ARG "SEPARATE" "" "DEPENDS;EXCLUDE" ${ARGN})
+  cmake_parse_arguments(ARG "SEPARATE" "" "DEPENDS;EXCLUDE;ROWS" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cc)
   foreach(file ${ARG_EXCLUDE})
     list(REMOVE_ITEM sources ${CMAKE_CURRENT_SOURCE_DIR}/${file})
@@ -32,6 +32,9 @@ function(phs_folder name)
     target_link_libraries(phs_${name} PUBLIC phs_options ${ARG_DEPENDS})
     if(ARG_SEPARATE)
       set_target_properties(phs_${name} PROPERTIES UNITY_BUILD OFF)
+    endif()
+    if(ARG_ROWS)
+      set_source_files_properties(${ARG_ROWS} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
     endif()
   else()
     add_library(phs_${name} INTERFACE)

@@ -13,7 +13,7 @@ using hydraulics::Extension;
 using hydraulics::Places;
 using hydraulics::Walk;
 
-Status Install(const EffectParams& effect, Extension* extension) {
+Status InstallAccumulatorPrecharge(const EffectParams& effect, Extension* extension) {
   for (int line : TargetLines(effect, extension->params())) {
     extension->line(line).accumulator_precharge_Pa = effect.values.at("precharge_Pa");
     extension->line(line).accumulator_spread_Pa = effect.values.at("spread_Pa");
@@ -41,7 +41,7 @@ const EffectInfo& AccumulatorPrechargeInfo() {
           {"precharge_Pa", "Pa", 14.5e6, 1e4, 1e9, 8e6, 2.2e7, "gas precharge"},
           {"spread_Pa", "Pa", 0, 0, 1e8, 3e4, 3e6, "standard deviation of its gradual opening"},
       },
-      Install,
+      InstallAccumulatorPrecharge,
       {
           .rig =
               {

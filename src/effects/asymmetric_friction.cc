@@ -27,7 +27,7 @@ class Shift final : public hydraulics::LevelLaw {
   double level_N_;
 };
 
-Status Install(const EffectParams& effect, Extension* extension) {
+Status InstallAsymmetricFriction(const EffectParams& effect, Extension* extension) {
   const double d = effect.values.at("level_N"), e = effect.values.at("viscous_Ns_per_m");
   for (int i : TargetCylinders(effect, extension->params())) {
     extension->AddLevel(i, std::make_unique<Shift>(d));
@@ -51,7 +51,7 @@ const EffectInfo& AsymmetricFrictionInfo() {
           {"level_N", "N", 100, -1e6, 1e6, -2000, 2000, "d"},
           {"viscous_Ns_per_m", "N s/m", 0, -1e8, 1e8, -1e4, 1e4, "e"},
       },
-      Install,
+      InstallAsymmetricFriction,
       {
           .rig =
               {

@@ -29,7 +29,7 @@ class Backlash final : public hydraulics::MountLaw {
   double gap_m_, tension_share_, contact_, hardening_;
 };
 
-Status Install(const EffectParams& effect, Extension* extension) {
+Status InstallBacklash(const EffectParams& effect, Extension* extension) {
   for (int i : TargetCylinders(effect, extension->params())) {
     extension->AddMount(i, std::make_unique<Backlash>(effect));
   }
@@ -50,7 +50,7 @@ const EffectInfo& BacklashInfo() {
           {"tension_share", "-", 0.5, 0, 1, 0.01, 0.99, "of the play, crossed before tension"},
           {"hardening_1_per_m2", "1/m2", 0, 0, 1e15, 0, 1e13, "b: contact k e (1 + b e²)"},
       },
-      Install,
+      InstallBacklash,
       {
           .rig =
               {

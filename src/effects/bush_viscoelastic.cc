@@ -33,7 +33,7 @@ class Bush final : public hydraulics::MountLaw {
   std::vector<hydraulics::MaxwellBranch> branches_;
 };
 
-Status Install(const EffectParams& effect, Extension* extension) {
+Status InstallBushViscoelastic(const EffectParams& effect, Extension* extension) {
   for (int i : TargetCylinders(effect, extension->params())) {
     extension->AddMount(i, std::make_unique<Bush>(effect));
   }
@@ -56,7 +56,7 @@ const EffectInfo& BushViscoelasticInfo() {
           {"second_relaxation_s", "s", 3, 1e-5, 1e6, 1e-2, 60, "tau3"},
           {"hardening_1_per_m2", "1/m2", 0, 0, 1e14, 0, 1e12, "b"},
       },
-      Install,
+      InstallBushViscoelastic,
       {
           .rig =
               {

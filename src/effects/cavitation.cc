@@ -36,7 +36,7 @@ class ReleasedAir final : public hydraulics::VolumeLaw {
 
 constexpr double kAtOnce = 1e-3;  // [s] beside a lag of the other way
 
-Status Install(const EffectParams& effect, Extension* extension) {
+Status InstallCavitation(const EffectParams& effect, Extension* extension) {
   for (int line : TargetLines(effect, extension->params())) {
     const hydraulics::LineParams& l = extension->line(line);
     const double air = effect.values.at("solubility") *
@@ -71,7 +71,7 @@ const EffectInfo& CavitationInfo() {
           {"dissolving_time_s", "s", 0, 0, 1e6, 0, 60, "and goes back with this; 0 = at once"},
           {"rod_ratio", "-", 1, 1e-3, 1e3, 0.2, 5, "air of rod lines over that of bore lines"},
       },
-      Install,
+      InstallCavitation,
       {
           .rig =
               {

@@ -13,7 +13,7 @@ using hydraulics::PipeFlow;
 using hydraulics::Port;
 using hydraulics::Walk;
 
-Status Install(const EffectParams& effect, Extension* extension) {
+Status InstallCheckRestriction(const EffectParams& effect, Extension* extension) {
   for (int i : TargetCylinders(effect, extension->params())) {
     for (Port chamber : {Port::kBore, Port::kRod}) {
       const double factor = chamber == Port::kRod ? effect.values.at("rod_ratio") : 1;
@@ -50,7 +50,7 @@ const EffectInfo& CheckRestrictionInfo() {
           {"oil_share", "-", 0.2, 0.02, 0.45, 0.1, 0.4, "share of the line's oil at the chamber",
            true},
       },
-      Install,
+      InstallCheckRestriction,
       {
           .rig =
               {

@@ -12,7 +12,7 @@ using hydraulics::EffectParams;
 using hydraulics::Extension;
 using hydraulics::Places;
 
-Status Install(const EffectParams& effect, Extension* extension) {
+Status InstallDiaphragmStop(const EffectParams& effect, Extension* extension) {
   for (int line : TargetLines(effect, extension->params())) {
     hydraulics::LineParams& l = extension->line(line);
     l.reservoir.min_gas_volume_m3 =
@@ -34,7 +34,7 @@ const EffectInfo& DiaphragmStopInfo() {
           {"min_gas_volume_m3", "m3", 4e-6, 0, 1e-2, 1e-7, 1e-4, "V_min"},
           {"spread", "-", 0, 0, 0.8, 0.02, 0.8, "relative standard deviation of its parts' stops"},
       },
-      Install,
+      InstallDiaphragmStop,
       {
           .rig =
               {

@@ -41,7 +41,7 @@ class Dwell final : public hydraulics::LevelLaw {
   double extra_N_, time_s_, length_m_;
 };
 
-Status Install(const EffectParams& effect, Extension* extension) {
+Status InstallDwellFriction(const EffectParams& effect, Extension* extension) {
   if (effect.values.at("extra_N") == 0) return {};
   for (int i : TargetCylinders(effect, extension->params())) {
     extension->AddLevel(i, std::make_unique<Dwell>(effect));
@@ -62,7 +62,7 @@ const EffectInfo& DwellFrictionInfo() {
           {"time_s", "s", 5, 1e-3, 1e9, 0.1, 1000, "tau"},
           {"length_m", "m", 1e-4, 1e-9, 1, 1e-5, 1e-3, "d"},
       },
-      Install,
+      InstallDwellFriction,
       {
           .rig =
               {

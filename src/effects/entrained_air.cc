@@ -54,7 +54,7 @@ class AirVolume final : public hydraulics::VolumeLaw {
   double p0_, static_volume_ = 0;
 };
 
-Status Install(const EffectParams& effect, Extension* extension) {
+Status InstallEntrainedAir(const EffectParams& effect, Extension* extension) {
   for (int line : TargetLines(effect, extension->params())) {
     const hydraulics::LineParams& l = extension->line(line);
     const double volume = effect.values.at("air_fraction") *
@@ -90,7 +90,7 @@ const EffectInfo& EntrainedAirInfo() {
           {"dissolving_time_s", "s", 0, 0, 1e6, 0, 60, "lag of dissolving; 0 = at once"},
           {"rod_ratio", "-", 1, 1e-3, 1e3, 0.2, 5, "air of rod lines over that of bore lines"},
       },
-      Install,
+      InstallEntrainedAir,
       {
           .rig =
               {

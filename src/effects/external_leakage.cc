@@ -15,7 +15,7 @@ using hydraulics::GapFlow;
 using hydraulics::Places;
 using hydraulics::Port;
 
-Status Install(const EffectParams& effect, Extension* extension) {
+Status InstallExternalLeakage(const EffectParams& effect, Extension* extension) {
   const double G = LeakAtModelTemperature(effect, extension->params());
   if (G <= 0) return {};
   for (int line : TargetLines(effect, extension->params())) {
@@ -43,7 +43,7 @@ const EffectInfo& ExternalLeakageInfo() {
           {"rod_ratio", "-", 1, 1e-3, 1e3, 0.2, 5, "leak of rod lines over that of bore lines"},
           {"start_s", "s", 0, -1e12, 1e12, 0, 1e6, "the leak opens at this time"},
       },
-      Install,
+      InstallExternalLeakage,
       {
           .rig =
               {

@@ -12,7 +12,7 @@ using hydraulics::EffectParams;
 using hydraulics::Extension;
 using hydraulics::Places;
 
-Status Install(const EffectParams& effect, Extension* extension) {
+Status InstallGasThermal(const EffectParams& effect, Extension* extension) {
   const hydraulics::GasLaw* law =
       effect.values.at("real_gas") >= 0.5 ? &hydraulics::kBwrGas : &hydraulics::kIdealGas;
   for (int line : TargetLines(effect, extension->params())) {
@@ -56,7 +56,7 @@ const EffectInfo& GasThermalInfo() {
            "time constant of blow-off accumulators over that of reservoirs"},
           {"real_gas", "-", 0, 0, 1, 0, 1, "1: Benedict-Webb-Rubin, 0: ideal gas"},
       },
-      Install,
+      InstallGasThermal,
       {
           .rig =
               {

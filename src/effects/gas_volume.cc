@@ -10,14 +10,14 @@ using hydraulics::EffectParams;
 using hydraulics::Extension;
 using hydraulics::Places;
 
-Status Install(const EffectParams& effect, Extension* extension) {
+Status InstallGasVolume(const EffectParams& effect, Extension* extension) {
   for (int line : TargetLines(effect, extension->params())) {
     extension->line(line).gas_volume_m3 *= effect.values.at("factor");
   }
   return {};
 }
 
-double AsTheOthers(const hydraulics::PhsParams& params) {
+double GasAsTheOthers(const hydraulics::PhsParams& params) {
   for (const auto& line : params.lines) {
     if (line.gas_volume_m3 > 0) return 1;
   }
@@ -33,13 +33,13 @@ const EffectInfo& GasVolumeInfo() {
       "lines",
       "V_gas * f: reservoirs of these lines hold more or less gas",
       {{"factor", "-", 0.5, 1e-3, 1e3, 0.2, 5, "f", true}},
-      Install,
+      InstallGasVolume,
       {
           // On a rig the gas of each line is a free number of the declared model.
           .bogie = {{.free = {{"factor", 1}},
                      .places = Places::kAlone,
                      .beside = {"gas_volume_m3"}}},
-          .declared = AsTheOthers,
+          .declared = GasAsTheOthers,
       }};
   return info;
 }

@@ -75,7 +75,7 @@ class CreepVolume final : public hydraulics::VolumeLaw {
   double compliance_, time_, p0_;
 };
 
-Status Install(const EffectParams& effect, Extension* extension) {
+Status InstallHoseExpansion(const EffectParams& effect, Extension* extension) {
   for (int line : TargetLines(effect, extension->params())) {
     const double p0 = extension->line(line).static_pressure_Pa;
     const double factor = LineFactor(effect, extension->params(), line);
@@ -111,7 +111,7 @@ const EffectInfo& HoseExpansionInfo() {
           {"rod_ratio", "-", 1, 1e-3, 1e3, 0.2, 5,
            "compliance of rod lines over that of bore lines"},
       },
-      Install,
+      InstallHoseExpansion,
       {
           .rig =
               {

@@ -18,7 +18,7 @@ using hydraulics::Walk;
 /// A side with less than this share of the other's has as good as none.
 constexpr double kNone = 0.05;
 
-Status Install(const EffectParams& effect, Extension* extension) {
+Status InstallLineInertance(const EffectParams& effect, Extension* extension) {
   const double ratio = effect.values.at("rod_ratio");
   for (int i : TargetCylinders(effect, extension->params())) {
     for (Port chamber : {Port::kBore, Port::kRod}) {
@@ -55,7 +55,7 @@ const EffectInfo& LineInertanceInfo() {
           {"unsteady_share", "-", 0, 0, 10, 0, 3,
            "friction of the changing flow over that in a round pipe (Zielke): 0 none, 1 all"},
       },
-      Install,
+      InstallLineInertance,
       {
           .rig =
               {

@@ -12,7 +12,7 @@ using hydraulics::Extension;
 using hydraulics::PipeFlow;
 using hydraulics::Port;
 
-Status Install(const EffectParams& effect, Extension* extension) {
+Status InstallLineResistance(const EffectParams& effect, Extension* extension) {
   for (int i : TargetCylinders(effect, extension->params())) {
     for (Port chamber : {Port::kBore, Port::kRod}) {
       const double factor = chamber == Port::kRod ? effect.values.at("rod_ratio") : 1;
@@ -43,7 +43,7 @@ const EffectInfo& LineResistanceInfo() {
           {"oil_share", "-", 0.2, 0.02, 0.45, 0.1, 0.4, "share of the line's oil at the chamber",
            true},
       },
-      Install,
+      InstallLineResistance,
       {
           .rig =
               {

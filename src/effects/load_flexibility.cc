@@ -69,7 +69,7 @@ class FlexiblePart final : public hydraulics::LoadLaw {
   double mass_kg_, frequency_, damping_;
 };
 
-Status Install(const EffectParams& effect, Extension* extension) {
+Status InstallLoadFlexibility(const EffectParams& effect, Extension* extension) {
   if (!IsBenchPart(extension->params())) return NotABenchPart(effect.name);
   if (CountOf(effect.name, extension->params()) > 1) {
     return Error{"effects." + effect.name, "a second flexible part", "one"};
@@ -89,7 +89,7 @@ const EffectInfo& LoadFlexibilityInfo() {
       {{"mass_kg", "kg", 1, 1e-9, 1e6, 1e-3, 1e4, "m_f"},
        {"frequency_Hz", "Hz", 20, 1e-3, 1e6, 0.5, 1e3, "f"},
        {"damping_ratio", "-", 0.05, 0, 10, 2e-3, 1, "zeta"}},
-      Install,
+      InstallLoadFlexibility,
       {
           .bench =
               {

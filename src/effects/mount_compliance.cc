@@ -30,7 +30,7 @@ class Spring final : public hydraulics::MountLaw {
   double stiffness_, hardening_, tension_ratio_;
 };
 
-Status Install(const EffectParams& effect, Extension* extension) {
+Status InstallMountCompliance(const EffectParams& effect, Extension* extension) {
   for (int i : TargetCylinders(effect, extension->params())) {
     extension->AddMount(i, std::make_unique<Spring>(effect));
   }
@@ -50,7 +50,7 @@ const EffectInfo& MountComplianceInfo() {
           {"hardening_1_per_m2", "1/m2", 0, 0, 1e14, 0, 1e12, "b"},
           {"tension_ratio", "-", 1, 1e-2, 1e2, 0.3, 3, "r"},
       },
-      Install,
+      InstallMountCompliance,
       {
           .rig =
               {

@@ -21,7 +21,7 @@ class MovingMass final : public hydraulics::LoadLaw {
   double mass_kg_;
 };
 
-Status Install(const EffectParams& effect, Extension* extension) {
+Status InstallMovingMass(const EffectParams& effect, Extension* extension) {
   if (extension->params().cylinders.size() != 1) {
     return Error{"effects." + effect.name, "acts on one part or one cylinder on a rig only",
                  "a model of one cylinder (rig: element, cylinder or quarter)",
@@ -40,7 +40,7 @@ const EffectInfo& MovingMassInfo() {
       "",
       "force m a beyond the declared mass, at the load cell",
       {{"mass_kg", "kg", 1, 0, 1e6, 0, 4e3, "m"}},
-      Install,
+      InstallMovingMass,
       {
           .rig =
               {

@@ -245,7 +245,7 @@ Result<ParsedLaw> ParseLaw(const EffectParams& effect, const Extension& extensio
   return out;
 }
 
-Status Install(const EffectParams& effect, Extension* extension) {
+Status InstallOwnLaw(const EffectParams& effect, Extension* extension) {
   Result<ParsedLaw> parsed = ParseLaw(effect, *extension);
   if (!parsed.ok()) return parsed.error();
   ParsedLaw& law = parsed.value();
@@ -333,7 +333,7 @@ Result<OwnLaw> ParseOwnLaw(const std::string& text) {
 
 const hydraulics::EffectInfo& OwnLawInfo() {
   static const EffectInfo info = {
-      "own", "own", "cylinders or lines", "a law that the model brings with it", {}, Install,
+      "own", "own", "cylinders or lines", "a law that the model brings with it", {}, InstallOwnLaw,
       {},    true};
   return info;
 }

@@ -15,7 +15,7 @@ using hydraulics::GapFlow;
 using hydraulics::Places;
 using hydraulics::Port;
 
-Status Install(const EffectParams& effect, Extension* extension) {
+Status InstallPistonLeakage(const EffectParams& effect, Extension* extension) {
   const double G = LeakAtModelTemperature(effect, extension->params());
   if (G <= 0) return {};
   for (int i : TargetCylinders(effect, extension->params())) {
@@ -44,7 +44,7 @@ const EffectInfo& PistonLeakageInfo() {
            "conductance from rod to bore over that from bore to rod: a lip lifts one way"},
           {"start_s", "s", -1e12, -1e12, 1e12, 0, 1e6, "the seal fails at this time"},
       },
-      Install,
+      InstallPistonLeakage,
       {
           .rig =
               {

@@ -47,7 +47,7 @@ class PositionLevel final : public hydraulics::LevelLaw {
   double wave_sine_, wave_cosine_, wave_length_;
 };
 
-Status Install(const EffectParams& effect, Extension* extension) {
+Status InstallPositionFriction(const EffectParams& effect, Extension* extension) {
   for (int i : TargetCylinders(effect, extension->params())) {
     extension->AddLevel(i, std::make_unique<PositionLevel>(effect));
   }
@@ -72,7 +72,7 @@ const EffectInfo& PositionFrictionInfo() {
           {"wave_cosine", "-", 0, -1, 1, -0.9, 0.9, "of the wave"},
           {"wave_length_m", "m", 1e-3, 1e-6, 1, 2e-4, 0.02, "period"},
       },
-      Install,
+      InstallPositionFriction,
       {
           .rig =
               {

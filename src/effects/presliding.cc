@@ -63,7 +63,7 @@ class CreepingBristle final : public Bristle {
   double exponent_;
 };
 
-Status Install(const EffectParams& effect, Extension* extension) {
+Status InstallPresliding(const EffectParams& effect, Extension* extension) {
   for (int i : TargetCylinders(effect, extension->params())) {
     if (effect.values.at("creeping") >= 0.5) {
       extension->SetBristle(i, std::make_unique<CreepingBristle>(effect));
@@ -89,7 +89,7 @@ const EffectInfo& PreslidingInfo() {
           {"exponent", "-", 1, 0.05, 10, 0.3, 4, "i of the creeping bristle (Dahl)"},
           {"share", "-", 1, 0.01, 1, 0.02, 1, "of the level that sticks; the rest slides at once"},
       },
-      Install,
+      InstallPresliding,
       {
           .rig =
               {

@@ -37,7 +37,7 @@ class PressedChamber final : public hydraulics::ForceLaw {
   bool bore_;
 };
 
-Status Install(const EffectParams& effect, Extension* extension) {
+Status InstallPressureArea(const EffectParams& effect, Extension* extension) {
   const double area = effect.values.at("area_m2");
   const auto& params = extension->params();
   if (IsBenchPart(params)) {
@@ -65,7 +65,7 @@ const EffectInfo& PressureAreaInfo() {
                                   "lines",
                                   "force A p: of a chamber's rise, on a bench of its channel",
                                   {{"area_m2", "m2", 1e-4, -10, 10, -0.1, 0.1, "A"}},
-                                  Install,
+                                  InstallPressureArea,
                                   {
                                       .rig = {{.free = {{"area_m2", 0}}, .places = Places::kEach}},
                                       .bench =

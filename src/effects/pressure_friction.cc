@@ -56,7 +56,7 @@ class PressedSeal final : public hydraulics::LevelLaw {
   double bore_rest_, rod_rest_, at_rest_;
 };
 
-Status Install(const EffectParams& effect, Extension* extension) {
+Status InstallPressureFriction(const EffectParams& effect, Extension* extension) {
   for (int i : TargetCylinders(effect, extension->params())) {
     const auto& c = extension->params().cylinders[static_cast<size_t>(i)];
     extension->AddLevel(
@@ -82,7 +82,7 @@ const EffectInfo& PressureFrictionInfo() {
           {"exponent", "-", 1, 0.1, 5, 0.3, 3, "n: k p (p/10 MPa)^(n-1), p beyond p_s"},
           {"start_Pa", "Pa", 0, 0, 1e9, 0, 2e7, "p_s: each chamber presses beyond it; 0: always"},
       },
-      Install,
+      InstallPressureFriction,
       {
           .rig =
               {

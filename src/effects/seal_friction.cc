@@ -25,7 +25,7 @@ class Factor final : public hydraulics::LevelLaw {
   double factor_;
 };
 
-Status Install(const EffectParams& effect, Extension* extension) {
+Status InstallSealFriction(const EffectParams& effect, Extension* extension) {
   for (int i : TargetCylinders(effect, extension->params())) {
     extension->AddLevel(i, std::make_unique<Factor>(effect.values.at("factor")));
   }
@@ -33,7 +33,7 @@ Status Install(const EffectParams& effect, Extension* extension) {
 }
 
 /// A model without friction has no seal that could hold otherwise.
-double AsTheOthers(const hydraulics::PhsParams& params) {
+double SealAsTheOthers(const hydraulics::PhsParams& params) {
   return params.friction.model == hydraulics::FrictionModel::kNone ? 0 : 1;
 }
 
@@ -46,11 +46,11 @@ const EffectInfo& SealFrictionInfo() {
       "cylinders",
       "level * f: seals of these cylinders hold otherwise than the rest",
       {{"factor", "-", 2, 0, 100, 0.2, 8, "f", true}},
-      Install,
+      InstallSealFriction,
       {
           .rig = {{.free = {{"factor", 1}}, .places = Places::kAlone}},
           .bogie = {{.free = {{"factor", 1}}, .places = Places::kAlone}},
-          .declared = AsTheOthers,
+          .declared = SealAsTheOthers,
       }};
   return info;
 }

@@ -34,7 +34,7 @@ class Delay final : public hydraulics::ReadingLaw {
   double delay_s_;
 };
 
-Status Install(const EffectParams& effect, Extension* extension) {
+Status InstallSensorDelay(const EffectParams& effect, Extension* extension) {
   AddReadings<Delay>(effect,
                      {{Sensor::kLoad, "load_s"},
                       {Sensor::kBorePressure, "p_bore_s"},
@@ -58,7 +58,7 @@ const EffectInfo& SensorDelayInfo() {
           {"p_rod_s", "s", 0, 0, 100, 0, 0.2, "rod pressure"},
           {"piston_s", "s", 0, 0, 100, 0, 0.2, "piston"},
       },
-      Install,
+      InstallSensorDelay,
       {
           .rig =
               {

@@ -54,7 +54,7 @@ const SensorKeys kKeys[] = {
     {Sensor::kPiston, "piston_m_per_s", "", ""},
 };
 
-Status Install(const EffectParams& effect, Extension* extension) {
+Status InstallSensorDrift(const EffectParams& effect, Extension* extension) {
   const auto value = [&](const std::string& key) { return effect.values.at(key); };
   const double start = value("start_s"), settling = value("settling_s");
   for (int i : TargetCylinders(effect, extension->params())) {
@@ -95,7 +95,7 @@ const EffectInfo& SensorDriftInfo() {
           {"settling_s", "s", 0, 0, 1e9, 0.3, 1e4, "T; 0 = never settles"},
           {"start_s", "s", 0, -1e12, 1e12, 0, 1e6, "the drift begins at this time"},
       },
-      Install,
+      InstallSensorDrift,
       {
           .rig =
               {

@@ -23,7 +23,7 @@ class Scale final : public hydraulics::ReadingLaw {
   double above_, below_;
 };
 
-Status Install(const EffectParams& effect, Extension* extension) {
+Status InstallSensorGain(const EffectParams& effect, Extension* extension) {
   AddReadings<Scale>(effect,
                      {{Sensor::kBorePressure, "p_bore"},
                       {Sensor::kRodPressure, "p_rod"},
@@ -53,7 +53,7 @@ const EffectInfo& SensorGainInfo() {
                                       {"p_rod", "-", 1, -100, 100, 0.4, 2.5, "rod pressure"},
                                       {"piston", "-", 1, -100, 100, 0.4, 2.5, "piston"},
                                   },
-                                  Install,
+                                  InstallSensorGain,
                                   {
                                       .rig =
                                           {

@@ -19,7 +19,7 @@ class Offset final : public hydraulics::ReadingLaw {
   double offset_;
 };
 
-Status Install(const EffectParams& effect, Extension* extension) {
+Status InstallSensorOffset(const EffectParams& effect, Extension* extension) {
   AddReadings<Offset>(effect,
                       {{Sensor::kLoad, "load_N"},
                        {Sensor::kBorePressure, "p_bore_Pa"},
@@ -42,7 +42,7 @@ const EffectInfo& SensorOffsetInfo() {
                                       {"p_rod_Pa", "Pa", 0, -1e8, 1e8, -5e5, 5e5, "rod pressure"},
                                       {"piston_m", "m", 0, -1, 1, -1e-3, 1e-3, "piston"},
                                   },
-                                  Install,
+                                  InstallSensorOffset,
                                   {
                                       .rig =
                                           {

@@ -58,7 +58,7 @@ class LaggingStribeck final : public Stribeck {
   double film_time_s_;
 };
 
-Status Install(const EffectParams& effect, Extension* extension) {
+Status InstallStribeck(const EffectParams& effect, Extension* extension) {
   for (int i : TargetCylinders(effect, extension->params())) {
     if (effect.values.at("film_time_s") > 0) {
       extension->AddLevel(i, std::make_unique<LaggingStribeck>(effect));
@@ -84,7 +84,7 @@ const EffectInfo& StribeckInfo() {
           {"retraction_ratio", "-", 1, 0, 1e3, 0.05, 20, "of F_s, in retraction"},
           {"film_time_s", "s", 0, 0, 100, 0, 1, "tau; 0: no lag"},
       },
-      Install,
+      InstallStribeck,
       {
           .rig =
               {

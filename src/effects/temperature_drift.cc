@@ -43,7 +43,7 @@ class Swing final : public hydraulics::AmbientLaw {
   double amplitude_K_, period_s_;
 };
 
-Status Install(const EffectParams& effect, Extension* extension) {
+Status InstallTemperatureDrift(const EffectParams& effect, Extension* extension) {
   extension->AddAmbient(std::make_unique<Ramp>(effect));
   extension->AddAmbient(
       std::make_unique<Swing>(effect.values.at("amplitude_K"), effect.values.at("period_s")));
@@ -81,7 +81,7 @@ const EffectInfo& TemperatureDriftInfo() {
           {"rod_ratio", "-", 1, 1e-3, 1e3, 0.2, 5,
            "expansion of the oil of rod lines over that of bore lines"},
       },
-      Install,
+      InstallTemperatureDrift,
       {
           .rig =
               {

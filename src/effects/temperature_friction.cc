@@ -26,7 +26,7 @@ class WarmLevel final : public hydraulics::LevelLaw {
   double slope_;
 };
 
-Status Install(const EffectParams& effect, Extension* extension) {
+Status InstallTemperatureFriction(const EffectParams& effect, Extension* extension) {
   for (int i : TargetCylinders(effect, extension->params())) {
     extension->AddLevel(i, std::make_unique<WarmLevel>(effect));
   }
@@ -42,7 +42,7 @@ const EffectInfo& TemperatureFrictionInfo() {
       "cylinders",
       "level (1 - slope (T - T_static))",
       {{"slope_1_per_K", "1/K", 0.01, -1, 1, -0.1, 0.1, "slope"}},
-      Install,
+      InstallTemperatureFriction,
       {
           .bench =
               {

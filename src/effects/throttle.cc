@@ -14,7 +14,7 @@ using hydraulics::EffectParams;
 using hydraulics::Extension;
 using hydraulics::Port;
 
-Status Install(const EffectParams& effect, Extension* extension) {
+Status InstallThrottle(const EffectParams& effect, Extension* extension) {
   for (int i : TargetCylinders(effect, extension->params())) {
     for (Port chamber : {Port::kBore, Port::kRod}) {
       const double factor = chamber == Port::kRod ? effect.values.at("rod_ratio") : 1;
@@ -72,7 +72,7 @@ const EffectInfo& ThrottleInfo() {
            "R and K of the rod side over those of the bore side"},
           {"oil_share", "-", 0.2, 0.02, 0.45, 0.1, 0.4, "share of the line's oil at the chamber"},
       },
-      Install};
+      InstallThrottle};
   return info;
 }
 

@@ -82,7 +82,7 @@ Status CheckWithoutAmount(const EffectParams& effect) {
   return as_force.error();
 }
 
-Status Install(const EffectParams& effect, Extension* extension) {
+Status InstallUnlisted(const EffectParams& effect, Extension* extension) {
   const auto given = UnitOf(effect);
   if (!given.ok()) return given.error();
   if (!given.value()) return CheckWithoutAmount(effect);
@@ -128,7 +128,7 @@ std::vector<hydraulics::EffectParameter> Parameters() {
 
 const EffectInfo& UnlistedInfo() {
   static const EffectInfo info = {
-      "unlisted", "unlisted", "cylinders or lines", "a law by formula", Parameters(), Install,
+      "unlisted", "unlisted", "cylinders or lines", "a law by formula", Parameters(), InstallUnlisted,
       {},         true};
   return info;
 }

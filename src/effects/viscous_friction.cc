@@ -13,7 +13,7 @@ using hydraulics::EffectParams;
 using hydraulics::Extension;
 using hydraulics::Walk;
 
-Status Install(const EffectParams& effect, Extension* extension) {
+Status InstallViscousFriction(const EffectParams& effect, Extension* extension) {
   for (int i : TargetCylinders(effect, extension->params())) {
     extension->AddForce(i, std::make_unique<ViscousForce>(effect.values.at("extension_Ns_per_m"),
                                                           effect.values.at("retraction_Ns_per_m"),
@@ -46,7 +46,7 @@ const EffectInfo& ViscousFrictionInfo() {
           {"retraction_Ns_per_m", "N s/m", 5000, 0, 1e8, 0, 1e6, "c for v < 0"},
           {"exponent", "-", 1, 0.2, 4, 0.4, 2.5, "n"},
       },
-      Install,
+      InstallViscousFriction,
       {
           .rig =
               {

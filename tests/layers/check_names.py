@@ -56,11 +56,22 @@ def functions(path, anonymous_only):
             yield found.group(1), *args
 
 
+def alone(folder):
+    """The names of the files that are compiled by themselves; True: all of them."""
+    path = os.path.join(folder, "CMakeLists.txt")
+    words = open(path).read() if os.path.exists(path) else ""
+    lists = re.findall(r"\b(?:ROWS|EXCLUDE) ([a-z_0-9.\s]*)", words)
+    return True if " SEPARATE " in words else {name for names in lists for name in names.split()}
+
+
 def confused(folder):
     """(name, files) that a call could confuse."""
     seen = collections.defaultdict(set)
+    apart = alone(folder)
+    if apart is True:
+        return
     for name in sorted(os.listdir(folder)):
-        if name.endswith((".cc", ".h")):
+        if name.endswith((".cc", ".h")) and name not in apart:
             for function, least, most in functions(os.path.join(folder, name), name.endswith(".cc")):
                 seen[function].add((name, least, most))
     for function, places in sorted(seen.items()):
@@ -71,18 +82,11 @@ def confused(folder):
                     yield function, a[0], b[0]
 
 
-def separate(folder):
-    """Whether each of its files is compiled by itself."""
-    path = os.path.join(folder, "CMakeLists.txt")
-    return os.path.exists(path) and " SEPARATE " in open(path).read()
-
-
 def main(root, *tops):
     found = []
     for top in tops:
         for folder, _, _ in os.walk(os.path.join(root, top)):
-            if not separate(folder):
-                found += [(os.path.relpath(folder, root), *c) for c in confused(folder)]
+            found += [(os.path.relpath(folder, root), *c) for c in confused(folder)]
     for folder, function, a, b in found:
         print(f"{folder}: {function} is in {a} and in {b}; one of them needs a name of its own")
     return 1 if found else 0
@@ -98,9 +102,13 @@ def test():
         for name, text in files.items():
             with open(os.path.join(folder, name), "w") as file:
                 file.write(text)
-        found = list(confused(folder))
+        found = [list(confused(folder))]
+        for options in ("ROWS b.cc", "SEPARATE DEPENDS x"):
+            with open(os.path.join(folder, "CMakeLists.txt"), "w") as file:
+                file.write(f"phs_folder(this {options})\n")
+            found.append(list(confused(folder)))
     print(found)
-    return 0 if found == [("Twice", "a.cc", "b.cc")] else 1
+    return 0 if found == [[("Twice", "a.cc", "b.cc")], [], []] else 1
 
 
 if __name__ == "__main__":
