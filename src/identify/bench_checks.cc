@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
 #include "identify/bench_forward.h"
+#include "measurement/units.h"
 
 namespace phs::identify::element {
 namespace {
@@ -68,11 +70,80 @@ std::optional<Likeness> ComparedSwapped(const Manifest& manifest, const PhsParam
   return Compared(data.value(), declared);
 }
 
+/// How far a number was driven, and how it depends on what a newton and a metre are.
+struct Driven {
+  double log_ratio = 0;  ///< ln(fitted / declared)
+  int newtons = 0, metres = 0;
+};
+
+std::vector<Driven> DrivenNumbers(const std::vector<FittedNumber>& numbers) {
+  constexpr struct {
+    const char* ending;
+    int newtons, metres;
+  } kQuantities[] = {{"_N_per_m", 1, -1}, {"_Ns_per_m", 1, -1}, {"_N_per_m3", 1, -3},
+                     {"_kg", 1, -1},      {"_N", 1, 0},         {"_m", 0, 1},
+                     {"_m_s", 0, 1}};
+  std::vector<Driven> out;
+  for (const FittedNumber& n : numbers) {
+    if (n.at_end || !(n.fitted / n.declared > 0) || !std::isfinite(n.fitted / n.declared)) continue;
+    const size_t unit = n.name.find('_');
+    if (unit == std::string::npos) continue;
+    for (const auto& q : kQuantities) {
+      if (n.name.substr(unit) != q.ending) continue;
+      out.push_back({std::log(n.fitted / n.declared), q.newtons, q.metres});
+    }
+  }
+  return out;
+}
+
 }  // namespace
+
+std::optional<std::string> FindSwallowedUnit(const std::vector<FittedNumber>& numbers) {
+  constexpr size_t kMore = 2;     // numbers than channels that may be off
+  constexpr double kMost = 0.25;  // of how far the numbers were driven
+  const double kAlike = std::log(1.5), kDriven = std::log(2.0);
+  const std::vector<Driven> driven = DrivenNumbers(numbers);
+  const auto left = [&](double force,
+                        double position) {  // what readings too large by so much leave
+    double square = 0;
+    for (const Driven& d : driven) {
+      square +=
+          std::pow(d.log_ratio - d.newtons * std::log(force) - d.metres * std::log(position), 2);
+    }
+    return std::sqrt(square / static_cast<double>(driven.size()));
+  };
+  if (driven.empty() || left(1, 1) < kDriven) return std::nullopt;
+  std::vector<double> forces = {1}, lengths = {1};
+  for (const measurement::Unit& unit : measurement::KnownUnits()) {
+    if (unit.si == std::string("_N")) forces.push_back(unit.factor);
+    if (unit.si == std::string("_m")) lengths.push_back(unit.factor);
+  }
+  double least = std::min(kAlike, kMost * left(1, 1)), force = 1, position = 1;
+  for (const double newtons : forces) {
+    for (const double taken : lengths) {
+      for (const double metres : lengths) {
+        const double now = left(1 / newtons, taken / metres);
+        if (now < least) least = now, force = 1 / newtons, position = taken / metres;
+      }
+    }
+  }
+  std::vector<std::string> read, factors;
+  const auto add = [&](const char* channel, double size) {
+    if (size == 1) return;
+    const auto unit = measurement::UnitThatReads(channel, size);
+    read.push_back(fmt::format("{} read {:.4g} times its size{}", channel, size,
+                               unit ? " (in " + unit->name() + "?)" : ""));
+    factors.push_back(fmt::format("{}: {:.6g}", channel, 1 / size));
+  };
+  add("force_N", force), add("x_m", position);
+  if (read.empty() || driven.size() < kMore + read.size()) return std::nullopt;
+  return fmt::format("another unit: all numbers are fitted as if {} (factors: {{{}}})",
+                     fmt::join(read, " and "), fmt::join(factors, ", "));
+}
 
 std::vector<std::string> FindFaults(const Manifest& manifest, const ElementData& data,
                                     const PhsParams& declared) {
-  constexpr double kGivesOut = -0.1, kFollows = 0.7, kDoesNot = 0.5, kPowers = 2;
+  constexpr double kGivesOut = -0.1, kFollows = 0.7, kDoesNot = 0.5, kOtherUnit = 32;
   // A position follows a force in a way of its own: what is compared is judged by its sign alone.
   const std::optional<Likeness> own = data.by_force ? std::nullopt : Compared(data, declared);
   if (own && own->correlation < kDoesNot) {
@@ -93,12 +164,14 @@ std::vector<std::string> FindFaults(const Manifest& manifest, const ElementData&
                     -100 * work)};
   }
   if (own && std::abs(own->correlation) > kFollows) {
-    const double powers = std::round(std::log10(own->ratio));
-    if (std::abs(powers) >= kPowers) {
-      return {
-          fmt::format("another unit: force_N swings {:.3g} times as much as the declared model "
-                      "(factors: {{force_N: 1e{:.0f}}}), or is not the force but another column",
-                      own->ratio, -powers)};
+    if (std::abs(std::log(own->ratio)) >= std::log(kOtherUnit)) {
+      const auto unit = measurement::UnitThatReads("force_N", own->ratio);
+      return {fmt::format(
+          "another unit: force_N swings {:.3g} times as much as the declared model{}, or is "
+          "not the force but another column",
+          own->ratio,
+          unit ? fmt::format(" ({}? factors: {{force_N: {:.6g}}})", unit->name(), unit->factor)
+               : "")};
     }
   }
   return {};

@@ -18,6 +18,7 @@ using measurement::BandLimit;
 using measurement::Channel;
 using measurement::DataFinding;
 using measurement::Manifest;
+using measurement::Quantile;
 using measurement::Quantum;
 using measurement::ReadRigRun;
 using measurement::RigRun;
@@ -87,6 +88,42 @@ void LeaveOutFaults(RigRun* run) {
   }
 }
 
+/// The reading at which a motion begins that stays farther than ten of its swings from zero; else 0. Its
+/// zero says nothing of the part: the force of a spring would be a small difference of large numbers.
+double FarZero(const Channel& x) {
+  constexpr double kFar = 10;
+  const double reach = Quantile(x.y, 0.99) - Quantile(x.y, 0.01);
+  return std::abs(Quantile(x.y, 0.5)) > kFar * reach ? x.y.front() : 0;
+}
+
+/// Every run with its faults left out, what was found in `data`.
+Result<std::vector<RigRun>> ReadRuns(const Manifest& manifest, ElementData* data) {
+  std::vector<RigRun> runs;
+  double zero = 0;
+  for (const RunSpec& spec : manifest.runs) {
+    Result<RigRun> read = ReadRigRun(spec, manifest, {"x_m"}, {"force_N"});
+    if (!read.ok()) return read.error();
+    runs.push_back(std::move(read.value()));
+    RigRun& run = runs.back();
+    LeaveOutFaults(&run);
+    if (runs.size() == 1) zero = FarZero(run.inputs[0]);
+    for (double& x : run.inputs[0].y) x -= zero;
+    if (zero != 0) {
+      run.findings.push_back(
+          {"x_m", fmt::format("stands {:.3g} m from zero: positions count from there", zero)});
+    }
+    if (Status s = measurement::CheckSampling(run.inputs[0], run, &run.findings); !s.ok())
+      data->too_fast = s.error();
+    data->has_pressure &= run.pressure.present();
+    data->has_temperature &= run.temperature.present();
+    for (const DataFinding& f : run.findings) {
+      data->findings.push_back(
+          {f.channel, (manifest.runs.size() > 1 ? run.source + ": " : "") + f.text});
+    }
+  }
+  return runs;
+}
+
 }  // namespace
 
 int ElementData::CountRows(bool fitted) const {
@@ -105,25 +142,9 @@ Result<ElementData> ReadElementData(const Manifest& manifest) {
   data.by_force = manifest.options.driven_by == rigs::Drive::kForce;
   if (data.by_force) data.compared = "x_m";
   data.has_pressure = data.has_temperature = true;
-  std::vector<RigRun> runs;
-  for (const RunSpec& spec : manifest.runs) {
-    Result<RigRun> read = ReadRigRun(spec, manifest, {"x_m"}, {"force_N"});
-    if (!read.ok()) return read.error();
-    runs.push_back(std::move(read.value()));
-    LeaveOutFaults(&runs.back());
-    if (Status s =
-            measurement::CheckSampling(runs.back().inputs[0], runs.back(), &runs.back().findings);
-        !s.ok()) {
-      data.too_fast = s.error();
-    }
-    const RigRun& run = runs.back();
-    data.has_pressure &= run.pressure.present();
-    data.has_temperature &= run.temperature.present();
-    for (const DataFinding& f : run.findings) {
-      data.findings.push_back(
-          {f.channel, (manifest.runs.size() > 1 ? run.source + ": " : "") + f.text});
-    }
-  }
+  Result<std::vector<RigRun>> read = ReadRuns(manifest, &data);
+  if (!read.ok()) return read.error();
+  std::vector<RigRun>& runs = read.value();
   std::vector<const RigRun*> all;
   all.reserve(runs.size());
   for (const RigRun& run : runs) all.push_back(&run);

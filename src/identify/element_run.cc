@@ -213,7 +213,7 @@ Result<IdentifyOutcome> RunElementIdentify(const Manifest& manifest, const Searc
   Result<FitProblem> made = FitProblem::Create(bench.forward(), bench.declared(), options.rule);
   if (!made.ok()) return made.error();
   FitProblem& problem = made.value();
-  const std::vector<std::string> faults = FindFaults(manifest, data.value(), declared.value());
+  std::vector<std::string> faults = FindFaults(manifest, data.value(), declared.value());
   if (faults.empty() && data.value().too_fast) return *data.value().too_fast;
   Result<Identification> searched =
       Identify(&problem, bench.declared(), ForBench(options, data.value(), faults), progress);
@@ -222,6 +222,7 @@ Result<IdentifyOutcome> RunElementIdentify(const Manifest& manifest, const Searc
   IdentifyOutcome outcome;
   outcome.cancelled = found.cancelled;
   if (found.cancelled) return outcome;
+  if (const auto unit = FindSwallowedUnit(search::FittedNumbers(found))) faults.push_back(*unit);
   const Result<Rows> before = bench.Predict(problem.Params(found.declared, found.before.values));
   const PhsParams corrected = problem.Params(found.corrected, found.after.values);
   const Result<Rows> after = bench.Predict(corrected);

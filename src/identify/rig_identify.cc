@@ -4,6 +4,7 @@
 
 #include "effects/unlisted.h"
 #include "identify/driven_run.h"
+#include "identify/input_unit.h"
 #include "identify/joined_run.h"
 #include "identify/own_candidates.h"
 #include "identify/rig_forward.h"
@@ -19,7 +20,8 @@ using measurement::LeaveOutBelowVacuum;
 using measurement::Manifest;
 using measurement::MendOutputs;
 using measurement::ReadFitData;
-using measurement::SmoothMotion;
+using measurement::ScaleInputs;
+
 namespace {
 
 using hydraulics::PhsParams;
@@ -41,14 +43,10 @@ Result<Channels> Predict(const FitData& data, const PhsParams& params) {
 }
 
 void TurnInput(FitData* data) {
-  for (size_t a = 0; a < data->inputs.size(); ++a) {
-    for (double& x : data->inputs[a].values) x = -x;
-    SmoothMotion& motion = data->motion[a];
-    for (auto* row : {&motion.position, &motion.speed, &motion.acceleration}) {
-      for (double& x : *row) x = -x;
-    }
+  ScaleInputs(-1, data);
+  for (const auto& input : data->inputs) {
     data->findings.push_back(
-        {data->inputs[a].name, "every output runs against the model: its sign is swapped"});
+        {input.name, "every output runs against the model: its sign is swapped"});
   }
 }
 
@@ -64,6 +62,8 @@ Result<Case> LoadCase(const Manifest& manifest, bool several) {
   }
   Result<Channels> predicted = Predict(c.data, c.declared);
   if (!predicted.ok()) return predicted.error();
+  MendInputUnit([&](const FitData& data) { return Predict(data, c.declared); }, &c.data,
+                &predicted.value());
   if (InputIsSwapped(c.data, predicted.value())) {
     TurnInput(&c.data);
     predicted = Predict(c.data, c.declared);

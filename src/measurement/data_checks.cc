@@ -9,6 +9,7 @@
 
 #include "measurement/channel_noise.h"
 #include "measurement/series.h"
+#include "measurement/units.h"
 
 namespace phs::measurement {
 namespace {
@@ -40,17 +41,30 @@ Likeness Compare(const std::vector<double>& measured, const std::vector<double>&
 }
 
 constexpr double kLike = 0.6;  ///< correlation beyond which a channel follows, or runs against
-constexpr double kPowers = 2;  ///< powers of ten beyond which it is another unit
+/// Swing over the model's, either way: beyond what a declared model is wrong by, to be asked about, and
+/// another unit.
+constexpr double kFar = 3, kOtherUnit = 32;
 
-std::string Unit(const std::string& name) { return name.substr(name.rfind('_')); }
+bool IsBeyond(double ratio, double factor) { return std::abs(std::log(ratio)) >= std::log(factor); }
 
+std::string Quantity(const std::string& name) { return name.substr(name.rfind('_')); }
+
+/// Of one quantity, by their shapes.
 bool AreSwapped(const FitData& data, const std::vector<std::vector<double>>& predicted, size_t a,
                 size_t b) {
   const auto &ya = data.outputs[a].values, &yb = data.outputs[b].values;
   const Likeness own_a = Compare(ya, predicted[a]), own_b = Compare(yb, predicted[b]);
   const Likeness cross_a = Compare(ya, predicted[b]), cross_b = Compare(yb, predicted[a]);
+  if (Quantity(data.outputs[a].name) != Quantity(data.outputs[b].name)) {
+    // Of two quantities, by their sizes too.
+    const auto follows = [](const Likeness& l) {
+      return l.correlation > 0.7 && !IsBeyond(l.ratio, kFar);
+    };
+    return IsBeyond(own_a.ratio, 3 * kFar) && IsBeyond(own_b.ratio, 3 * kFar) && follows(cross_a) &&
+           follows(cross_b);
+  }
   // Pressures of the wrong sign would be negative; under the wrong name they stay positive.
-  const bool pressure = Unit(data.outputs[a].name) == "_Pa";
+  const bool pressure = Quantity(data.outputs[a].name) == "_Pa";
   if (pressure && (own_a.mean < 0 || own_b.mean < 0)) return false;
   return cross_a.correlation > 0.7 && cross_b.correlation > 0.7 && own_a.correlation < 0.5 &&
          own_b.correlation < 0.5;
@@ -156,19 +170,46 @@ void MarkStuck(Channel* channel, const RigRun& run, std::vector<DataFinding>* fi
   }
 }
 
-void MendInputScale(const hydraulics::PhsParams& params, Channel* input,
-                    std::vector<DataFinding>* findings) {
+double MendInputScale(const hydraulics::PhsParams& params, Channel* input,
+                      std::vector<DataFinding>* findings) {
   double stroke = 0.03;
   for (const auto& cylinder : params.cylinders)
     stroke = std::max(stroke, 2 * cylinder.end_stop.clearance_m);
   const double reach = Quantile(input->y, 0.99) - Quantile(input->y, 0.01);
   double factor = 1;
   while (reach * factor > 20 * stroke && factor > 1e-9) factor *= 1e-3;
-  if (factor == 1) return;
+  if (factor == 1) return factor;
   for (double& x : input->y) x *= factor;
   findings->push_back(
       {input->name, fmt::format("swings {:.3g} m, far beyond the stroke: taken in units of {:g} m",
                                 reach, factor)});
+  return factor;
+}
+
+double SwingsOff(const FitData& data, const std::vector<std::vector<double>>& predicted) {
+  constexpr double kLost = 1e3;
+  std::vector<double> off;
+  for (size_t c = 0; c < data.outputs.size(); ++c) {
+    const Likeness like = Compare(data.outputs[c].values, predicted[c]);
+    const bool follows = std::abs(like.correlation) >= kLike;
+    off.push_back(follows ? std::abs(std::log(like.ratio)) : std::log(kLost));
+  }
+  return Quantile(off, 0.5);
+}
+
+void ScaleInputs(double factor, FitData* data) {
+  for (MeasuredChannel& input : data->inputs) {
+    for (double& x : input.values) x *= factor;
+    input.noise *= std::abs(factor);
+  }
+  for (SmoothMotion& motion : data->motion) {
+    for (auto* row : {&motion.position, &motion.speed, &motion.acceleration}) {
+      for (double& x : *row) x *= factor;
+    }
+    for (auto* row : {&motion.position_deviation, &motion.speed_deviation}) {
+      for (double& x : *row) x *= std::abs(factor);
+    }
+  }
 }
 
 bool InputIsSwapped(const FitData& data, const std::vector<std::vector<double>>& predicted) {
@@ -185,7 +226,6 @@ void MendOutputs(const std::vector<std::vector<double>>& predicted, FitData* dat
   auto& outputs = data->outputs;
   for (size_t a = 0; a < outputs.size(); ++a) {
     for (size_t b = a + 1; b < outputs.size(); ++b) {
-      if (Unit(outputs[a].name) != Unit(outputs[b].name)) continue;
       if (!AreSwapped(*data, predicted, a, b)) continue;
       std::swap(outputs[a].values, outputs[b].values);
       std::swap(outputs[a].noise, outputs[b].noise);
@@ -205,13 +245,16 @@ void MendOutputs(const std::vector<std::vector<double>>& predicted, FitData* dat
                                  "tension and extension > 0, pressures absolute",
                                  like.correlation)});
     }
-    const double power = std::round(std::log10(like.ratio));
-    if (std::abs(power) >= kPowers) {
-      factor *= std::pow(10.0, -power);
-      data->findings.push_back(
-          {out.name, fmt::format("swings {:.3g} times as much as the model: unit taken as 1e{:.0f} "
-                                 "of the one its name says",
-                                 like.ratio, -power)});
+    const std::optional<Unit> unit = UnitThatReads(out.name, like.ratio);
+    if (IsBeyond(like.ratio, kOtherUnit) && unit) {
+      factor *= unit->factor;
+      data->findings.push_back({out.name, fmt::format("swings {:.3g} times as much as the model: "
+                                                      "taken in {}",
+                                                      like.ratio, unit->name())});
+    } else if (IsBeyond(like.ratio, kFar) && unit) {
+      data->findings.push_back({out.name, fmt::format("swings {:.3g} times as much as the declared "
+                                                      "model: is it in {}? (columns, factors)",
+                                                      like.ratio, unit->name())});
     }
     if (factor == 1) continue;
     for (double& y : out.values) y *= factor;
@@ -226,7 +269,6 @@ std::vector<std::string> FindContradictions(const std::vector<std::vector<double
   std::vector<char> swapped(outputs.size(), 0);
   for (size_t a = 0; a < outputs.size(); ++a) {
     for (size_t b = a + 1; b < outputs.size(); ++b) {
-      if (Unit(outputs[a].name) != Unit(outputs[b].name)) continue;
       if (!AreSwapped(data, predicted, a, b)) continue;
       swapped[a] = swapped[b] = 1;
       out.push_back(outputs[a].name + " and " + outputs[b].name +
@@ -242,11 +284,10 @@ std::vector<std::string> FindContradictions(const std::vector<std::vector<double
                       "sign turned? (factors: {{{}: -1}})",
                       outputs[c].name, like.correlation, outputs[c].name));
     }
-    if (std::abs(std::round(std::log10(like.ratio))) >= kPowers) {
-      out.push_back(
-          fmt::format("{} swings {:.3g} times as much as the fitted model: is it in "
-                      "another unit?",
-                      outputs[c].name, like.ratio));
+    if (IsBeyond(like.ratio, kOtherUnit)) {
+      const std::optional<Unit> unit = UnitThatReads(outputs[c].name, like.ratio);
+      out.push_back(fmt::format("{} swings {:.3g} times as much as the fitted model: is it in {}?",
+                                outputs[c].name, like.ratio, unit ? unit->name() : "another unit"));
     }
   }
   return out;

@@ -32,8 +32,9 @@ struct FitData {
   double step_s = 0;
   std::array<double, 2> estimation = {0, 0}, validation = {0, 0};  ///< [s]
   std::vector<MeasuredChannel> inputs;                             ///< as measured
-  std::vector<SmoothMotion> motion;                                ///< the same smoothed
-  std::vector<double> pressure_Pa;                                 ///< element rig, else empty
+  double input_unit_m = 1;           ///< of a driving motion that is not in the unit of its name
+  std::vector<SmoothMotion> motion;  ///< the same smoothed
+  std::vector<double> pressure_Pa;   ///< element rig, else empty
   std::vector<MeasuredChannel> outputs;  ///< those measured, in the order of the model
   bool InEstimation(size_t i) const {
     return time_s[i] >= estimation[0] && time_s[i] < estimation[1];

@@ -151,7 +151,7 @@ Result<FitData> ReadFitData(const Manifest& manifest, const hydraulics::PhsParam
   data.row_time_s = run.row_time;
   std::vector<char> rest, standstill;
   for (Channel& input : run.inputs) {
-    MendInputScale(params, &input, &data.findings);
+    data.input_unit_m = MendInputScale(params, &input, &data.findings);
     MarkSpikes(&input, &data.findings);
     input.noise.white = WhiteNoise(input.y, input.bad);
     input.noise.quantum = Quantum(input.y);

@@ -6,38 +6,15 @@
 
 #include "base/words.h"
 #include "measurement/series.h"
+#include "measurement/units.h"
 
 namespace phs::measurement {
 namespace {
-
-struct UnitEnding {
-  const char* si;
-  const char* ending;
-  double factor;
-};
-constexpr UnitEnding kEndings[] = {
-    {"_m_s", "_mm_s", 1e-3}, {"_Pa", "_kPa", 1e3}, {"_Pa", "_MPa", 1e6}, {"_Pa", "_bar", 1e5},
-    {"_N", "_kN", 1e3},      {"_s", "_ms", 1e-3},  {"_s", "_min", 60},   {"_m", "_mm", 1e-3},
-    {"_m", "_um", 1e-6},     {"_m", "_cm", 1e-2},
-};
-
-bool EndsWith(const std::string& text, const std::string& ending) {
-  return text.size() > ending.size() &&
-         text.compare(text.size() - ending.size(), ending.size(), ending) == 0;
-}
 
 std::string Text(const char* format, double a) {
   char text[120];
   std::snprintf(text, sizeof text, format, a);
   return text;
-}
-
-/// Factor to SI of a column whose name ends in another unit than that of `channel`.
-double FactorOf(const std::string& channel, const std::string& column) {
-  for (const UnitEnding& unit : kEndings) {
-    if (EndsWith(channel, unit.si) && EndsWith(column, unit.ending)) return unit.factor;
-  }
-  return 1;
 }
 
 /// Column that holds `channel`: named in the manifest, of the same name, with another unit at the
@@ -51,7 +28,7 @@ int FindChannel(const Table& table, const Manifest& manifest, const std::string&
     const std::string name =
         full.substr(full.rfind('.') == std::string::npos ? 0 : full.rfind('.') + 1);
     if (name == channel) return i;
-    for (const UnitEnding& unit : kEndings) {
+    for (const Unit& unit : KnownUnits()) {
       if (!EndsWith(channel, unit.si)) continue;
       const std::string stem = channel.substr(0, channel.size() - std::string(unit.si).size());
       if (name == stem + unit.ending) return i;

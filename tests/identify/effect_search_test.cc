@@ -8,8 +8,11 @@
 #include <cmath>
 #include <set>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "identify/fit_intervals.h"
+#include "identify/input_unit.h"
 #include "measurement/data_checks.h"
 #include "phs_model/phs_model.h"
 #include "tests/identify/search_record.h"
@@ -241,9 +244,60 @@ TEST(EffectSearchTest, NamesChannelsUnderEachOthersNameAndUnits) {
   EXPECT_EQ(data.findings[0].channel, "p_bore_Pa");
   EXPECT_THAT(data.findings[0].text, testing::HasSubstr("p_rod_Pa"));
   EXPECT_EQ(data.findings[1].channel, "load_cell_N");
-  EXPECT_THAT(data.findings[1].text, testing::HasSubstr("1e3"));
+  EXPECT_THAT(data.findings[1].text, testing::HasSubstr("taken in kN"));
   EXPECT_NEAR(data.outputs[2].values[100], predicted[2][100], 1e5);
 }
+
+// Pounds per square inch were taken for 1e4 Pa, and a gain of 1.45 found in the sensor.
+TEST(EffectSearchTest, TakesPoundsPerSquareInchAsSuchAndAsksAboutKilograms) {
+  FitData data = Record(Declared());
+  const FitData record = data;
+  for (double& y : data.outputs[2].values) y /= 6894.757;
+  for (double& y : data.outputs[1].values) y /= 9.80665;
+  MendOutputs(PredictWhole(data, Declared()), &data);
+  ASSERT_EQ(data.findings.size(), 2u);
+  EXPECT_EQ(data.findings[0].channel, "load_cell_N");
+  EXPECT_THAT(data.findings[0].text, testing::HasSubstr("is it in kgf?"));
+  EXPECT_NEAR(data.outputs[1].values[100] * 9.80665, record.outputs[1].values[100], 1e-6);
+  EXPECT_EQ(data.findings[1].channel, "p_bore_Pa");
+  EXPECT_THAT(data.findings[1].text, testing::HasSubstr("taken in psi"));
+  EXPECT_NEAR(data.outputs[2].values[100], record.outputs[2].values[100], 1);
+}
+
+// Each was turned and scaled by a hundred before, to look like what its name says.
+TEST(EffectSearchTest, AForceAndAPressureUnderEachOthersNameAreSwapped) {
+  FitData data = Record(Declared());
+  const FitData record = data;
+  std::swap(data.outputs[1].values, data.outputs[2].values);
+  MendOutputs(PredictWhole(data, Declared()), &data);
+  ASSERT_EQ(data.findings.size(), 1u);
+  EXPECT_THAT(data.findings[0].text,
+              testing::HasSubstr("p_bore_Pa follow each other's prediction"));
+  EXPECT_EQ(data.outputs[1].values, record.outputs[1].values);
+}
+
+class DrivingMotionIn : public testing::TestWithParam<std::pair<const char*, double>> {};
+
+// The outputs were taken in other units, one by one, and the wreck was searched.
+TEST_P(DrivingMotionIn, AnotherUnitIsFoundByWhatAllOutputsDo) {
+  const auto [name, metres] = GetParam();
+  FitData data = Record(Declared());
+  const FitData record = data;
+  measurement::ScaleInputs(1 / metres, &data);
+  const auto predict = [](const FitData& d) -> Result<std::vector<std::vector<double>>> {
+    return PredictWhole(d, Declared());
+  };
+  auto predicted = predict(data).value();
+  MendInputUnit(predict, &data, &predicted);
+  ASSERT_EQ(data.findings.size(), 1u);
+  EXPECT_THAT(data.findings[0].text, testing::EndsWith(std::string("taken in ") + name));
+  EXPECT_NEAR(data.motion[0].position[100], record.motion[0].position[100], 1e-12);
+  EXPECT_EQ(predicted, predict(data).value());
+}
+
+INSTANTIATE_TEST_SUITE_P(Units, DrivingMotionIn,
+                         testing::Values(std::pair{"mm", 1e-3}, std::pair{"cm", 1e-2},
+                                         std::pair{"inch", 0.0254}));
 
 TEST(EffectSearchTest, SeesThatTheDrivingMotionIsSwapped) {
   FitData data = Record(Declared());

@@ -1,4 +1,5 @@
 // Identification of a part on a bench, on data made here with equations of their own.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -6,6 +7,7 @@
 #include <cstdlib>
 
 #include "base/data_path.h"
+#include "identify/bench_checks.h"
 #include "identify/element_data.h"
 #include "phs_places.h"
 #include "tests/identify/bench_record.h"
@@ -137,7 +139,54 @@ TEST_F(TamperedBench, AForceInAnotherUnitIsNamed) {
   });
   EXPECT_EQ(r["verdict"], "not_described");
   EXPECT_TRUE(Says(r["reasons"], "another unit: force_N")) << r["reasons"];
-  EXPECT_TRUE(Says(r["reasons"], "1e3")) << r["reasons"];
+  EXPECT_TRUE(Says(r["reasons"], "kN? factors: {force_N: 1000}")) << r["reasons"];
+}
+
+// Every number took a share of it, and the declared model sufficed.
+TEST_F(TamperedBench, AForceInKilogramsIsNoPartATenthAsStrong) {
+  const auto r = Run("unit_kgf", [](std::vector<Row>* rows) {
+    for (Row& row : *rows) row.force /= 9.80665;
+  });
+  EXPECT_EQ(r["verdict"], "not_described");
+  EXPECT_TRUE(Says(r["reasons"], "as if force_N read 0.102 times its size (in kgf?)"))
+      << r["reasons"];
+}
+
+// The spring's force was a small difference of large numbers, and the fit crept along its valley.
+TEST_F(TamperedBench, AZeroFarFromTheMotionIsTakenOut) {
+  const auto r = Run("far_zero", [](std::vector<Row>* rows) {
+    for (Row& row : *rows) row.x += 2;
+  });
+  EXPECT_TRUE(Says(r["data_findings"], "m from zero: positions count from there"))
+      << r["data_findings"];
+  EXPECT_LT(r["channels"]["force_N"]["after"]["rmse"].get<double>(), 0.45);
+}
+
+TEST(SwallowedUnit, IsToldByTheNumbersThatItDrives) {
+  const auto numbers = [](double force, double position) {  // read so many times too large
+    const double stiff = force / position;
+    return std::vector<FittedNumber>{{"element.mass_kg", 4, 4.1 * stiff},
+                                     {"element.stiffness_N_per_m", 3000, 2900 * stiff},
+                                     {"friction.coulomb_N", 15, 15 * force},
+                                     {"friction.viscous_Ns_per_m", 60, 63 * stiff},
+                                     {"friction.exponent", 1, 1}};
+  };
+  EXPECT_EQ(FindSwallowedUnit(numbers(1, 1)), std::nullopt);
+  EXPECT_EQ(FindSwallowedUnit(numbers(0.45, 1)), std::nullopt);  // no unit
+  const auto pounds = FindSwallowedUnit(numbers(1 / 4.4482216, 1));
+  ASSERT_TRUE(pounds);
+  EXPECT_THAT(*pounds, testing::HasSubstr("force_N read 0.2248 times its size (in lbf?)"));
+  // Centimetres that were taken for millimetres: forces at rest stay as they are.
+  const auto centimetres = FindSwallowedUnit(numbers(1, 0.1));
+  ASSERT_TRUE(centimetres);
+  EXPECT_THAT(*centimetres, testing::HasSubstr("x_m read 0.1 times its size (factors: {x_m: 10})"));
+  // A part that is weaker in one way than another is no unit; nor are two numbers enough.
+  auto uneven = numbers(1 / 4.4482216, 1);
+  uneven[1].fitted *= 4;
+  EXPECT_EQ(FindSwallowedUnit(uneven), std::nullopt);
+  auto few = numbers(1 / 4.4482216, 1);
+  few.erase(few.begin() + 1, few.begin() + 3);
+  EXPECT_EQ(FindSwallowedUnit(few), std::nullopt);
 }
 
 TEST_F(TamperedBench, AMotionInMillimetresIsMendedAndSaid) {

@@ -7,10 +7,14 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <string>
+#include <tuple>
+#include <vector>
 
 #include "measurement/channel_noise.h"
 #include "measurement/standstill.h"
 #include "measurement/time_wave.h"
+#include "measurement/units.h"
 #include "phs_model/phs_model.h"
 
 namespace phs::identify::search {
@@ -255,12 +259,36 @@ TEST(DataChecksTest, FindsAStuckSensor) {
   EXPECT_THAT(findings[0].text, testing::HasSubstr("stuck between 10 and 15 s"));
 }
 
+// Factors of NIST SP 811, appendix B. A declared model that is a fifth off changes none of it.
+TEST(Units, TheNearestIsTakenAndNoneThatIsFarOff) {
+  for (const auto& [channel, metric, unit] :
+       std::vector<std::tuple<const char*, double, const char*>>{{"p_bore_Pa", 6894.757, "psi"},
+                                                                 {"p_bore_Pa", 1e5, "bar"},
+                                                                 {"p_bore_Pa", 1e3, "kPa"},
+                                                                 {"load_cell_N", 9.80665, "kgf"},
+                                                                 {"piston_m", 1e-2, "cm"},
+                                                                 {"x_m", 1e-6, "um"},
+                                                                 {"v_m_s", 1e-3, "mm/s"}}) {
+    for (const double off : {1.0, 1.2, 1 / 1.2}) {
+      const auto found = measurement::UnitThatReads(channel, off / metric);
+      ASSERT_TRUE(found) << channel << off;
+      EXPECT_EQ(found->name(), unit);
+    }
+  }
+  EXPECT_FALSE(measurement::UnitThatReads("p_bore_Pa", 0.5));    // SI is nearer
+  EXPECT_FALSE(measurement::UnitThatReads("load_cell_N", 1e2));  // no unit is a centinewton
+  EXPECT_FALSE(measurement::UnitThatReads("temperature_K", 1e3));
+  EXPECT_EQ(measurement::FactorOf("p_bore_Pa", "p_bore_psi"), 6894.757293168);
+  EXPECT_EQ(measurement::FactorOf("p_bore_Pa", "p_bore_Pa"), 1);
+}
+
 TEST(DataChecksTest, TakesMillimetresForMetres) {
   Channel channel{"actuator_m", "actuator_m", 1, {}, {}, {}};
   for (int i = 0; i < 8000; ++i) channel.y.push_back(5 * std::sin(i * kStep));
   channel.bad.assign(channel.y.size(), 0);
   std::vector<DataFinding> findings;
-  MendInputScale(phs_model::FindPhsParams("quarter_setup2").value(), &channel, &findings);
+  EXPECT_EQ(MendInputScale(phs_model::FindPhsParams("quarter_setup2").value(), &channel, &findings),
+            1e-3);
   ASSERT_EQ(findings.size(), 1u);
   EXPECT_NEAR(channel.y[314], 5e-3, 1e-5);
 }

@@ -161,8 +161,8 @@ TEST(ReadFitData, ADrivingMotionAtTheEndOfItsSensorIsAFault) {
 TEST(ReadFitData, SaysWhatItDoesNotTake) {
   const ScratchDir dir;
   const FitData data =
-      ReadWithGap(dir, 0, "estimation: [0, 20]\nvalidation: [20, 300]\n", "load_cell_lbf");
-  EXPECT_THAT(Findings(data), testing::HasSubstr("\"load_cell_lbf\" is in no unit that is known"));
+      ReadWithGap(dir, 0, "estimation: [0, 20]\nvalidation: [20, 300]\n", "load_cell_oz");
+  EXPECT_THAT(Findings(data), testing::HasSubstr("\"load_cell_oz\" is in no unit that is known"));
   EXPECT_THAT(Findings(data),
               testing::HasSubstr("validation window [20, 300] goes beyond the record"));
   EXPECT_THAT(Findings(ReadWithGap(dir, 0, "estimation: [0, 20]\nvalidation: [20, 30]\n")),
