@@ -196,7 +196,8 @@ Result<IdentifyOutcome> SearchAndWrite(const Manifest& manifest, const FitData& 
   const Unexplained unexplained = FindUnexplained(data, after, over_noise.value(), found);
   const std::vector<std::string> drives = WhatDrives(*problem, found);
   const std::vector<std::string> wrong = measurement::FindContradictions(after, data);
-  VerdictFacts facts{{}, NamedEffects(found), UntoldNames(found), FittedNumbers(found), wrong};
+  VerdictFacts facts{{},    NamedEffects(found),      UntoldNames(found), FittedNumbers(found),
+                     wrong, !found.candidates.empty()};
   facts.faults.insert(facts.faults.end(), drives.begin(), drives.end());
   facts.faults.insert(facts.faults.end(), data.faults.begin(), data.faults.end());
   for (size_t c = 0; c < data.outputs.size(); ++c) {

@@ -156,11 +156,12 @@ class Search {
       CandidateRecord record{trial.candidate->effect,
                              VariantName(trial.form),
                              round + 1,
-                             reference_ - trial.promise,
+                             trial.fails ? 0 : reference_ - trial.promise,
                              false,
                              {},
                              {}};
-      record.fitted = trial.fit.ok, record.verdict = "screened out";
+      record.fitted = trial.fit.ok;
+      record.verdict = trial.fails ? "the model cannot be run with it" : "screened out";
       if (trial.fit.ok) {
         record.evidence =
             Compare(problem_, out_.after, trial.fit, static_cast<double>(list.size()));

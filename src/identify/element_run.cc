@@ -155,7 +155,8 @@ VerdictFacts FactsOf(const BenchFindings& f, const FitProblem& problem, const Id
           search::NamedEffects(found),
           search::UntoldNames(found),
           search::FittedNumbers(found),
-          std::move(faults)};
+          std::move(faults),
+          !found.candidates.empty()};
 }
 
 /// result.json up to the verdict. `faults`: of the data.

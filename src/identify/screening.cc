@@ -266,6 +266,11 @@ std::vector<Trial> ScreenCandidates(const FitProblem& coarse, const FreeModel& m
   });
   std::stable_sort(trials.begin(), trials.begin() + static_cast<long>(fits),
                    [](const Trial& a, const Trial& b) { return a.promise < b.promise; });
+  for (size_t k = 0; k < list.size(); ++k) {
+    if (BestOf(probes[k]) < Probe{}.score) continue;
+    trials.emplace_back();
+    trials.back().candidate = &list[k], trials.back().fails = true;
+  }
   return trials;
 }
 

@@ -24,6 +24,7 @@ struct Trial {
   const Candidate* candidate = nullptr;
   double promise = 1e300;  ///< criterion after the steps of screening, small = good
   FitResult coarse;        ///< ok for the most promising: fit to the coarse record
+  bool fails = false;      ///< the model cannot be run with it from any of its starts
 };
 
 /// How much work a search may do. None of it decides what is accepted of what was tried.
@@ -39,7 +40,8 @@ struct Effort {
 };
 
 /// Judges `list` on top of `model` about each of `points`. `go_on(share)`: progress, false = stop.
-/// Best first; those with a coarse fit before those without. Candidates must outlive the result.
+/// Best first; those with a coarse fit before those without, and what fails at the end. Candidates must
+/// outlive the result.
 std::vector<Trial> ScreenCandidates(const FitProblem& coarse, const FreeModel& model,
                                     const std::vector<Point>& points,
                                     const std::vector<Candidate>& list, const Effort& effort,

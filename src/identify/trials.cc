@@ -104,8 +104,12 @@ std::vector<FullTrial> TryEffects(const FitProblem& problem, const FitProblem& c
   std::vector<FullTrial> trials;
   for (Trial& trial : ScreenCandidates(coarse, model, points, list, effort,
                                        [&](double part) { return go_on(kScreening * part); })) {
-    trials.push_back(
-        {trial.candidate, *trial.candidate, std::move(trial.coarse), {}, trial.promise});
+    trials.push_back({trial.candidate,
+                      *trial.candidate,
+                      std::move(trial.coarse),
+                      {},
+                      trial.promise,
+                      trial.fails});
   }
   const auto fits = static_cast<size_t>(effort.full_fits);
   std::vector<size_t> chosen = BestOfEach(trials, 3 * fits);

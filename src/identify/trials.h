@@ -15,6 +15,7 @@ struct FullTrial {
   Candidate form;
   FitResult coarse, fit;
   double promise = 1e300;  ///< criterion on the coarse record
+  bool fails = false;      ///< the model cannot be run with it (screening.h)
 };
 
 /// `points`: on the coarse record (screening.h). `go_on(share)`: progress from 0 to 1, false = stop.

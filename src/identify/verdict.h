@@ -56,6 +56,7 @@ struct VerdictFacts {
   /// Of the data, not mended: a turned sign, swapped columns; of the model found: a formula that
   /// drives where it must dissipate.
   std::vector<std::string> faults;
+  bool tried = true;  ///< any effect
 };
 
 struct Verdict {

@@ -139,6 +139,28 @@ TEST(OwnCandidate, IsNotFoundWhereItIsNot) {
   EXPECT_TRUE(run.value().result["effects"].empty()) << run.value().result["effects"].dump(1);
 }
 
+// It was missing from the list, so that nobody saw that it had not been tried.
+TEST(OwnCandidate, ALawThatOverflowsIsSaidToFail) {
+  const Folder folder("own_candidate_overflow");
+  WriteBrakeRecord(folder);
+  const std::string text = WithModel(folder.File("part.yaml")) +
+                           "  burst: {where: piston, expression: \"F*exp(x^2/1e-6[m^2])\", "
+                           "parameters: {F_N: [1, 100]}}\n";
+  const auto loaded = LoadManifest(folder.Write("manifest.yaml", text));
+  ASSERT_TRUE(loaded.ok()) << loaded.error().Line();
+  auto dir = ResultDir::Create(folder.File("out"), true);
+  const auto run = element::RunElementIdentify(loaded.value(), {}, nullptr, dir.value());
+  ASSERT_TRUE(run.ok()) << run.error().Line();
+  const auto& r = run.value().result;
+  EXPECT_EQ(r["effects"][0]["name"], "eddy_brake") << r["effects"].dump(1);
+  std::vector<std::string> said;
+  for (const auto& c : r["candidates"]) {
+    if (c["name"] == "burst") said.push_back(c["verdict"]);
+  }
+  ASSERT_FALSE(said.empty()) << r["candidates"].dump(1);
+  EXPECT_EQ(said[0], "the model cannot be run with it");
+}
+
 /// A pad that drags along a rig's piston by a bristle, made here beside the declared rig model.
 TEST(OwnCandidate, IsFoundOnARigAmongEffectsOfTheCatalogue) {
   const Folder folder("own_candidate_rig");

@@ -20,6 +20,13 @@ TEST(Verdict, SufficientWhereNothingIsLeftButNoise) {
   EXPECT_EQ(Judge(Facts(1.4, 1.4)).word, "sufficient") << "what it lacks is no larger than noise";
 }
 
+TEST(Verdict, SaysThatNothingWasTried) {
+  VerdictFacts facts = Facts(5, 5);
+  EXPECT_THAT(Judge(facts).reasons, Contains("nothing that was tried explains it"));
+  facts.tried = false;  // --max-effects 0
+  EXPECT_THAT(Judge(facts).reasons, Contains("no effect was tried"));
+}
+
 TEST(Verdict, NoiseWithAColourIsNotWhatTheModelLacks) {
   VerdictFacts facts = Facts(2.8, 2.8);
   facts.channels[0].following = 0.3;
