@@ -153,6 +153,16 @@ Status CheckFormerResult(const std::string& path) {
   return {};
 }
 
+Status AdoptIntoResult(const std::string& file) {
+  const fs::path path(file);
+  const std::string list = (path.parent_path() / kResultMark).string();
+  const auto mark = ReadFile(list);
+  if (!mark.ok() || !mark.value().starts_with(kMarkTitle)) return {};
+  const std::string line = path.filename().string() + "\n";
+  if (mark.value().find("\n" + line) != std::string::npos) return {};
+  return WriteFileAtomically(list, mark.value() + line);
+}
+
 Result<ResultDir> ResultDir::Create(const std::string& final_path, bool force) {
   fs::path path = fs::path(final_path).lexically_normal();
   if (!path.has_filename()) path = path.parent_path();

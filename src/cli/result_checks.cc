@@ -33,7 +33,9 @@ int ResultChecks::Conclude(const std::string& suite, std::vector<analysis::Named
   if (!checks.ok()) return BadInput(checks.error());
   if (!junit_.empty()) {
     const std::string xml = analysis::JUnitXml(suite, checks.value());
-    if (Status s = WriteFileAtomically(junit_, xml); !s.ok()) return BadInput(s.error());
+    for (const Status& s : {WriteFileAtomically(junit_, xml), AdoptIntoResult(junit_)}) {
+      if (!s.ok()) return BadInput(s.error());
+    }
   }
   for (const analysis::LimitCheck& check : checks.value()) {
     if (check.Passed()) continue;

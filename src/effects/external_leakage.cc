@@ -54,7 +54,7 @@ const EffectInfo& ExternalLeakageInfo() {
               },
           .bogie =
               {
-                  {.free = {{"conductance_m3_per_Pas", 1e-13, 1e-12, 2}}, .places = Places::kAlone},
+                  {.free = {{"conductance_m3_per_Pas", 1e-13, 5e-12, 3}}, .places = Places::kAlone},
               },
           .options =
               {

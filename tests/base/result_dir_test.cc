@@ -6,6 +6,7 @@
 #include <sys/resource.h>
 #include <sys/wait.h>
 
+#include <filesystem>
 #include <fstream>
 #include <thread>
 
@@ -67,6 +68,28 @@ TEST(ResultDir, ExistingIsReplacedOnlyByForce) {
   ASSERT_TRUE(dir.value().Commit().ok());
   EXPECT_THAT(NamesIn(scratch.File("out")), ElementsAre(".phs_result", "new.json"));
   EXPECT_THAT(NamesIn(scratch.path()), ElementsAre("out"));
+}
+
+// --junit into the result made the next --force refuse it.
+TEST(ResultDir, AFileThatWasAdoptedIsReplacedWithIt) {
+  const ScratchDir dir;
+  const std::string out = dir.File("out");
+  for (const char* text : {"1", "2"}) {
+    auto made = ResultDir::Create(out, true);
+    ASSERT_TRUE(made.ok()) << made.error().Line();
+    ASSERT_TRUE(WriteFileAtomically(made.value().File("a.txt"), text).ok());
+    ASSERT_TRUE(made.value().Commit().ok());
+    for (int twice = 0; twice < 2; ++twice) {
+      ASSERT_TRUE(WriteFileAtomically(out + "/junit.xml", text).ok());
+      ASSERT_TRUE(AdoptIntoResult(out + "/junit.xml").ok());
+    }
+  }
+  EXPECT_TRUE(CheckFormerResult(out).ok());
+  ASSERT_TRUE(WriteFileAtomically(out + "/notes.txt", "the user's own").ok());
+  EXPECT_FALSE(CheckFormerResult(out).ok());
+  ASSERT_TRUE(WriteFileAtomically(dir.File("alone.xml"), "").ok());
+  EXPECT_TRUE(AdoptIntoResult(dir.File("alone.xml")).ok());
+  EXPECT_FALSE(std::filesystem::exists(dir.File(kResultMark)));
 }
 
 TEST(ResultDir, ForceNeedsNothingToReplaceAlsoBesideTheUser) {

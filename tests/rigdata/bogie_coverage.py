@@ -25,7 +25,7 @@ from blind_sets import share_text
 CURVES = {"r550": (80, "[0.2, 13]", "[13, 24.5]"), "r250": (50, "[0.2, 16]", "[16, 30.8]"),
           "r300": (55, "[0.2, 15]", "[15, 28]")}
 # What can be hidden: range (drawn evenly in the logarithm, the cant with either sign), effect, its number, its place.
-HIDDEN = [None, ("seal_1", (0.4, 3), "seal_friction", "factor", "1"), ("cant", (0.008, 0.025), "cant_error", "error_m", ""),
+HIDDEN = [None, ("seal_1", (0.4, 3), "seal_friction", "factor", "1"), ("cant", (0.008, 0.025), "cant_error", "cant_m", ""),
           ("leak_L2", (1e-12, 6e-12), "external_leakage", "conductance_m3_per_Pas", "L2"),
           ("box_spring", (0.5, 2), "box_spring", "factor", "lead_left"), ("gas_L3", (0.5, 2.5), "gas_volume", "factor", "L3")]
 NUMBERS = {"friction.scale": 1.0, "lines.gas_volume_m3": 16.16e-6}
@@ -69,7 +69,7 @@ def identified(args, k):
 
 def rows_of(seed, curve, hidden, amount, truth, result):
     """(seed, curve, hidden, verdict, number, its truth, value, low, high) of each interval; none where it is not found."""
-    found = [(e["name"], "".join(e["targets"])) for e in result["effects"]]
+    found = [(e["name"], "".join(e.get("on", []))) for e in result["effects"]]
     wanted = [(hidden[2], hidden[4])] if hidden else []
     head = [seed, curve, f"{hidden[0]}={amount:.4g}" if hidden else "nothing", result["verdict"]]
     if found != wanted:

@@ -1,0 +1,36 @@
+"""docs/identify_bogie.md: how many intervals hold the truth, counted from tests/rigdata/bogie_coverage.csv."""
+import csv
+import sys
+
+from docfigures.form import table
+
+DOCUMENT = "docs/identify_bogie.md"
+WORDS = {"friction.scale": "scale of friction", "lines.gas_volume_m3": "gas of the lines"}
+
+
+def off(row):
+    """How far the truth is from the value, in half widths of the interval on its side; > 0: above."""
+    truth, value, low, high = (float(row[k]) for k in ("truth", "value", "low", "high"))
+    return (truth - value) / (high - value if truth > value else value - low)
+
+
+def figures(phs):
+    sys.path.insert(0, str(phs.source / "tests/rigdata"))
+    from blind_sets import share_text
+    with open(phs.source / "tests/rigdata/bogie_coverage.csv", newline="") as file:
+        rows = list(csv.DictReader(file))
+    counted = [row for row in rows if row["truth"]]
+    groups = {words: [row for row in counted if row["number"] == name] for name, words in WORDS.items()}
+    groups["amounts of what is hidden"] = [row for row in counted if row["number"] not in WORDS]
+    lines = []
+    for words, of in groups.items():
+        missed = sorted(off(row) for row in of if abs(off(row)) > 1)
+        lines.append([words, share_text(len(of) - len(missed), len(of)),
+                      ", ".join(f"{x:+.1f}".replace("-", "−") for x in missed) or "none"])
+    records = {row["seed"]: row for row in rows}.values()
+    clean = [row for row in records if row["hidden"] == "nothing"]
+    as_hidden = sum(bool(row["truth"]) for row in records if row["hidden"] != "nothing")
+    return {"coverage": table(["95 % interval of", "hold the truth", "missed by, in half widths"], lines),
+            "coverage_records": str(len(records)), "coverage_clean": str(len(clean)),
+            "coverage_false": str(sum(not row["truth"] for row in clean)),
+            "coverage_found": f"{as_hidden} of {len(records) - len(clean)}"}
