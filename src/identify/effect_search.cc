@@ -207,13 +207,14 @@ class Search {
                               const std::vector<FullTrial>& others) const {
     AcceptedEffect accepted{trial.form, evidence, {}};
     for (const FullTrial& other : others) {
-      if (other.candidate->effect == trial.candidate->effect) continue;
+      const bool same = other.candidate->effect == trial.candidate->effect;
+      if (same && !IsElsewhere(other.form, trial.form)) continue;
       const double behind = Criterion(problem_, other.fit.score, other.fit.values.size()) -
                             Criterion(problem_, trial.fit.score, trial.fit.values.size());
       if (IsBeyondChance(problem_.rule(), behind, 1)) continue;
       const bool larger = problem_.rule().plain_first &&
                           Contains(other.form, trial.form);  // it shows all that its part does
-      const std::string& name = other.candidate->effect;
+      const std::string name = NameBeside(other.form, trial.form);
       std::vector<std::string>& known =
           larger ? accepted.special_case_of : accepted.confusable_with;
       if (std::find(known.begin(), known.end(), name) == known.end()) known.push_back(name);
@@ -254,12 +255,13 @@ class Search {
   void UpdateRecords() {
     for (AcceptedEffect& effect : out_.effects) {
       std::erase_if(effect.confusable_with, [&](const std::string& name) {
-        return std::any_of(out_.effects.begin(), out_.effects.end(),
-                           [&](const auto& other) { return other.candidate.effect == name; });
+        return std::any_of(out_.effects.begin(), out_.effects.end(), [&](const auto& other) {
+          return NameBeside(other.candidate, effect.candidate) == name;
+        });
       });
       std::erase_if(effect.rivals, [&](const Rival& rival) {
         return std::find(effect.confusable_with.begin(), effect.confusable_with.end(),
-                         rival.form.effect) == effect.confusable_with.end();
+                         NameBeside(rival.form, effect.candidate)) == effect.confusable_with.end();
       });
       for (CandidateRecord& record : out_.candidates) {
         if (record.effect != effect.candidate.effect || record.verdict != kAccepted) continue;

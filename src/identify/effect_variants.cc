@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/words.h"
 #include "effects/catalogue.h"
 #include "effects/unlisted.h"
 #include "identify/form_starts.h"
@@ -212,6 +213,19 @@ std::map<std::string, double> HeldNumbers(const Candidate& candidate) {
     held[p.name] = value->second;
   }
   return held;
+}
+
+bool IsElsewhere(const Candidate& a, const Candidate& b) {
+  const auto &here = a.params.targets, &there = b.params.targets;
+  return a.effect == b.effect && !here.empty() && !there.empty() &&
+         std::none_of(here.begin(), here.end(), [&](const std::string& part) {
+           return std::find(there.begin(), there.end(), part) != there.end();
+         });
+}
+
+std::string NameBeside(const Candidate& candidate, const Candidate& other) {
+  if (!IsElsewhere(candidate, other)) return candidate.effect;
+  return candidate.effect + " on " + JoinWords(candidate.params.targets);
 }
 
 std::string VariantName(const Candidate& candidate) {

@@ -70,6 +70,12 @@ std::map<std::string, double> HeldNumbers(const Candidate& candidate);
 /// Targets and free numbers, for people: "L2,oil_share".
 std::string VariantName(const Candidate& candidate);
 
+/// Whether two candidates are one effect on different parts.
+bool IsElsewhere(const Candidate& a, const Candidate& b);
+
+/// What a candidate is called beside another: "gas_volume on L2" beside the same effect elsewhere.
+std::string NameBeside(const Candidate& candidate, const Candidate& other);
+
 /// The model with the candidate switched on, its parameters free after those of the model.
 FreeModel WithCandidate(const FreeModel& model, const Candidate& candidate);
 

@@ -181,7 +181,8 @@ std::vector<Question> OpenQuestions(const FitProblem& problem, const Identificat
   for (size_t i = 0; i < found.effects.size(); ++i) {
     for (const Rival& rival : found.effects[i].rivals) {
       Question q{one, Exchanged(problem, found, i, rival), false};
-      q.one.name = found.effects[i].candidate.effect;
+      const Candidate& taken = found.effects[i].candidate;
+      q.one.name = NameBeside(taken, rival.form), q.other.name = NameBeside(rival.form, taken);
       const bool known = std::any_of(out.begin(), out.end(), [&](const Question& other) {
         return other.one.name == q.one.name && other.other.name == q.other.name;
       });
@@ -190,8 +191,10 @@ std::vector<Question> OpenQuestions(const FitProblem& problem, const Identificat
   }
   std::set<std::string> asked;
   for (size_t k = 1; k < found.untold.size() && out.size() < kMostQuestions; ++k) {
-    if (!asked.insert(found.untold[k].form.effect).second) continue;
+    const Candidate &one = found.untold[0].form, &other = found.untold[k].form;
+    if (!asked.insert(NameBeside(other, one)).second) continue;
     out.push_back({Added(problem, found, found.untold[0]), Added(problem, found, found.untold[k])});
+    out.back().one.name = NameBeside(one, other), out.back().other.name = NameBeside(other, one);
   }
   for (size_t i = 0; i < found.declared.free.size(); ++i) {
     const FreeParameter& p = found.corrected.free[i];
