@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 
 #include "identify/bench_forward.h"
@@ -81,17 +82,15 @@ std::vector<Driven> DrivenNumbers(const std::vector<FittedNumber>& numbers) {
     const char* ending;
     int newtons, metres;
   } kQuantities[] = {{"_N_per_m", 1, -1}, {"_Ns_per_m", 1, -1}, {"_N_per_m3", 1, -3},
-                     {"_kg", 1, -1},      {"_N", 1, 0},         {"_m", 0, 1},
-                     {"_m_s", 0, 1}};
+                     {"_kg", 1, -1},      {"_N", 1, 0},         {"_m_s", 0, 1},
+                     {"_m", 0, 1}};  // the longer of two first
   std::vector<Driven> out;
   for (const FittedNumber& n : numbers) {
     if (n.at_end || !(n.fitted / n.declared > 0) || !std::isfinite(n.fitted / n.declared)) continue;
-    const size_t unit = n.name.find('_');
-    if (unit == std::string::npos) continue;
-    for (const auto& q : kQuantities) {
-      if (n.name.substr(unit) != q.ending) continue;
-      out.push_back({std::log(n.fitted / n.declared), q.newtons, q.metres});
-    }
+    const auto quantity = std::find_if(std::begin(kQuantities), std::end(kQuantities),
+                                       [&](const auto& q) { return n.name.ends_with(q.ending); });
+    if (quantity == std::end(kQuantities)) continue;
+    out.push_back({std::log(n.fitted / n.declared), quantity->newtons, quantity->metres});
   }
   return out;
 }
@@ -99,9 +98,9 @@ std::vector<Driven> DrivenNumbers(const std::vector<FittedNumber>& numbers) {
 }  // namespace
 
 std::optional<std::string> FindSwallowedUnit(const std::vector<FittedNumber>& numbers) {
-  constexpr size_t kMore = 2;     // numbers than channels that may be off
-  constexpr double kMost = 0.25;  // of how far the numbers were driven
-  const double kAlike = std::log(1.5), kDriven = std::log(2.0);
+  constexpr size_t kMore = 3;    // numbers than channels that may be off
+  constexpr double kMost = 0.2;  // of how far the numbers were driven
+  const double kAlike = std::log(1.5), kDriven = std::log(3.0);
   const std::vector<Driven> driven = DrivenNumbers(numbers);
   const auto left = [&](double force,
                         double position) {  // what readings too large by so much leave
@@ -122,6 +121,8 @@ std::optional<std::string> FindSwallowedUnit(const std::vector<FittedNumber>& nu
   for (const double newtons : forces) {
     for (const double taken : lengths) {
       for (const double metres : lengths) {
+        const size_t off = (newtons != 1 ? 1 : 0) + (taken != metres ? 1 : 0);
+        if (driven.size() < kMore + off) continue;
         const double now = left(1 / newtons, taken / metres);
         if (now < least) least = now, force = 1 / newtons, position = taken / metres;
       }
@@ -136,7 +137,7 @@ std::optional<std::string> FindSwallowedUnit(const std::vector<FittedNumber>& nu
     factors.push_back(fmt::format("{}: {:.6g}", channel, 1 / size));
   };
   add("force_N", force), add("x_m", position);
-  if (read.empty() || driven.size() < kMore + read.size()) return std::nullopt;
+  if (read.empty()) return std::nullopt;
   return fmt::format("another unit: all numbers are fitted as if {} (factors: {{{}}})",
                      fmt::join(read, " and "), fmt::join(factors, ", "));
 }
