@@ -11,6 +11,7 @@
 #include "measurement/motion_smoother.h"
 #include "measurement/rig_data.h"
 #include "measurement/sampling_check.h"
+#include "measurement/series.h"
 
 namespace phs::identify::element {
 
