@@ -10,7 +10,7 @@ namespace {
 using rail::Side;
 using rail::Vec3;
 
-constexpr double kReach = 30;  ///< of the track before and after each wheelset [m]
+constexpr double kReach = 30;       ///< of the track before and after each wheelset [m]
 constexpr double kRailPiece = 1.0;  ///< length of the rails' pieces [m]
 constexpr double kSleeperSpacing = 0.65;
 constexpr double kRailRadius = 0.036;

@@ -18,8 +18,8 @@ inline constexpr char kResultMark[] = ".phs_result";
 /// directory. The error says what is there otherwise.
 Status CheckFormerResult(const std::string& path);
 
-/// A file that was written into a result afterwards belongs to it from then on, so that force replaces
-/// it, too. Does nothing where its folder is no result.
+/// A file that was written into a result afterwards belongs to it from then on, so that force
+/// replaces it, too. Does nothing where its folder is no result.
 Status AdoptIntoResult(const std::string& file);
 
 /// A directory being written. Destroyed without Commit(), it leaves nothing behind.

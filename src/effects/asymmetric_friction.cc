@@ -61,7 +61,8 @@ const EffectInfo& AsymmetricFrictionInfo() {
               {
                   {.free = {{"viscous_Ns_per_m", 0.1, 0.1, 1, Walk::kEitherWay, -20, 20}},
                    .held = {{"level_N", 0}}},
-                  // A level that differs by direction and an offset of the load cell are one and the same force.
+                  // A level that differs by direction and an offset of the load cell are one and
+                  // the same force.
                   {.free = {{"viscous_Ns_per_m", 0.1, 0.1, 1, Walk::kEitherWay, -20, 20},
                             {"level_N", 0, 0, 1, Walk::kEach, -1, 1}},
                    .beside = {"element.offset"}},

@@ -3,7 +3,8 @@
 // Armstrong-Helouvry, Dupont and Canudas de Wit, Automatica 30 (1994) 1083).
 // The film does not thin at once: with a film time tau the law is over u, du/dt = (|v| - u)/tau, so
 // that friction stays high where sliding begins and low where it ends (frictional memory: Hess and
-// Soom, J. Tribology 112 (1990) 147). u = 0 after long rest. Dissipative: part of the friction level.
+// Soom, J. Tribology 112 (1990) 147). u = 0 after long rest. Dissipative: part of the friction
+// level.
 #pragma once
 
 #include "hydraulics/extension.h"

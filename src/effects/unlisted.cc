@@ -127,9 +127,14 @@ std::vector<hydraulics::EffectParameter> Parameters() {
 }  // namespace
 
 const EffectInfo& UnlistedInfo() {
-  static const EffectInfo info = {
-      "unlisted", "unlisted", "cylinders or lines", "a law by formula", Parameters(), InstallUnlisted,
-      {},         true};
+  static const EffectInfo info = {"unlisted",
+                                  "unlisted",
+                                  "cylinders or lines",
+                                  "a law by formula",
+                                  Parameters(),
+                                  InstallUnlisted,
+                                  {},
+                                  true};
   return info;
 }
 

@@ -20,10 +20,11 @@ namespace phs::identify::element {
 std::vector<std::string> FindFaults(const measurement::Manifest& manifest, const ElementData& data,
                                     const hydraulics::PhsParams& declared);
 
-/// A unit that the numbers have swallowed: a force read a times and a position read b times too large turn
-/// a number in N^p m^q into a^p b^q of it. Said where the numbers, three more than channels that are off,
-/// are all driven so by the a and b of a known unit (measurement/units.h): rms to a factor of 1.5, a
-/// fifth of how far they were driven, in logarithms, and by a factor of 3 at least.
+/// A unit that the numbers have swallowed: a force read a times and a position read b times too
+/// large turn a number in N^p m^q into a^p b^q of it. Said where the numbers, three more than
+/// channels that are off, are all driven so by the a and b of a known unit (measurement/units.h):
+/// rms to a factor of 1.5, a fifth of how far they were driven, in logarithms, and by a factor of 3
+/// at least.
 std::optional<std::string> FindSwallowedUnit(const std::vector<FittedNumber>& numbers);
 
 }  // namespace phs::identify::element

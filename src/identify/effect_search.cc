@@ -128,7 +128,8 @@ class Search {
                              const std::vector<Candidate>& list) {
     const bool elsewhere = options_.effort.elsewhere && problem_.rule().elsewhere &&
                            model.params.effects.size() == out_.declared.params.effects.size();
-    // A model that an effect has made too stiff for the coarse clock is screened on the whole record.
+    // A model that an effect has made too stiff for the coarse clock is screened on the whole
+    // record.
     for (FitProblem* screen : {&coarse_, &problem_}) {
       const std::vector<Point> points =
           PointsAbout(*screen, model, fit, out_.declared.free.size(), elsewhere);

@@ -1,6 +1,6 @@
 // Effects as candidates, made from what their rows say (hydraulics/effect_forms.h): which of their
-// numbers are free, from which values a fit may start, on which lines they may act. Several variants
-// of one effect may be tried; the best stands for it.
+// numbers are free, from which values a fit may start, on which lines they may act. Several
+// variants of one effect may be tried; the best stands for it.
 #pragma once
 
 #include <functional>

@@ -89,8 +89,9 @@ void LeaveOutFaults(RigRun* run) {
   }
 }
 
-/// The reading at which a motion begins that stays farther than ten of its swings from zero; else 0. Its
-/// zero says nothing of the part: the force of a spring would be a small difference of large numbers.
+/// The reading at which a motion begins that stays farther than ten of its swings from zero; else
+/// 0. Its zero says nothing of the part: the force of a spring would be a small difference of large
+/// numbers.
 double FarZero(const Channel& x) {
   constexpr double kFar = 10;
   const double reach = Quantile(x.y, 0.99) - Quantile(x.y, 0.01);

@@ -22,8 +22,8 @@ struct Probe {
   double score = 1e300;        ///< -2 ln L
 };
 
-/// Of each start the best by what a step promises; the best of all as they stand, and the best by what
-/// a step promises once the amounts are moved (Scale).
+/// Of each start the best by what a step promises; the best of all as they stand, and the best by
+/// what a step promises once the amounts are moved (Scale).
 struct Probes {
   std::vector<Probe> promised;  ///< best first
   Probe present, moved;
@@ -97,7 +97,8 @@ Scaled Scale(const Base& base, const Candidate& candidate, const Eigen::VectorXd
 }
 
 /// Every start about every point. What a start does, and the slopes of the candidate's numbers, are
-/// those about the first point, the best fit: they differ little from point to point, and cost runs.
+/// those about the first point, the best fit: they differ little from point to point, and cost
+/// runs.
 Probes Probed(const FitProblem& problem, const FreeModel& model, const std::vector<Base>& bases,
               const Candidate& candidate) {
   const FreeModel whole = WithCandidate(model, candidate);
@@ -168,8 +169,8 @@ double BestOf(const Probes& p) {
   return std::min({stepped, p.present.score, p.moved.score});
 }
 
-/// Those that promise most, stand best, or promise most once moved, in turn. `least`: -2 ln L that each
-/// must promise at least, so that it pays for its own numbers.
+/// Those that promise most, stand best, or promise most once moved, in turn. `least`: -2 ln L that
+/// each must promise at least, so that it pays for its own numbers.
 std::vector<size_t> MostPromising(const std::vector<Probes>& probes,
                                   const std::vector<double>& least, int most) {
   const auto ranked = [&](auto score) {

@@ -1,11 +1,11 @@
 // Looking through many candidates with few runs of the model, on a coarse record (about 50 Hz).
 //
 // Every variant of every effect, from each of its starts, about each point, is judged by one
-// predicted Gauss–Newton step of all numbers together. Amounts that are far off by the share of what
-// they do that the record asks for are moved there before, so that the shape of what an effect does
-// decides, not its start. The best starts by that promise and the best as it stands take two steps
-// really: below its onset a stop or a valve is silent, and no slope leads to it; the best of them
-// two more. The most promising variants are then fitted to the coarse record.
+// predicted Gauss–Newton step of all numbers together. Amounts that are far off by the share of
+// what they do that the record asks for are moved there before, so that the shape of what an effect
+// does decides, not its start. The best starts by that promise and the best as it stands take two
+// steps really: below its onset a stop or a valve is silent, and no slope leads to it; the best of
+// them two more. The most promising variants are then fitted to the coarse record.
 #pragma once
 
 #include <functional>
@@ -40,8 +40,8 @@ struct Effort {
 };
 
 /// Judges `list` on top of `model` about each of `points`. `go_on(share)`: progress, false = stop.
-/// Best first; those with a coarse fit before those without, and what fails at the end. Candidates must
-/// outlive the result.
+/// Best first; those with a coarse fit before those without, and what fails at the end. Candidates
+/// must outlive the result.
 std::vector<Trial> ScreenCandidates(const FitProblem& coarse, const FreeModel& model,
                                     const std::vector<Point>& points,
                                     const std::vector<Candidate>& list, const Effort& effort,

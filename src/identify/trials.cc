@@ -11,8 +11,8 @@
 namespace phs::identify::search {
 namespace {
 
-/// The best variants of the best effects, two of each and three times as many as are fitted in full:
-/// what options bring shows only when they are there.
+/// The best variants of the best effects, two of each and three times as many as are fitted in
+/// full: what options bring shows only when they are there.
 std::vector<size_t> BestOfEach(const std::vector<FullTrial>& trials, size_t most) {
   constexpr long kOfOne = 2;
   std::vector<size_t> chosen;
@@ -82,8 +82,8 @@ std::vector<double> FullStart(const FitProblem& problem, const FreeModel& whole,
   return best;
 }
 
-/// False if a fit gains too little for the rule even with the `core` of its numbers alone, or takes too
-/// little of what is left: then nobody asks for its slopes and intervals.
+/// False if a fit gains too little for the rule even with the `core` of its numbers alone, or takes
+/// too little of what is left: then nobody asks for its slopes and intervals.
 bool MayPass(const FitProblem& problem, const FitResult& without, const FitResult& with,
              size_t core, double tried) {
   if (!with.ok) return false;

@@ -18,8 +18,8 @@ struct FullTrial {
   bool fails = false;      ///< the model cannot be run with it (screening.h)
 };
 
-/// `points`: on the coarse record (screening.h). `go_on(share)`: progress from 0 to 1, false = stop.
-/// Candidates of `list` must outlive the result.
+/// `points`: on the coarse record (screening.h). `go_on(share)`: progress from 0 to 1, false =
+/// stop. Candidates of `list` must outlive the result.
 std::vector<FullTrial> TryEffects(const FitProblem& problem, const FitProblem& coarse,
                                   const FreeModel& model, const FitResult& fit,
                                   const std::vector<Point>& points,

@@ -5,11 +5,11 @@
 //   not_described   something is there that neither has; also data that contradict themselves
 //   undecidable     two effects explain as much: the record does not tell which. Where others that
 //                   are told take most already, those two are no more than a reason
-// "Noise": of the mean square of the worst channel over that of sensor noise and uncertain input, no
-// more than 1 is beyond the noise and follows what the rig did (motion_share.h), so that whatever
-// the model lacks is no larger than the noise itself. What does not follow is noise with a colour,
-// unless it comes and goes: that is something beside the rig.
-// "Most": more than half of the mean square beyond the noise.
+// "Noise": of the mean square of the worst channel over that of sensor noise and uncertain input,
+// no more than 1 is beyond the noise and follows what the rig did (motion_share.h), so that
+// whatever the model lacks is no larger than the noise itself. What does not follow is noise with a
+// colour, unless it comes and goes: that is something beside the rig. "Most": more than half of the
+// mean square beyond the noise.
 #pragma once
 
 #include <limits>

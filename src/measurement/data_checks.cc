@@ -41,8 +41,8 @@ Likeness Compare(const std::vector<double>& measured, const std::vector<double>&
 }
 
 constexpr double kLike = 0.6;  ///< correlation beyond which a channel follows, or runs against
-/// Swing over the model's, either way: beyond what a declared model is wrong by, to be asked about, and
-/// another unit.
+/// Swing over the model's, either way: beyond what a declared model is wrong by, to be asked about,
+/// and another unit.
 constexpr double kFar = 3, kOtherUnit = 32;
 
 bool IsBeyond(double ratio, double factor) { return std::abs(std::log(ratio)) >= std::log(factor); }

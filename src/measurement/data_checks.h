@@ -24,13 +24,13 @@ void MarkMotionSpikes(Channel* channel, std::vector<DataFinding>* findings);
 /// end of its range it is saturated, elsewhere stuck.
 void MarkStuck(Channel* channel, const RigRun& run, std::vector<DataFinding>* findings);
 
-/// A driving motion ten times beyond the stroke is in mm (or um): brought to metres. Returns the metres
-/// of one unit, 1 where nothing was to be done.
+/// A driving motion ten times beyond the stroke is in mm (or um): brought to metres. Returns the
+/// metres of one unit, 1 where nothing was to be done.
 double MendInputScale(const hydraulics::PhsParams& params, Channel* input,
                       std::vector<DataFinding>* findings);
 
-/// How far the swings of the outputs are from the prediction: median of |ln ratio|, what does not follow
-/// it as if it were a thousand times off. A driving motion in cm puts all of them out.
+/// How far the swings of the outputs are from the prediction: median of |ln ratio|, what does not
+/// follow it as if it were a thousand times off. A driving motion in cm puts all of them out.
 double SwingsOff(const FitData& data, const std::vector<std::vector<double>>& predicted);
 
 /// The driving motions times `factor`.
@@ -41,8 +41,9 @@ void ScaleInputs(double factor, FitData* data);
 bool InputIsSwapped(const FitData& data, const std::vector<std::vector<double>>& predicted);
 
 /// Compares the outputs with those predicted by the declared model and mends what is beyond doubt:
-/// two channels under each other's name (of one quantity or of two), a swapped sign, another unit that
-/// is known (units.h). What swings 3 … 32 times too much or too little is asked about, not mended.
+/// two channels under each other's name (of one quantity or of two), a swapped sign, another unit
+/// that is known (units.h). What swings 3 … 32 times too much or too little is asked about, not
+/// mended.
 void MendOutputs(const std::vector<std::vector<double>>& predicted, FitData* data);
 
 /// What contradicts a fitted model all the same, a sentence each: a channel that runs against it,

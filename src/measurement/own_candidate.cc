@@ -21,7 +21,8 @@ bool Says(const std::string& text, const std::string& word) {
   return false;
 }
 
-/// Letters, digits and underscores, a letter first: it stands in model.yaml and in paths of numbers.
+/// Letters, digits and underscores, a letter first: it stands in model.yaml and in paths of
+/// numbers.
 bool IsName(const std::string& text) {
   const auto fits = [](char c) { return c == '_' || std::isalnum(static_cast<unsigned char>(c)); };
   return !text.empty() && std::isalpha(static_cast<unsigned char>(text[0])) &&

@@ -30,8 +30,8 @@ TEST(ElementIdentify, NothingHiddenNothingFound) {
   }
 }
 
-/// The declared law's own ramp in place of tanh, so that the noise, which remembers three samples, is
-/// all that is left: two to three times what a white noise of its differences would be.
+/// The declared law's own ramp in place of tanh, so that the noise, which remembers three samples,
+/// is all that is left: two to three times what a white noise of its differences would be.
 TEST(ElementIdentify, ACleanRecordWithColouredNoiseIsSufficient) {
   for (const unsigned seed : {11u, 12u}) {
     const auto r = BenchRecord("coloured", seed, [](const Sample& s) {
@@ -187,7 +187,8 @@ TEST(SwallowedUnit, IsToldByTheNumbersThatItDrives) {
   auto few = numbers(1 / 4.4482216, 1);
   few.erase(few.begin() + 1);
   EXPECT_EQ(FindSwallowedUnit(few), std::nullopt);
-  // The measured seal that ships, fitted from a textbook's numbers: three happen to look like centimetres.
+  // The measured seal that ships, fitted from a textbook's numbers: three happen to look like
+  // centimetres.
   EXPECT_EQ(FindSwallowedUnit({{"friction.coulomb_N", 5, 3.175},
                                {"friction.viscous_Ns_per_m", 50, 7.446},
                                {"friction.stiffness_N_per_m", 5e4, 5633}}),

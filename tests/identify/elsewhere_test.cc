@@ -20,7 +20,8 @@ using testing::ElementsAre;
 constexpr int kRows = 600;
 const char* const kAmount = "conductance_m3_per_Pas";
 
-/// y = 100 friction.scale sin(0.03 i) + 1e13 times the leak's wave: of L1, and of L2 turned by `apart` [rad].
+/// y = 100 friction.scale sin(0.03 i) + 1e13 times the leak's wave: of L1, and of L2 turned by
+/// `apart` [rad].
 class TwoLines final : public ForwardModel {
  public:
   explicit TwoLines(double apart) : apart_(apart) {
