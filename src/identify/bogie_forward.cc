@@ -72,9 +72,8 @@ std::string KeyOf(const Scenario& s, size_t samples) {
 /// - creep: Polach's law in the place of FASTSIM or its table (the same where slip is small);
 /// - seals: how they hold before they slide is assumed in every PHS model: a bristle half as stiff
 ///   that yields from the first micrometre;
-/// - contact: this program has the radius under the load within 0.045 mm of that of elastic
-///   half-spaces (tests/rail/half_space_test.cc); on a tread whose radius rises by 0.25 per shift
-///   that is 0.2 mm on each rail.
+/// - contact: a wheel has the radius that elastic half-spaces give it up to 0.22 mm aside of where
+///   they do (tests/rail/half_space_test.cc): 0.2 mm on each rail.
 std::vector<Scenario> OtherTheories(const Scenario& own, const PhsParams& params) {
   constexpr double kSofter = 0.5, kElsewhere_m = 4e-4;
   std::vector<Scenario> others(2, own);

@@ -59,12 +59,20 @@ class Search {
   }
 
   /// Where something is left and nothing takes it, the numbers are those that leave least: the
-  /// likelihood would let the discrepancy have what the numbers could.
+  /// likelihood would let the discrepancy have what the numbers could. What theory leaves open is
+  /// none of it.
   void KeepPlainFit() {
-    if (!out_.effects.empty() || out_.before.channel_ms.empty()) return;
-    const std::vector<double>& left = out_.before.channel_ms;
-    if (*std::max_element(left.begin(), left.end()) - 1 > kAsLargeAsNoise) out_.after = out_.before;
+    if (!out_.effects.empty() || out_.before.powers.rows().empty()) return;
+    const Likelihood& likelihood = problem_.likelihood();
+    const std::vector<double> excess = likelihood.Excess(out_.before.powers);
+    for (size_t b = 0; b < excess.size(); ++b) {
+      const Block& block = likelihood.blocks()[b];
+      if (excess[b] > kAsLargeAsNoise * block.count * block.present) out_.after = out_.before;
+    }
   }
+
+  /// An interval is centred on its number, which [-2 ln L] of 0.5 would leave 0.7 deviations off.
+  static constexpr double kSettled = 0.02;
 
   Status FitDeclared(const hydraulics::PhsParams& declared) {
     out_.declared = problem_.forward().Declared(declared);
@@ -87,7 +95,7 @@ class Search {
                    "a model that can follow the measured motion", "check model and data"};
     }
     out_.base = FitNear(problem_, out_.declared, out_.before.values, {},
-                        {.max_steps = 8, .final_slopes = true});
+                        {.max_steps = 8, .final_slopes = true, .enough = kSettled});
     if (!out_.base.ok) out_.base = out_.before;
     out_.corrected = out_.declared, out_.after = out_.base;
     return {};
@@ -113,8 +121,8 @@ class Search {
   }
 
   void Refit(const FreeModel& model, FitResult* fit) const {
-    FitResult again =
-        FitNear(problem_, model, fit->values, {}, {.max_steps = 6, .final_slopes = true});
+    FitResult again = FitNear(problem_, model, fit->values, {},
+                              {.max_steps = 6, .final_slopes = true, .enough = kSettled});
     if (again.ok) *fit = std::move(again);
   }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/words.h"
 #include "effects/unlisted.h"
 #include "identify/accept.h"
 
@@ -60,6 +61,14 @@ bool TakeOutEdges(Identification* found) {
     base += form.free.size();
   }
   return found->after.values.size() < before;
+}
+
+std::string NameBesideRivals(const AcceptedEffect& effect) {
+  const std::string& name = effect.candidate.effect;
+  const bool elsewhere =
+      std::any_of(effect.confusable_with.begin(), effect.confusable_with.end(),
+                  [&](const std::string& rival) { return rival.starts_with(name + " on "); });
+  return elsewhere ? name + " on " + JoinWords(effect.candidate.params.targets) : name;
 }
 
 std::vector<std::string> UntoldNames(const Identification& found) {

@@ -61,6 +61,9 @@ bool IsToldInTheEnd(const Identification& found, size_t effect);
 /// be fitted anew, its values are those of the numbers that are left.
 bool TakeOutEdges(Identification* found);
 
+/// The effect, with its part where the same on another part explains the record, too.
+std::string NameBesideRivals(const AcceptedEffect& effect);
+
 /// Effects of `untold`, each once.
 std::vector<std::string> UntoldNames(const Identification& found);
 

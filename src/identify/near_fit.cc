@@ -37,7 +37,7 @@ class Fitter {
       const double before = score_;
       if (!Step()) break;
       SetPowers();
-      if (before - score_ < kEnough && first_ == options_.first_own) break;
+      if (before - score_ < options_.enough && first_ == options_.first_own) break;
     }
     at_.ok = true;
     if (options_.final_slopes && !current_) {
@@ -49,8 +49,6 @@ class Fitter {
   }
 
  private:
-  static constexpr double kEnough = 0.5;  // [-2 ln L]: far below what any comparison asks for
-
   int count() const { return static_cast<int>(model_.free.size()); }
 
   bool Begin(const Eigen::MatrixXd& kept) {
@@ -112,7 +110,7 @@ class Fitter {
       const Eigen::VectorXd step =
           BoundedStep(model_, at_.values, residual, slopes, lambda_, kReach);
       predicted = residual.squaredNorm() - (residual + slopes * step).squaredNorm();
-      if (predicted < kEnough) break;
+      if (predicted < options_.enough) break;
       std::vector<double> moved = Moved(model_, at_.values, step);
       Eigen::VectorXd r = problem_.Residual(model_, moved);
       ++at_.runs;
@@ -126,7 +124,8 @@ class Fitter {
       lambda_ = std::max(1e-7, lambda_ / 10);
       break;
     }
-    const bool aged = fall < 0.3 * predicted && predicted > kEnough && (fall > 0 || !fresh_);
+    const bool aged =
+        fall < 0.3 * predicted && predicted > options_.enough && (fall > 0 || !fresh_);
     if (aged) {
       first_ = 0;  // the kept columns have aged
       lambda_ = std::min(lambda_, 1e-3);

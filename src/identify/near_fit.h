@@ -38,6 +38,7 @@ struct NearFitOptions {
   /// that lacks something. It follows what is large; the likelihood, what is sure.
   bool flat = false;
   bool final_slopes = false;  ///< all columns at the end
+  double enough = 0.5;        ///< less to be had ends the fit [-2 ln L]: a comparison asks for more
 };
 
 /// `kept`: columns of the numbers before `first_own`, as coefficients, at or near `start`.

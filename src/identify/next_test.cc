@@ -164,7 +164,7 @@ Status PutNextTest(const FitProblem& problem, const Identification& found, const
   }
   for (const AcceptedEffect& effect : found.effects) {
     if (test || effect.confusable_with.empty()) continue;
-    tests.push_back(effect.candidate.effect + " against " + JoinWords(effect.confusable_with) +
+    tests.push_back(NameBesideRivals(effect) + " against " + JoinWords(effect.confusable_with) +
                     none);
   }
   if (!test && !found.untold.empty()) {

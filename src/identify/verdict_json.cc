@@ -36,7 +36,7 @@ std::vector<NamedEffect> NamedEffects(const Identification& found) {
   for (size_t i = 0; i < found.effects.size(); ++i) {
     const AcceptedEffect& effect = found.effects[i];
     if (formed && IsFormula(effect)) continue;
-    out.push_back({effect.candidate.effect, effect.confusable_with, effect.special_case_of});
+    out.push_back({NameBesideRivals(effect), effect.confusable_with, effect.special_case_of});
     out.back().at_end = NumbersAtEnd(found, effect.candidate);
     if (formed == i) out.back().own_form = found.formula.text;
   }

@@ -96,6 +96,7 @@ TEST(Elsewhere, TheSameEffectOnAnotherPartIsARival) {
   const std::string here = found.effects[0].candidate.params.targets[0];
   EXPECT_THAT(found.effects[0].confusable_with,
               ElementsAre(here == "L1" ? "external_leakage on L2" : "external_leakage on L1"));
+  EXPECT_EQ(NameBesideRivals(found.effects[0]), "external_leakage on " + here);
   ASSERT_EQ(found.effects[0].rivals.size(), 1u);
   EXPECT_NE(found.effects[0].rivals[0].form.params.targets[0], here);
 }
@@ -105,6 +106,7 @@ TEST(Elsewhere, IsNoneWhereTheRecordTellsThem) {
   ASSERT_EQ(found.effects.size(), 1u);
   EXPECT_THAT(found.effects[0].candidate.params.targets, ElementsAre("L1"));
   EXPECT_TRUE(found.effects[0].confusable_with.empty());
+  EXPECT_EQ(NameBesideRivals(found.effects[0]), "external_leakage");
   EXPECT_TRUE(found.effects[0].rivals.empty());
 }
 
