@@ -15,44 +15,46 @@ namespace {
 
 using hydraulics::PhsParams;
 
-constexpr int kRows = 600;
-constexpr double kAmplitude = 100;
+constexpr int kSettledRows = 600;
+constexpr double kSettledAmplitude = 100;
 
 /// Slow, where theory is open, and fast, where it is not.
-double Seal(int i) { return kAmplitude * (std::sin(0.03 * i) + 0.3 * std::sin(0.9 * i)); }
-double Theory(int i) { return 20 * std::sin(0.05 * i + 1); }
+double SealWaves(int i) {
+  return kSettledAmplitude * (std::sin(0.03 * i) + 0.3 * std::sin(0.9 * i));
+}
+double OpenTheory(int i) { return 20 * std::sin(0.05 * i + 1); }
 /// An error of another shape and no larger.
-double Like(int i) { return 15 * std::sin(0.046 * i + 3); }
+double OfItsSize(int i) { return 15 * std::sin(0.046 * i + 3); }
 
 /// y = friction.scale times a sum of two waves + `open` times what theory leaves open, noise 1.
-class OneWave final : public ForwardModel {
+class SettledModel final : public ForwardModel {
  public:
-  OneWave(double scale, double open) : open_(open) {
+  SettledModel(double scale, double open) : open_(open) {
     std::mt19937 random(3);
     std::normal_distribution<double> normal;
     std::vector<double> y;
-    for (int i = 0; i < kRows; ++i) {
-      y.push_back(scale * Seal(i) + open * (Theory(i) + Like(i)) + normal(random));
+    for (int i = 0; i < kSettledRows; ++i) {
+      y.push_back(scale * SealWaves(i) + open * (OpenTheory(i) + OfItsSize(i)) + normal(random));
     }
     measured_.push_back({"load_cell_N", y, 1.0});
   }
   const std::vector<MeasuredBlock>& Measured() const override { return measured_; }
   Status Run(const PhsParams& params, Span, Channels* out) const override {
     out->assign(1, {});
-    for (int i = 0; i < kRows; ++i) {
-      out->front().push_back(params.friction.scale * Seal(i));
+    for (int i = 0; i < kSettledRows; ++i) {
+      out->front().push_back(params.friction.scale * SealWaves(i));
     }
     return {};
   }
   Status Uncertainty(const PhsParams&, Span, Channels* deviation) const override {
-    deviation->assign(1, std::vector<double>(kRows, 0.0));
+    deviation->assign(1, std::vector<double>(kSettledRows, 0.0));
     return {};
   }
   Status TheoryDifferences(const PhsParams&, Span, std::vector<Channels>* out) const override {
     out->clear();
     if (open_ == 0) return {};
     std::vector<double>& row = out->emplace_back(1).front();
-    for (int i = 0; i < kRows; ++i) row.push_back(Theory(i));
+    for (int i = 0; i < kSettledRows; ++i) row.push_back(OpenTheory(i));
     return {};
   }
   FreeModel Declared(const PhsParams& declared) const override {
@@ -60,7 +62,7 @@ class OneWave final : public ForwardModel {
   }
   std::vector<Candidate> Candidates(const PhsParams&) const override { return {}; }
   std::shared_ptr<const ForwardModel> Coarse(double) const override {
-    return std::make_shared<const OneWave>(*this);
+    return std::make_shared<const SettledModel>(*this);
   }
 
  private:
@@ -68,9 +70,9 @@ class OneWave final : public ForwardModel {
   std::vector<MeasuredBlock> measured_;
 };
 
-Identification FoundIn(double scale, double open) {
+Identification SettledIn(double scale, double open) {
   const PhsParams declared = phs_model::FindPhsParams("quarter_setup2").value();
-  auto problem = FitProblem::Create(std::make_shared<const OneWave>(scale, open), declared);
+  auto problem = FitProblem::Create(std::make_shared<const SettledModel>(scale, open), declared);
   EXPECT_TRUE(problem.ok());
   SearchOptions options;
   options.formula = false;
@@ -82,10 +84,10 @@ Identification FoundIn(double scale, double open) {
 // The fit ended where half a unit of -2 ln L was left to be had: 0.7 deviations off, or where it
 // began.
 TEST(SettledFit, FollowsTheTruthByAThirdOfItsInterval) {
-  const Identification at = FoundIn(1, 0);
+  const Identification at = SettledIn(1, 0);
   const double half = at.after.half_95[0];
   for (const double part : {-0.3, 0.15, 0.3}) {
-    const Identification moved = FoundIn(std::exp(part * half), 0);
+    const Identification moved = SettledIn(std::exp(part * half), 0);
     EXPECT_NEAR(std::log(moved.after.values[0] / at.after.values[0]), part * half, 0.1 * half);
   }
 }
@@ -93,7 +95,7 @@ TEST(SettledFit, FollowsTheTruthByAThirdOfItsInterval) {
 // What theory leaves open is nothing that the numbers must take: they were those of the fit that
 // follows what is large, at every clean record of a bogie.
 TEST(SettledFit, IsThatOfTheLikelihoodWhereTheoryIsOpen) {
-  const Identification found = FoundIn(1.1, 1);
+  const Identification found = SettledIn(1.1, 1);
   EXPECT_GT(found.before.channel_ms[0], 10);
   EXPECT_NE(found.before.values, found.base.values);
   EXPECT_EQ(found.after.values, found.base.values);

@@ -40,6 +40,10 @@ const std::vector<Hideable>& HideableList() {
       {"gas_L3", "gas of L3 over what it was", Gas<2>},
       {"seal_1", "seal friction of cylinder 1 over the others'",
        [](double v, Truth* t) { t->steering.seal.scale[0] *= v; }},
+      {"seals", "seal friction of every cylinder over what it was",
+       [](double v, Truth* t) {
+         for (double& scale : t->steering.seal.scale) scale *= v;
+       }},
       {"viscous", "viscous friction of every seal beside the declared [N s/m]",
        [](double v, Truth* t) { t->steering.seal.viscous = v; }},
       {"cant", "cant of the curve beyond the declared [m]",
