@@ -1,5 +1,6 @@
-// The contact of the independent bogie (tests/rigdata/bogie_curve), whose files include nothing of the
-// product, against elastic half-spaces, as the product's own in tests/rail/half_space_test.cc.
+// The contact of the independent bogie (tests/rigdata/bogie_curve) against elastic half-spaces, as
+// the product's own in tests/rail/half_space_test.cc. It stands here as the files of the
+// independent bogie include nothing from elsewhere.
 #include <gtest/gtest.h>
 
 #include <algorithm>
