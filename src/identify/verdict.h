@@ -8,8 +8,8 @@
 // "Noise": of the mean square of the worst channel over that of sensor noise and uncertain input,
 // no more than 1 is beyond the noise and follows what the rig did (motion_share.h), so that
 // whatever the model lacks is no larger than the noise itself. What does not follow is noise with a
-// colour, unless it comes and goes: that is something beside the rig. "Most": more than half of the
-// mean square beyond the noise.
+// colour, unless it comes and goes: that is something beside the rig.
+// "Most": more than half of the mean square beyond the noise.
 #pragma once
 
 #include <limits>

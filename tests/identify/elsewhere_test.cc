@@ -10,6 +10,7 @@
 
 #include "identify/effect_search.h"
 #include "phs_model/phs_model.h"
+#include "tests/identify/search_record.h"
 
 namespace phs::identify::search {
 namespace {
@@ -78,16 +79,7 @@ class TwoLines final : public ForwardModel {
   std::vector<MeasuredBlock> measured_;
 };
 
-Identification FoundWith(double apart) {
-  const PhsParams declared = phs_model::FindPhsParams("quarter_setup2").value();
-  auto problem = FitProblem::Create(std::make_shared<const TwoLines>(apart), declared);
-  EXPECT_TRUE(problem.ok());
-  SearchOptions options;
-  options.formula = false;
-  auto found = Identify(&problem.value(), declared, options, {});
-  EXPECT_TRUE(found.ok());
-  return found.value();
-}
+Identification FoundWith(double apart) { return FoundBy(std::make_shared<const TwoLines>(apart)); }
 
 // One of them was named, as if the record had told it.
 TEST(Elsewhere, TheSameEffectOnAnotherPartIsARival) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 #include <random>
 
 #include "identify/effect_search.h"
@@ -43,6 +44,18 @@ inline measurement::FitData Record(const hydraulics::PhsParams& truth, bool hold
     for (double& y : data.outputs.back().values) y += noise[c] * normal(random);
   }
   return data;
+}
+
+/// What the search without formulas finds for the quarter rig of setup 2.
+inline Identification FoundBy(std::shared_ptr<const ForwardModel> forward) {
+  const hydraulics::PhsParams declared = phs_model::FindPhsParams("quarter_setup2").value();
+  auto problem = FitProblem::Create(std::move(forward), declared);
+  EXPECT_TRUE(problem.ok());
+  SearchOptions options;
+  options.formula = false;
+  auto found = Identify(&problem.value(), declared, options, {});
+  EXPECT_TRUE(found.ok());
+  return found.value();
 }
 
 /// `data` must outlive it.

@@ -9,6 +9,7 @@
 
 #include "identify/effect_search.h"
 #include "phs_model/phs_model.h"
+#include "tests/identify/search_record.h"
 
 namespace phs::identify::search {
 namespace {
@@ -71,14 +72,7 @@ class SettledModel final : public ForwardModel {
 };
 
 Identification SettledIn(double scale, double open) {
-  const PhsParams declared = phs_model::FindPhsParams("quarter_setup2").value();
-  auto problem = FitProblem::Create(std::make_shared<const SettledModel>(scale, open), declared);
-  EXPECT_TRUE(problem.ok());
-  SearchOptions options;
-  options.formula = false;
-  auto found = Identify(&problem.value(), declared, options, {});
-  EXPECT_TRUE(found.ok());
-  return found.value();
+  return FoundBy(std::make_shared<const SettledModel>(scale, open));
 }
 
 // The fit ended where half a unit of -2 ln L was left to be had: 0.7 deviations off, or where it
