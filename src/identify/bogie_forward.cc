@@ -68,26 +68,43 @@ std::string KeyOf(const Scenario& s, size_t samples) {
                      vehicle::ToYaml(s));
 }
 
-/// The scenario by other theories that are as respectable as its own, one of each kind:
+/// A scenario and its PHS.
+struct Theory {
+  Scenario scenario;
+  PhsParams phs;
+};
+
+/// Other theories that are as respectable as the scenario's own, one of each kind:
 /// - creep: Polach's law in the place of FASTSIM or its table (the same where slip is small);
 /// - seals: how they hold before they slide is assumed in every PHS model: a bristle half as stiff
 ///   that yields from the first micrometre;
 /// - contact: a wheel has the radius that elastic half-spaces give it up to 0.22 mm aside of where
 ///   they do (tests/rail/half_space_test.cc): 0.2 mm on each rail.
-std::vector<Scenario> OtherTheories(const Scenario& own, const PhsParams& params) {
+std::vector<Theory> OtherTheories(const Scenario& own, const PhsParams& params) {
   constexpr double kSofter = 0.5, kElsewhere_m = 4e-4;
-  std::vector<Scenario> others(2, own);
-  others[0].creep = own.creep == "polach" ? "fastsim" : "polach";
-  others[1].track_errors.widening_m += kElsewhere_m;
+  std::vector<Theory> others(2, {own, params});
+  others[0].scenario.creep = own.creep == "polach" ? "fastsim" : "polach";
+  others[1].scenario.track_errors.widening_m += kElsewhere_m;
   if (params.friction.model == hydraulics::FrictionModel::kPresliding) {
-    std::map<std::string, double>& numbers = others.emplace_back(own).phs_changes.parameters;
-    const std::string stiffness = "friction.stiffness_N_per_m";
-    if (auto value = phs_model::GetParameter(params, stiffness); value.ok()) {
-      numbers[stiffness] = kSofter * value.value();
+    Theory& seals = others.emplace_back(Theory{own, params});
+    std::map<std::string, double>& numbers = seals.scenario.phs_changes.parameters;
+    for (const auto& [name, factor] : {std::pair{"friction.stiffness_N_per_m", kSofter},
+                                       std::pair{"friction.breakaway_ratio", 0.0}}) {
+      auto value = phs_model::GetParameter(params, name);
+      if (!value.ok()) continue;
+      numbers[name] = factor * value.value();
+      PHS_CHECK(phs_model::SetParameter(&seals.phs, name, numbers[name]).ok());
     }
-    numbers["friction.breakaway_ratio"] = 0;
   }
   return others;
+}
+
+/// The PHS alone: effects of wheel and track stand in the same list.
+PhsParams PhsAlone(PhsParams params) {
+  std::erase_if(params.effects, [](const EffectParams& effect) {
+    return vehicle::FindRunningEffect(effect.name) != nullptr;
+  });
+  return params;
 }
 
 }  // namespace
@@ -131,7 +148,8 @@ Result<BogieModel> LoadBogieModel(const std::string& scenario, const std::vector
     if (vehicle::FindRunningEffect(effect.name) != nullptr) model.phs.effects.push_back(effect);
   }
   model.free = free;
-  // Oil yields a tenth of what gas does and in the same way: a record does not tell it.
+  // Oil yields a tenth of what gas does and in nearly the same way: a run that the vehicle predicts
+  // does not tell it.
   if (free.empty()) model.free = {"friction.scale", "lines.gas_volume_m3"};
   model.free = TakenApart(model.phs, model.free);
   if (Status st = CheckFree(model.phs, model.free); !st.ok()) return st.error();
@@ -154,6 +172,12 @@ Result<BogieModel> LoadBogieModel(const std::string& scenario, const std::vector
   model.declared.boxes = vehicle::BoxNames(simulation.value().model());
   model.track_length_m = simulation.value().binding().track().length();
   return model;
+}
+
+void FreeOil(BogieModel* model) {
+  for (std::string& name : TakenApart(model->phs, {"lines.oil_volume_m3"})) {
+    model->free.push_back(std::move(name));
+  }
 }
 
 Result<Scenario> ScenarioWith(const BogieModel& model, const PhsParams& params) {
@@ -191,12 +215,34 @@ std::string RunChannelOf(const BogieModel& model, const std::string& column) {
   return known(name) ? name : "";
 }
 
+PhsOutputsOf FindPhsOutputs(const BogieModel& model, const FitData& data) {
+  const auto find = [&](const std::string& channel) {
+    for (size_t i = 0; i < data.outputs.size(); ++i) {
+      if (RunChannelOf(model, data.outputs[i].name) == channel) return static_cast<int>(i);
+    }
+    return -1;
+  };
+  PhsOutputsOf out;
+  for (const auto& cylinder : model.phs.cylinders) {
+    out.pistons.push_back(find("cylinder_" + cylinder.name + "_piston_m"));
+    out.forces.push_back(find("cylinder_" + cylinder.name + "_force_N"));
+  }
+  for (const auto& line : model.phs.lines) {
+    out.pressures.push_back(find("line_" + line.name + "_pressure_Pa"));
+  }
+  return out;
+}
+
 BogieForward::BogieForward(const FitData& data, BogieModel model, int stride)
     : RecordForward(data, stride),
       data_(data),
       model_(std::move(model)),
       stride_(stride),
-      kept_(std::make_shared<KeptRuns>()) {}
+      kept_(std::make_shared<KeptRuns>()) {
+  if (!model_.by_measured_ways) return;
+  const PhsParams phs = PhsAlone(model_.phs);
+  ways_ = MeasuredWays::Of(data, FindPhsOutputs(model_, data), phs, stride);
+}
 
 size_t BogieForward::Samples(Span span) const {
   if (span == Span::kWhole) return data_.time_s.size();
@@ -289,14 +335,21 @@ Result<double> BogieForward::FitStep(const PhsParams& params) const {
 Status BogieForward::RunSpan(const PhsParams& params, Span span, Channels* out) const {
   auto scenario = ScenarioWith(model_, params);
   if (!scenario.ok()) return scenario.status();
-  return RunScenario(std::move(scenario).value(), span, out);
+  return RunTheory(std::move(scenario).value(), params, span, out);
 }
 
-Status BogieForward::UncertaintySpan(const PhsParams&, Span span, Channels* deviation) const {
+Status BogieForward::RunTheory(Scenario scenario, const PhsParams& params, Span span,
+                               Channels* out) const {
+  const Status done = RunScenario(std::move(scenario), span, out);
+  return done.ok() && ways_ != nullptr ? ways_->Put(PhsAlone(params), span, out) : done;
+}
+
+Status BogieForward::UncertaintySpan(const PhsParams& params, Span span,
+                                     Channels* deviation) const {
   const size_t by = span == Span::kWhole ? 1 : static_cast<size_t>(stride_);
   const size_t rows = (Samples(span) + by - 1) / by;
   deviation->assign(data_.outputs.size(), std::vector<double>(rows, 0.0));
-  return {};
+  return ways_ != nullptr ? ways_->PutUncertainty(PhsAlone(params), span, deviation) : Status();
 }
 
 Status BogieForward::TheorySpan(const PhsParams& params, Span span,
@@ -304,13 +357,13 @@ Status BogieForward::TheorySpan(const PhsParams& params, Span span,
   auto scenario = ScenarioWith(model_, params);
   if (!scenario.ok()) return scenario.status();
   Channels own;
-  if (Status s = RunScenario(scenario.value(), span, &own); !s.ok()) return s;
-  std::vector<Scenario> others = OtherTheories(scenario.value(), params);
+  if (Status s = RunTheory(scenario.value(), params, span, &own); !s.ok()) return s;
+  std::vector<Theory> others = OtherTheories(scenario.value(), params);
   differences->assign(others.size(), {});
   std::vector<Status> ran(others.size());
   ThreadBudget(model_.threads).ForEach(static_cast<int>(others.size()), [&](int i) {
     const auto k = static_cast<size_t>(i);
-    ran[k] = RunScenario(std::move(others[k]), span, &(*differences)[k]);
+    ran[k] = RunTheory(std::move(others[k].scenario), others[k].phs, span, &(*differences)[k]);
   });
   for (size_t i = 0; i < ran.size(); ++i) {
     if (!ran[i].ok()) return ran[i];

@@ -4,8 +4,8 @@
 // The numbers of a fit are those of a PHS model (hydraulics::PhsParams): the declared PHS of the
 // scenario and, in its list of effects, whatever is tried. Effects of wheel and track
 // (vehicle/running_effects.h) stand in the same list and are taken out of it before a run; so one
-// search serves both. Nothing measured drives the run but the track, the speed and the place: the
-// whole run is predicted.
+// search serves both. Nothing measured drives the run but the track, the speed and the place; forces
+// and pressures of the PHS are those at the measured ways where all of these are (measured_ways.h).
 //
 // Place, not time, joins run and measurement: output(t_i) is that of the simulated vehicle where
 // its leading wheelset has come as far along the track as the measured one had at t_i. A speed that
@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "identify/effect_variants.h"
+#include "identify/measured_ways.h"
 #include "identify/record_forward.h"
 #include "measurement/fit_data.h"
 #include "vehicle/running_effects.h"
@@ -40,6 +41,7 @@ struct BogieModel {
   double track_length_m = 0;
   /// Step of the runs of a fit; 0: the scenario's, as of every run whose numbers are reported.
   double fit_step_s = 0;
+  bool by_measured_ways = false;  ///< forces and pressures, where the record has the ways
   int threads = 1;  ///< for runs by other theories
 };
 
@@ -48,6 +50,9 @@ struct BogieModel {
 Result<BogieModel> LoadBogieModel(const std::string& scenario, const std::vector<std::string>& free,
                                   const std::vector<std::string>& candidates);
 
+/// Frees the oil of the lines beside the usual numbers.
+void FreeOil(BogieModel* model);
+
 /// The scenario with the numbers and effects of `params` put in: what runs, and what is written.
 Result<vehicle::Scenario> ScenarioWith(const BogieModel& model,
                                        const hydraulics::PhsParams& params);
@@ -55,6 +60,9 @@ Result<vehicle::Scenario> ScenarioWith(const BogieModel& model,
 /// Channel of a run that a measured column stands for: itself, or of a rig's names "piston1_m",
 /// "load1_N", "pL1_Pa". Empty: none.
 std::string RunChannelOf(const BogieModel& model, const std::string& column);
+
+/// Outputs of a record that are of its PHS.
+PhsOutputsOf FindPhsOutputs(const BogieModel& model, const measurement::FitData& data);
 
 /// The last runs by what was run.
 class KeptRuns {
@@ -79,16 +87,20 @@ class BogieForward final : public RecordForward {
   /// The longest stable step, if by it the run up to the end of the estimation window differs by no
   /// more than a tenth of the noise in any channel; else 0.
   Result<double> FitStep(const hydraulics::PhsParams& params) const;
+  /// True if forces and pressures are those at the measured ways.
+  bool ByMeasuredWays() const { return ways_ != nullptr; }
 
  private:
   Status RunSpan(const hydraulics::PhsParams& params, Span span, Channels* out) const override;
-  /// Nothing measured drives it but the place.
+  /// For the measured ways: nothing else that is uncertain drives it.
   Status UncertaintySpan(const hydraulics::PhsParams& params, Span span,
                          Channels* deviation) const override;
   /// Other laws than its own that agree where slip, or presliding, is small and where all slides,
   /// and differ between.
   Status TheorySpan(const hydraulics::PhsParams& params, Span span,
                     std::vector<Channels>* differences) const override;
+  Status RunTheory(vehicle::Scenario scenario, const hydraulics::PhsParams& params, Span span,
+                   Channels* out) const;
   /// On the rows of the span, from the last runs where it is one of them.
   Status RunScenario(vehicle::Scenario scenario, Span span, Channels* out) const;
   /// Every sample from the first on, so many.
@@ -100,6 +112,7 @@ class BogieForward final : public RecordForward {
   BogieModel model_;
   int stride_ = 1;
   std::shared_ptr<KeptRuns> kept_;  ///< shared with what Coarse() gave
+  std::shared_ptr<const MeasuredWays> ways_;
 };
 
 }  // namespace phs::identify::search

@@ -35,12 +35,29 @@ Result<BogieCase> LoadBogieCase(const Manifest& manifest, bool several = false) 
   return c;
 }
 
-/// The same, with the step of the runs of a fit.
+/// Where a record begins with the run, before a piston has moved, and has all ways: forces and
+/// pressures are those at the ways, which tell oil from gas.
+void TakeWays(bool usual_free, BogieCase* c) {
+  constexpr double kBeyond_m = 2;
+  const double begin = c->data.motion.front().position.front();
+  c->model.by_measured_ways = begin <= c->model.start_m + kBeyond_m;
+  if (!BogieForward(c->data, c->model).ByMeasuredWays()) {
+    c->model.by_measured_ways = false;
+    return;
+  }
+  if (usual_free) FreeOil(&c->model);
+  c->data.findings.push_back(
+      {"cylinders", "every piston is measured: forces and pressures are compared with those of the "
+                    "PHS at the measured ways"});
+}
+
+/// The same, with what is fitted of it and the step of the runs of a fit.
 Result<BogieCase> LoadBogieToFit(const Manifest& manifest, int threads, bool several) {
   auto loaded = LoadBogieCase(manifest, several);
   if (!loaded.ok() || manifest.runs.front().estimation.empty()) return loaded;
   BogieCase& c = loaded.value();
   c.model.threads = threads;
+  TakeWays(manifest.free.empty(), &c);
   auto step = BogieForward(c.data, c.model).FitStep(c.model.phs);
   if (!step.ok()) return step.error();
   c.model.fit_step_s = step.value();

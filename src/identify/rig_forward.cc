@@ -26,9 +26,9 @@ constexpr int kMostOfThinned = 5;
 
 }  // namespace
 
-Result<std::shared_ptr<const ForwardModel>> RigForward::Create(const FitData& data,
-                                                               const PhsParams& declared,
-                                                               int stride) {
+Result<std::shared_ptr<const RigForward>> RigForward::Create(const FitData& data,
+                                                             const PhsParams& declared,
+                                                             int stride) {
   Result<RigModel> model = RigModel::Create(data.kind, declared, data.options);
   if (!model.ok()) return model.error();
   const auto& names = model.value().output_names();
@@ -38,7 +38,7 @@ Result<std::shared_ptr<const ForwardModel>> RigForward::Create(const FitData& da
         static_cast<int>(std::find(names.begin(), names.end(), channel.name) - names.begin()));
   }
   auto redrawn = std::make_shared<RedrawnMotion>(data);
-  return std::shared_ptr<const ForwardModel>(
+  return std::shared_ptr<const RigForward>(
       new RigForward(data, std::move(redrawn), std::move(index), stride));
 }
 

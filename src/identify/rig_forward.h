@@ -32,9 +32,9 @@ class PressureMemory {
 class RigForward final : public RecordForward {
  public:
   /// `data` must outlive it. Error: the declared model does not fit the rig.
-  static Result<std::shared_ptr<const ForwardModel>> Create(const measurement::FitData& data,
-                                                            const hydraulics::PhsParams& declared,
-                                                            int stride = 1);
+  static Result<std::shared_ptr<const RigForward>> Create(const measurement::FitData& data,
+                                                          const hydraulics::PhsParams& declared,
+                                                          int stride = 1);
 
   Result<FormulaFrame> Frame(const hydraulics::PhsParams& params,
                              const std::string& channel) const override;
@@ -44,14 +44,14 @@ class RigForward final : public RecordForward {
   std::shared_ptr<const ForwardModel> Driven(const rigs::RigMotion& motion,
                                              double until_s) const override;
   std::shared_ptr<const ForwardModel> Coarse(double step_s) const override;
-
- private:
   Status RunSpan(const hydraulics::PhsParams& params, Span span, Channels* out) const override;
   /// Through what remains uncertain of the driving speed: where friction is steep (near standstill)
   /// a sample says little. Of a model whose friction or mounting has states, through what
   /// remains uncertain of the way too (redrawn_motion.h), the larger of the two.
   Status UncertaintySpan(const hydraulics::PhsParams& params, Span span,
                          Channels* deviation) const override;
+
+ private:
   RigForward(const measurement::FitData& data, std::shared_ptr<measurement::RedrawnMotion> redrawn,
              std::vector<int> output_index, int stride);
   /// Samples of the whole record -> those of `short_`.
