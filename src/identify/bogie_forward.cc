@@ -9,6 +9,7 @@
 
 #include "base/data_path.h"
 #include "base/words.h"
+#include "effects/catalogue.h"
 #include "identify/bogie_candidates.h"
 #include "identify/own_candidates.h"
 #include "identify/thread_budget.h"
@@ -77,18 +78,20 @@ struct Theory {
 /// Other theories that are as respectable as the scenario's own, one of each kind:
 /// - creep: Polach's law in the place of FASTSIM or its table (the same where slip is small);
 /// - seals: how they hold before they slide is assumed in every PHS model: a bristle half as stiff
-///   that yields from the first micrometre;
+///   (unless the stiffness is free) that yields from the first micrometre;
 /// - contact: a wheel has the radius that elastic half-spaces give it up to 0.22 mm aside of where
 ///   they do (tests/rail/half_space_test.cc): 0.2 mm on each rail.
-std::vector<Theory> OtherTheories(const Scenario& own, const PhsParams& params) {
+std::vector<Theory> OtherTheories(const Scenario& own, const PhsParams& params,
+                                  bool stiffness_free) {
   constexpr double kSofter = 0.5, kElsewhere_m = 4e-4;
   std::vector<Theory> others(2, {own, params});
   others[0].scenario.creep = own.creep == "polach" ? "fastsim" : "polach";
   others[1].scenario.track_errors.widening_m += kElsewhere_m;
   if (params.friction.model == hydraulics::FrictionModel::kPresliding) {
+    const double softer = stiffness_free ? 1 : kSofter;
     Theory& seals = others.emplace_back(Theory{own, params});
     std::map<std::string, double>& numbers = seals.scenario.phs_changes.parameters;
-    for (const auto& [name, factor] : {std::pair{"friction.stiffness_N_per_m", kSofter},
+    for (const auto& [name, factor] : {std::pair{"friction.stiffness_N_per_m", softer},
                                        std::pair{"friction.breakaway_ratio", 0.0}}) {
       auto value = phs_model::GetParameter(params, name);
       if (!value.ok()) continue;
@@ -99,11 +102,16 @@ std::vector<Theory> OtherTheories(const Scenario& own, const PhsParams& params) 
   return others;
 }
 
-/// The PHS alone: effects of wheel and track stand in the same list.
-PhsParams PhsAlone(PhsParams params) {
-  std::erase_if(params.effects, [](const EffectParams& effect) {
-    return vehicle::FindRunningEffect(effect.name) != nullptr;
-  });
+/// True of what shows in forces and pressures at the ways of the pistons: not of wheel and track,
+/// which stand in the same list of effects, nor of what lies behind the pistons.
+bool IsAtPistons(const EffectParams& effect) {
+  if (vehicle::FindRunningEffect(effect.name) != nullptr) return false;
+  const hydraulics::EffectInfo* info = effects::Catalogue().FindFor(effect);
+  return info == nullptr || info->family != "mounting";
+}
+
+PhsParams PhsAtPistons(PhsParams params) {
+  std::erase_if(params.effects, [](const EffectParams& effect) { return !IsAtPistons(effect); });
   return params;
 }
 
@@ -174,9 +182,12 @@ Result<BogieModel> LoadBogieModel(const std::string& scenario, const std::vector
   return model;
 }
 
-void FreeOil(BogieModel* model) {
+void FreeByWays(BogieModel* model) {
   for (std::string& name : TakenApart(model->phs, {"lines.oil_volume_m3"})) {
     model->free.push_back(std::move(name));
+  }
+  if (model->phs.friction.model == hydraulics::FrictionModel::kPresliding) {
+    model->free.emplace_back("friction.stiffness_N_per_m");
   }
 }
 
@@ -240,7 +251,7 @@ BogieForward::BogieForward(const FitData& data, BogieModel model, int stride)
       stride_(stride),
       kept_(std::make_shared<KeptRuns>()) {
   if (!model_.by_measured_ways) return;
-  const PhsParams phs = PhsAlone(model_.phs);
+  const PhsParams phs = PhsAtPistons(model_.phs);
   ways_ = MeasuredWays::Of(data, FindPhsOutputs(model_, data), phs, stride);
 }
 
@@ -333,15 +344,32 @@ Result<double> BogieForward::FitStep(const PhsParams& params) const {
 }
 
 Status BogieForward::RunSpan(const PhsParams& params, Span span, Channels* out) const {
-  auto scenario = ScenarioWith(model_, params);
+  auto scenario = ScenarioWith(model_, OfVehicle(params, span));
   if (!scenario.ok()) return scenario.status();
   return RunTheory(std::move(scenario).value(), params, span, out);
+}
+
+std::shared_ptr<const ForwardModel> BogieForward::About(const PhsParams& params) const {
+  if (ways_ == nullptr) return nullptr;
+  auto out = std::make_shared<BogieForward>(*this);
+  out->held_ = std::make_shared<const PhsParams>(params);
+  return out;
+}
+
+PhsParams BogieForward::OfVehicle(const PhsParams& params, Span span) const {
+  if (held_ == nullptr || span == Span::kWhole) return params;
+  PhsParams out = *held_;
+  std::erase_if(out.effects, [](const EffectParams& effect) { return !IsAtPistons(effect); });
+  for (const EffectParams& effect : params.effects) {
+    if (!IsAtPistons(effect)) out.effects.push_back(effect);
+  }
+  return out;
 }
 
 Status BogieForward::RunTheory(Scenario scenario, const PhsParams& params, Span span,
                                Channels* out) const {
   const Status done = RunScenario(std::move(scenario), span, out);
-  return done.ok() && ways_ != nullptr ? ways_->Put(PhsAlone(params), span, out) : done;
+  return done.ok() && ways_ != nullptr ? ways_->Put(PhsAtPistons(params), span, out) : done;
 }
 
 Status BogieForward::UncertaintySpan(const PhsParams& params, Span span,
@@ -349,7 +377,7 @@ Status BogieForward::UncertaintySpan(const PhsParams& params, Span span,
   const size_t by = span == Span::kWhole ? 1 : static_cast<size_t>(stride_);
   const size_t rows = (Samples(span) + by - 1) / by;
   deviation->assign(data_.outputs.size(), std::vector<double>(rows, 0.0));
-  return ways_ != nullptr ? ways_->PutUncertainty(PhsAlone(params), span, deviation) : Status();
+  return ways_ != nullptr ? ways_->PutUncertainty(PhsAtPistons(params), span, deviation) : Status();
 }
 
 Status BogieForward::TheorySpan(const PhsParams& params, Span span,
@@ -358,7 +386,9 @@ Status BogieForward::TheorySpan(const PhsParams& params, Span span,
   if (!scenario.ok()) return scenario.status();
   Channels own;
   if (Status s = RunTheory(scenario.value(), params, span, &own); !s.ok()) return s;
-  std::vector<Theory> others = OtherTheories(scenario.value(), params);
+  const bool stiffness_free = std::find(model_.free.begin(), model_.free.end(),
+                                        "friction.stiffness_N_per_m") != model_.free.end();
+  std::vector<Theory> others = OtherTheories(scenario.value(), params, stiffness_free);
   differences->assign(others.size(), {});
   std::vector<Status> ran(others.size());
   ThreadBudget(model_.threads).ForEach(static_cast<int>(others.size()), [&](int i) {

@@ -45,7 +45,7 @@ void TakeWays(bool usual_free, BogieCase* c) {
     c->model.by_measured_ways = false;
     return;
   }
-  if (usual_free) FreeOil(&c->model);
+  if (usual_free) FreeByWays(&c->model);
   c->data.findings.push_back(
       {"cylinders", "every piston is measured: forces and pressures are compared with those of the "
                     "PHS at the measured ways"});

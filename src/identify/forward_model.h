@@ -76,6 +76,12 @@ class ForwardModel {
                                                      double /*until_s*/) const {
     return nullptr;
   }
+  /// The same near `params`, for fits that begin there: over kEstimation, what says little of some
+  /// numbers for all that its theory leaves open is held at those of `params`. Null: nothing is held.
+  virtual std::shared_ptr<const ForwardModel> About(
+      const hydraulics::PhsParams& /*params*/) const {
+    return nullptr;
+  }
   /// The same over the record on a clock of about `step_s`; a model that is fast may give itself.
   virtual std::shared_ptr<const ForwardModel> Coarse(double step_s) const = 0;
   /// True if its runs take as long as those of the whole: only its rows are fewer.

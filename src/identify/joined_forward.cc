@@ -265,6 +265,17 @@ std::shared_ptr<const ForwardModel> JoinedForward::Driven(const rigs::RigMotion&
   return out;
 }
 
+std::shared_ptr<const ForwardModel> JoinedForward::About(const PhsParams& params) const {
+  auto out = std::shared_ptr<JoinedForward>(new JoinedForward(*this));
+  bool any = false;
+  for (size_t r = 0; r < parts_.size(); ++r) {
+    auto about = parts_[r].forward->About(ParamsOf(params, r));
+    if (about == nullptr) continue;
+    out->parts_[r].forward = std::move(about), any = true;
+  }
+  return any ? out : nullptr;
+}
+
 std::shared_ptr<const ForwardModel> JoinedForward::Coarse(double step_s) const {
   auto out = std::shared_ptr<JoinedForward>(new JoinedForward(*this));
   out->measured_.clear();

@@ -46,6 +46,7 @@ class JoinedForward final : public ForwardModel {
   std::vector<Candidate> Candidates(const hydraulics::PhsParams& params) const override;
   std::shared_ptr<const ForwardModel> Driven(const rigs::RigMotion& motion,
                                              double until_s) const override;
+  std::shared_ptr<const ForwardModel> About(const hydraulics::PhsParams& params) const override;
   std::shared_ptr<const ForwardModel> Coarse(double step_s) const override;
   bool CoarseRunsAsLong() const override { return parts_.front().forward->CoarseRunsAsLong(); }
 

@@ -80,6 +80,7 @@ Result<FitProblem> FitProblem::Create(std::shared_ptr<const ForwardModel> forwar
 }
 
 void FitProblem::SetWeights(Weighting weighting) {
+  if (weighting.about != nullptr) forward_ = std::move(weighting.about);
   weight_ = std::move(weighting.sample);
   std::vector<Block> blocks;
   num_rows_ = 0;
@@ -121,6 +122,7 @@ Result<Weighting> FitProblem::CalcWeights(const PhsParams& params) const {
   for (const Channels& difference : differences) {
     out.theories.push_back(OnResidual(out.sample, difference));
   }
+  out.about = forward_->About(params);
   return out;
 }
 

@@ -69,6 +69,7 @@ using SampleWeights = std::vector<std::vector<double>>;  ///< [block][row], 0 = 
 struct Weighting {
   SampleWeights sample;
   std::vector<Eigen::VectorXd> theories;  ///< differences, weighted (likelihood.h)
+  std::shared_ptr<const ForwardModel> about;  ///< ForwardModel::About
 };
 
 /// Measured rows, their weights and the model: everything a fit needs. Thread-safe for reading.
