@@ -102,6 +102,18 @@ std::vector<Theory> OtherTheories(const Scenario& own, const PhsParams& params,
   return others;
 }
 
+/// Where axles find their place: in tight curves the independent program puts them as if the seals
+/// held 0.92 times as much, and as if there were 1.2 times the gas (docs/identify_bogie.md).
+void AddOtherPlaces(const Scenario& own, const PhsParams& params, std::vector<Theory>* others) {
+  for (const auto& [name, factor] :
+       {std::pair{"friction.scale", 0.92}, std::pair{"lines.gas_volume_m3", 1.2}}) {
+    auto value = phs_model::GetParameter(params, name);
+    if (!value.ok()) continue;
+    others->push_back({own, params});
+    others->back().scenario.phs_changes.parameters[name] = factor * value.value();
+  }
+}
+
 /// True of what shows in forces and pressures at the ways of the pistons: not of wheel and track,
 /// which stand in the same list of effects, nor of what lies behind the pistons.
 bool IsAtPistons(const EffectParams& effect) {
@@ -389,6 +401,7 @@ Status BogieForward::TheorySpan(const PhsParams& params, Span span,
   const bool stiffness_free = std::find(model_.free.begin(), model_.free.end(),
                                         "friction.stiffness_N_per_m") != model_.free.end();
   std::vector<Theory> others = OtherTheories(scenario.value(), params, stiffness_free);
+  if (ways_ != nullptr) AddOtherPlaces(scenario.value(), params, &others);
   differences->assign(others.size(), {});
   std::vector<Status> ran(others.size());
   ThreadBudget(model_.threads).ForEach(static_cast<int>(others.size()), [&](int i) {

@@ -24,6 +24,20 @@ struct BogieCase {
   FitData data;
 };
 
+/// Where a record begins with the run, before a piston has moved, and has all ways: forces and
+/// pressures are those at the ways.
+void TakeWays(const Manifest& manifest, BogieCase* c) {
+  constexpr double kBeyond_m = 2;
+  const double begin = c->data.motion.front().position.front();
+  BogieModel& model = c->model;
+  model.by_measured_ways = manifest.measured_ways && begin <= model.start_m + kBeyond_m;
+  model.by_measured_ways = BogieForward(c->data, model).ByMeasuredWays();
+  if (!model.by_measured_ways) return;
+  if (manifest.free.empty()) FreeByWays(&model);
+  c->data.findings.push_back({"pistons", "are measured: forces and pressures are those of the PHS "
+                                         "at these ways (ways: predicted takes the vehicle's)"});
+}
+
 /// Data and declared model, checked against each other.
 Result<BogieCase> LoadBogieCase(const Manifest& manifest, bool several = false) {
   auto model = LoadBogieModel(manifest.model, manifest.free, manifest.candidates);
@@ -32,32 +46,16 @@ Result<BogieCase> LoadBogieCase(const Manifest& manifest, bool several = false) 
   auto data = ReadBogieData(manifest, &c.model, several);
   if (!data.ok()) return data.error();
   c.data = std::move(data).value();
+  TakeWays(manifest, &c);
   return c;
 }
 
-/// Where a record begins with the run, before a piston has moved, and has all ways: forces and
-/// pressures are those at the ways, which tell oil from gas.
-void TakeWays(bool usual_free, BogieCase* c) {
-  constexpr double kBeyond_m = 2;
-  const double begin = c->data.motion.front().position.front();
-  c->model.by_measured_ways = begin <= c->model.start_m + kBeyond_m;
-  if (!BogieForward(c->data, c->model).ByMeasuredWays()) {
-    c->model.by_measured_ways = false;
-    return;
-  }
-  if (usual_free) FreeByWays(&c->model);
-  c->data.findings.push_back(
-      {"cylinders", "every piston is measured: forces and pressures are compared with those of the "
-                    "PHS at the measured ways"});
-}
-
-/// The same, with what is fitted of it and the step of the runs of a fit.
+/// The same, with the step of the runs of a fit.
 Result<BogieCase> LoadBogieToFit(const Manifest& manifest, int threads, bool several) {
   auto loaded = LoadBogieCase(manifest, several);
   if (!loaded.ok() || manifest.runs.front().estimation.empty()) return loaded;
   BogieCase& c = loaded.value();
   c.model.threads = threads;
-  TakeWays(manifest.free.empty(), &c);
   auto step = BogieForward(c.data, c.model).FitStep(c.model.phs);
   if (!step.ok()) return step.error();
   c.model.fit_step_s = step.value();

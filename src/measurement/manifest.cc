@@ -319,6 +319,10 @@ Result<Manifest> LoadManifest(const std::string& path, WindowNeed need) {
   if (map.Has("limits")) m.limits = ReadLimits(map.Map("limits"));
   m.compare_below_Hz = map.Number("compare_below_Hz", {.min = 0}, 0.0);
   m.low_pass_Hz = map.Number("low_pass_Hz", {.min = 0}, 0.0);
+  m.measured_ways = map.Word("ways", {"measured", "predicted"}, "measured") == "measured";
+  if (map.Has("ways") && m.rig != "bogie") {
+    map.Fail("ways", "are measured on rig: " + m.rig, "rig: bogie");
+  }
   m.compare_with = ReadComparison(map, m, need);
   RefuseOfOthers(map, m);
   bool any_estimation = false;

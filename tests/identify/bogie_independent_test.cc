@@ -16,30 +16,38 @@ namespace {
 
 class BogieIndependentTest : public testing::Test {
  protected:
-  /// A measured run of R = 550 m with something hidden, or nothing: what is found in it.
-  nlohmann::ordered_json Identified(uint64_t seed, const std::string& hide, double value,
-                                    const std::string& candidates) const {
-    bogie_curve::Truth truth = bogie_curve::DeclaredTruth("r550");
-    bogie_curve::DrawOffDeclared(seed, &truth);
-    if (!hide.empty()) bogie_curve::Hide(hide, value, &truth);
+  /// A run of the independent bogie, as it is.
+  static bogie_curve::MeasuredRun Run(const bogie_curve::Truth& truth) {
     const bogie_curve::TrackLine track(truth.design);
     bogie_curve::RunWish wish;
     wish.last_s = track.Length() - 5;
     const auto wheel = FindData("profile", "models/profiles", "S1002", {".prw"});
     EXPECT_TRUE(wheel.ok());
     const std::string profiles = std::filesystem::path(wheel.value()).parent_path();
-    bogie_curve::MeasuredRun run =
-        bogie_curve::Measure(bogie_curve::MakeBogie(truth, track, profiles), wish);
+    return bogie_curve::Measure(bogie_curve::MakeBogie(truth, track, profiles), wish);
+  }
+  /// A measured run of R = 550 m with something hidden, or nothing: what is found in it.
+  nlohmann::ordered_json Identified(uint64_t seed, const std::string& hide, double value,
+                                    const std::string& candidates) const {
+    bogie_curve::Truth truth = bogie_curve::DeclaredTruth("r550");
+    bogie_curve::DrawOffDeclared(seed, &truth);
+    if (!hide.empty()) bogie_curve::Hide(hide, value, &truth);
+    bogie_curve::MeasuredRun run = Run(truth);
     bogie_curve::AddInstruments(seed, &run);
+    return Found(run, "measured_r550", "[0.2, 13]", "[13, 24.5]", candidates, 1);
+  }
+  nlohmann::ordered_json Found(const bogie_curve::MeasuredRun& run, const std::string& scenario,
+                               const std::string& estimation, const std::string& validation,
+                               const std::string& candidates, int max_effects) const {
     std::ofstream(scratch_.File("run.csv")) << bogie_curve::Csv(run);
     std::ofstream(scratch_.File("manifest.yaml"))
-        << "rig: bogie\nmodel: measured_r550\ndata: run.csv\nestimation: [0.2, 13]\n"
-        << "validation: [13, 24.5]\ncandidates: [" << candidates << "]\n";
+        << "rig: bogie\nmodel: " << scenario << "\ndata: run.csv\nestimation: " << estimation
+        << "\nvalidation: " << validation << "\ncandidates: [" << candidates << "]\n";
     const auto manifest = measurement::LoadManifest(scratch_.File("manifest.yaml"));
     EXPECT_TRUE(manifest.ok());
     auto dir = ResultDir::Create(scratch_.File("out"), true);
     SearchOptions options;
-    options.effort.max_effects = 1;
+    options.effort.max_effects = max_effects;
     const auto outcome = IdentifyBogie(manifest.value(), options, nullptr, dir.value());
     EXPECT_TRUE(outcome.ok()) << outcome.error().Line();
     return outcome.value().result;
@@ -53,6 +61,22 @@ TEST_F(BogieIndependentTest, NothingIsNamedInACleanRecord) {
   const auto result = Identified(1, "", 0, "");
   EXPECT_TRUE(result["effects"].empty()) << result["effects"].dump(1);
   EXPECT_EQ(result["verdict"], "sufficient") << result["reasons"].dump(1);
+}
+
+// In a tight curve the two programs put the axles 0.04 to 0.08 mm apart. Predicted with the vehicle,
+// friction came out 0.92 and gas 1.2 times as it is there; forces and pressures at the measured ways
+// do not know of it.
+TEST_F(BogieIndependentTest, NumbersOfThePhsDoNotFollowWhereTheAxlesStand) {
+  bogie_curve::Truth truth = bogie_curve::DeclaredTruth("r250");
+  std::ofstream(scratch_.File("r250.yaml"))
+      << "track: curve_r250\nvehicle: bogie\nbogie: phs_declared\nspeed_km_h: 50\nwheel: S1002\n"
+      << "rail: UIC60\nfriction: 0.35\ncreep: kalker_table\n";
+  const auto result = Found(Run(truth), scratch_.File("r250.yaml"), "[0.2, 16]", "[16, 30.8]", "", 0);
+  const auto value = [&](const char* name) { return result["fitted"][name]["value"].get<double>(); };
+  EXPECT_NEAR(value("friction.scale"), 1, 0.02);
+  EXPECT_NEAR(value("lines.gas_volume_m3"), 16.16e-6, 0.01 * 16.16e-6);
+  EXPECT_NEAR(value("lines.oil_volume_m3"), 1.1e-3, 0.1 * 1.1e-3) << "told by a tenth of what gas is";
+  EXPECT_NEAR(value("friction.stiffness_N_per_m"), 3.6e7, 0.1 * 3.6e7);
 }
 
 // 0.599 [0.597, 0.600] on 2026-11-26: the load of the wheels tells it.
