@@ -384,11 +384,22 @@ Status BogieForward::RunTheory(Scenario scenario, const PhsParams& params, Span 
   return done.ok() && ways_ != nullptr ? ways_->Put(PhsAtPistons(params), span, out) : done;
 }
 
+Channels BogieForward::NoErrors(Span span) const {
+  const size_t by = span == Span::kWhole ? 1 : static_cast<size_t>(stride_);
+  return Channels(data_.outputs.size(),
+                  std::vector<double>((Samples(span) + by - 1) / by, 0.0));
+}
+
+Status BogieForward::InputErrorsSpan(const PhsParams& params, Span span,
+                                     std::vector<Channels>* draws) const {
+  draws->clear();
+  if (ways_ == nullptr) return {};
+  return ways_->Errors(PhsAtPistons(params), span, NoErrors(span), draws);
+}
+
 Status BogieForward::UncertaintySpan(const PhsParams& params, Span span,
                                      Channels* deviation) const {
-  const size_t by = span == Span::kWhole ? 1 : static_cast<size_t>(stride_);
-  const size_t rows = (Samples(span) + by - 1) / by;
-  deviation->assign(data_.outputs.size(), std::vector<double>(rows, 0.0));
+  *deviation = NoErrors(span);
   return ways_ != nullptr ? ways_->PutUncertainty(PhsAtPistons(params), span, deviation) : Status();
 }
 

@@ -100,6 +100,9 @@ class BogieForward final : public RecordForward {
   /// For the measured ways: nothing else that is uncertain drives it.
   Status UncertaintySpan(const hydraulics::PhsParams& params, Span span,
                          Channels* deviation) const override;
+  Status InputErrorsSpan(const hydraulics::PhsParams& params, Span span,
+                         std::vector<Channels>* draws) const override;
+  Channels NoErrors(Span span) const;  ///< zeros for every output
   /// Other laws than its own that agree where slip, or presliding, is small and where all slides,
   /// and differ between.
   Status TheorySpan(const hydraulics::PhsParams& params, Span span,

@@ -80,6 +80,9 @@ Result<std::vector<LeftOver>> OverNoise(const FitData& data, const ForwardModel&
   const Status known = forward.TheoryDifferences(params, ForwardModel::Span::kWhole, &differences);
   if (!known.ok()) return known.error();
   AddRms(differences, &uncertain);
+  const Status drawn = forward.InputErrors(params, ForwardModel::Span::kWhole, &differences);
+  if (!drawn.ok()) return drawn.error();
+  AddRms(differences, &uncertain);
   const auto row = [&](double t) {
     return static_cast<size_t>(std::lower_bound(data.time_s.begin(), data.time_s.end(), t) -
                                data.time_s.begin());

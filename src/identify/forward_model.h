@@ -60,6 +60,14 @@ class ForwardModel {
     differences->clear();
     return {};
   }
+  /// Draws of the error that the outputs over the span have because what drives the model was
+  /// measured with noise, scaled so that their powers add up to its power: where it has a colour that
+  /// Uncertainty() does not tell. None: it tells all.
+  virtual Status InputErrors(const hydraulics::PhsParams& /*params*/, Span /*span*/,
+                             std::vector<Channels>* draws) const {
+    draws->clear();
+    return {};
+  }
   /// What a formula for a channel may depend on. Error: it has no such channel, or no single
   /// cylinder.
   virtual Result<FormulaFrame> Frame(const hydraulics::PhsParams& params,

@@ -172,13 +172,23 @@ Status JoinedForward::Uncertainty(const PhsParams& params, Span span, Channels* 
 
 Status JoinedForward::TheoryDifferences(const PhsParams& params, Span span,
                                         std::vector<Channels>* differences) const {
-  differences->clear();
+  return EachSet(&ForwardModel::TheoryDifferences, params, span, differences);
+}
+
+Status JoinedForward::InputErrors(const PhsParams& params, Span span,
+                                  std::vector<Channels>* draws) const {
+  return EachSet(&ForwardModel::InputErrors, params, span, draws);
+}
+
+Status JoinedForward::EachSet(AskedSets ask, const PhsParams& params, Span span,
+                              std::vector<Channels>* out) const {
+  out->clear();
   std::vector<std::vector<Channels>> runs;
   size_t most = 0;
   for (size_t r = 0; r < parts_.size(); ++r) {
     if (span == Span::kEstimation && !fitted_[r]) continue;
     std::vector<Channels>& own = runs.emplace_back();
-    Status done = parts_[r].forward->TheoryDifferences(ParamsOf(params, r), span, &own);
+    Status done = (parts_[r].forward.get()->*ask)(ParamsOf(params, r), span, &own);
     if (!done.ok()) return done;
     if (own.empty()) return {};
     most = std::max(most, own.size());
@@ -187,14 +197,14 @@ Status JoinedForward::TheoryDifferences(const PhsParams& params, Span span,
     std::vector<Channels> one;
     for (std::vector<Channels>& own : runs) {
       one.push_back(t < own.size() ? own[t] : own.front());
-      if (t < own.size()) continue;  // a theory that this run does not know
+      if (t < own.size()) continue;  // a set that this run does not know
       for (std::vector<double>& row : one.back()) std::fill(row.begin(), row.end(), 0.0);
     }
     if (span == Span::kWhole) {
-      differences->push_back(Join(one));
+      out->push_back(Join(one));
       continue;
     }
-    Channels& all = differences->emplace_back();
+    Channels& all = out->emplace_back();
     for (Channels& run : one) std::move(run.begin(), run.end(), std::back_inserter(all));
   }
   return {};

@@ -39,6 +39,8 @@ class JoinedForward final : public ForwardModel {
   /// One error for all runs.
   Status TheoryDifferences(const hydraulics::PhsParams& params, Span span,
                            std::vector<Channels>* differences) const override;
+  Status InputErrors(const hydraulics::PhsParams& params, Span span,
+                     std::vector<Channels>* draws) const override;
   Result<FormulaFrame> Frame(const hydraulics::PhsParams& params,
                              const std::string& channel) const override;
   bool TellsLines() const override;
@@ -57,7 +59,12 @@ class JoinedForward final : public ForwardModel {
 
  private:
   using Asked = Status (ForwardModel::*)(const hydraulics::PhsParams&, Span, Channels*) const;
+  using AskedSets = Status (ForwardModel::*)(const hydraulics::PhsParams&, Span,
+                                             std::vector<Channels>*) const;
   JoinedForward() = default;
+  /// Sets of every run, side by side; none where a run has none.
+  Status EachSet(AskedSets ask, const hydraulics::PhsParams& params, Span span,
+                 std::vector<Channels>* out) const;
   Status Each(Asked ask, const hydraulics::PhsParams& params, Span span, Channels* out) const;
   /// What whole runs gave, on the joined clock.
   Channels Join(const std::vector<Channels>& runs) const;

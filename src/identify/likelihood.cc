@@ -7,7 +7,8 @@
 namespace phs::identify {
 
 Likelihood::Likelihood(std::vector<Block> blocks, double noise_known,
-                       const std::vector<Eigen::VectorXd>& theories)
+                       const std::vector<Eigen::VectorXd>& theories,
+                       const std::vector<Eigen::VectorXd>& inputs)
     : blocks_(std::move(blocks)) {
   for (const Block& block : blocks_) {
     bands_.emplace_back(block.count);
@@ -18,7 +19,7 @@ Likelihood::Likelihood(std::vector<Block> blocks, double noise_known,
   for (size_t t = 0; t < theories.size(); ++t) {
     theory_.col(static_cast<Eigen::Index>(t)) = InOctaves(theories[t]);
   }
-  SetFloors(noise_known);
+  SetFloors(noise_known, inputs);
   if (theories.empty()) return;
   const Eigen::VectorXd weight = Weights(floor_).head(size_).array().square();
   const Eigen::MatrixXd weighted = theory_.transpose() * weight.asDiagonal();
@@ -27,9 +28,10 @@ Likelihood::Likelihood(std::vector<Block> blocks, double noise_known,
   along_ = normal.ldlt().solve(weighted);
 }
 
-/// Of theories in all blocks, and what each octave is worth.
-void Likelihood::SetFloors(double noise_known) {
-  std::vector<BandPowers> open;
+/// Of inputs and theories in all blocks, and what each octave is worth.
+void Likelihood::SetFloors(double noise_known, const std::vector<Eigen::VectorXd>& inputs) {
+  std::vector<BandPowers> open, driven;
+  for (const Eigen::VectorXd& draw : inputs) driven.push_back(Powers(InOctaves(draw)));
   for (Eigen::Index t = 0; t < theory_.cols(); ++t) open.push_back(Powers(theory_.col(t)));
   std::vector<std::vector<double>> doubt;  // g of each band of each block
   std::vector<double> sharing;             // their sum over the blocks
@@ -45,6 +47,7 @@ void Likelihood::SetFloors(double noise_known) {
         power += u, squares += u * u;
       }
       floor[k] += power;
+      for (const BandPowers& one : driven) floor[k] += one(b, static_cast<int>(k));
       doubt[b][k] = squares / ((1 + power) * (1 + power));
       sharing[k] += doubt[b][k];
     }

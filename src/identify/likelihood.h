@@ -15,6 +15,10 @@
 // coefficients, would outvote all others for the sake of a per cent (a likelihood tempered so is
 // the coarsened posterior of Miller and Dunson 2019, J. Am. Stat. Assoc. 114, 1113).
 //
+// Where the motion that drives the model was measured with noise, the error that this makes has a
+// colour that the weights of samples do not tell: its power V_b, over the noise, of draws, is added to
+// that of noise: S_b >= 1 + e + V_b.
+//
 // Where the theory of the model leaves something open (forward_model.h), the difference d_t between
 // it and each other one is one draw of an error of unknown size, common to all blocks. So
 // - what lies along d_t costs its amplitude: -2 ln L is that of c - D a, and a², with the a that
@@ -57,9 +61,10 @@ class BandPowers {
 class Likelihood {
  public:
   /// `noise_known`: e, as in Acceptance. `theories`: d of each theory beside the model's own, on
-  /// the rows of a residual.
+  /// the rows of a residual. `inputs`: draws of the error for what drives it, whose powers add up.
   Likelihood(std::vector<Block> blocks, double noise_known,
-             const std::vector<Eigen::VectorXd>& theories = {});
+             const std::vector<Eigen::VectorXd>& theories = {},
+             const std::vector<Eigen::VectorXd>& inputs = {});
 
   const std::vector<Block>& blocks() const { return blocks_; }
   const OctaveBands& bands(size_t block) const { return bands_[block]; }
@@ -94,14 +99,14 @@ class Likelihood {
   std::vector<int> Parts(int parts) const;
 
  private:
-  void SetFloors(double noise_known);
+  void SetFloors(double noise_known, const std::vector<Eigen::VectorXd>& inputs);
   Eigen::VectorXd InOctaves(const Eigen::VectorXd& residual) const;
 
   std::vector<Block> blocks_;
   std::vector<OctaveBands> bands_;
   std::vector<int> first_;  ///< coefficient of each block
   int size_ = 0;            ///< coefficients of all blocks
-  BandPowers floor_;        ///< power that is noise or left open by theory
+  BandPowers floor_;        ///< power that is noise, of inputs too, or left open by theory
   BandPowers most_worth_;   ///< 2/e²
   BandPowers shared_;       ///< C g
   Eigen::MatrixXd theory_;  ///< D: a column for each

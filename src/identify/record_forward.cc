@@ -54,4 +54,12 @@ Status RecordForward::TheoryDifferences(const hydraulics::PhsParams& params, Spa
   return done;
 }
 
+Status RecordForward::InputErrors(const hydraulics::PhsParams& params, Span span,
+                                  std::vector<Channels>* draws) const {
+  Status done = InputErrorsSpan(params, span, draws);
+  if (!done.ok() || span != Span::kEstimation) return done;
+  for (Channels& one : *draws) one = OnRows(one);
+  return done;
+}
+
 }  // namespace phs::identify::search

@@ -14,6 +14,8 @@ class RecordForward : public ForwardModel {
                      Channels* deviation) const final;
   Status TheoryDifferences(const hydraulics::PhsParams& params, Span span,
                            std::vector<Channels>* differences) const final;
+  Status InputErrors(const hydraulics::PhsParams& params, Span span,
+                     std::vector<Channels>* draws) const final;
 
  protected:
   /// `data` must outlive it. `stride`: every so manyth sample is run.
@@ -25,6 +27,11 @@ class RecordForward : public ForwardModel {
   virtual Status TheorySpan(const hydraulics::PhsParams& /*params*/, Span /*span*/,
                             std::vector<Channels>* differences) const {
     differences->clear();
+    return {};
+  }
+  virtual Status InputErrorsSpan(const hydraulics::PhsParams& /*params*/, Span /*span*/,
+                                 std::vector<Channels>* draws) const {
+    draws->clear();
     return {};
   }
   /// Of each fitted row in what RunSpan gives for kEstimation.

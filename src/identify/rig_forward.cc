@@ -155,27 +155,37 @@ bool RigForward::HasStates(const PhsParams& params) const {
   return rig.ok() && rig.value().system().num_friction_states() > 0;
 }
 
-Status RigForward::AddDraws(const PhsParams& params, Span span, Channels* deviation) const {
-  constexpr double kReach = 0.05;  // [s]
+Status RigForward::DrawnErrors(const PhsParams& params, Span span,
+                               std::vector<Channels>* draws) const {
+  draws->clear();
   Channels plain;
   if (Status s = RunSpan(params, span, &plain); !s.ok()) return s;
-  std::vector<Channels> with(plain.size());  // [channel][draw]
   for (const std::vector<SmoothMotion>& draw : redrawn_->Draws()) {
     std::shared_ptr<const rigs::RigPressures> pressures;
-    Channels drawn;
-    const Status s = RunMotion(params, MotionOf(draw, span), &pressures, &drawn);
+    Channels& error = draws->emplace_back();
+    const Status s = RunMotion(params, MotionOf(draw, span), &pressures, &error);
     if (!s.ok()) return s;
-    for (size_t c = 0; c < drawn.size(); ++c) {
-      if (!std::all_of(drawn[c].begin(), drawn[c].end(),
+    for (size_t c = 0; c < error.size(); ++c) {
+      for (size_t i = 0; i < error[c].size(); ++i) error[c][i] -= plain[c][i];
+      if (!std::all_of(error[c].begin(), error[c].end(),
                        [](double y) { return std::isfinite(y); })) {
         return Error{params.name, "no finite answer to the motion with other noise"};
       }
-      with[c].push_back(std::move(drawn[c]));
     }
   }
+  return {};
+}
+
+Status RigForward::AddDraws(const PhsParams& params, Span span, Channels* deviation) const {
+  constexpr double kReach = 0.05;  // [s]
+  std::vector<Channels> draws;
+  if (Status s = DrawnErrors(params, span, &draws); !s.ok()) return s;
   const double step = span == Span::kWhole ? full_.step_s : short_.step_s;
-  for (size_t c = 0; c < plain.size(); ++c) {
-    const std::vector<double> drawn = DeviationOfDraws(with[c], plain[c], step, kReach);
+  for (size_t c = 0; c < deviation->size(); ++c) {
+    std::vector<std::vector<double>> errors;
+    for (Channels& draw : draws) errors.push_back(std::move(draw[c]));
+    const std::vector<double> none((*deviation)[c].size(), 0.0);
+    const std::vector<double> drawn = DeviationOfDraws(errors, none, step, kReach);
     for (size_t i = 0; i < drawn.size(); ++i) {
       (*deviation)[c][i] = std::max(std::abs((*deviation)[c][i]), drawn[i]);
     }

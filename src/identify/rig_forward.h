@@ -50,6 +50,9 @@ class RigForward final : public RecordForward {
   /// remains uncertain of the way too (redrawn_motion.h), the larger of the two.
   Status UncertaintySpan(const hydraulics::PhsParams& params, Span span,
                          Channels* deviation) const override;
+  /// What each motion with fresh sensor noise changes (redrawn_motion.h): [draw], over the span.
+  Status DrawnErrors(const hydraulics::PhsParams& params, Span span,
+                     std::vector<Channels>* draws) const;
 
  private:
   RigForward(const measurement::FitData& data, std::shared_ptr<measurement::RedrawnMotion> redrawn,

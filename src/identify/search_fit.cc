@@ -35,7 +35,7 @@ std::vector<std::string> UsuallyFree(const PhsParams& declared) {
   return names;
 }
 
-/// A difference between theories, weighted, on the rows of a residual.
+/// A difference between runs, weighted, on the rows of a residual.
 Eigen::VectorXd OnResidual(const SampleWeights& weight, const Channels& difference) {
   std::vector<double> rows;
   for (size_t b = 0; b < weight.size(); ++b) {
@@ -91,7 +91,7 @@ void FitProblem::SetWeights(Weighting weighting) {
     num_rows_ += rows;
   }
   likelihood_ = std::make_shared<const Likelihood>(std::move(blocks), rule_.accept.noise_known,
-                                                   weighting.theories);
+                                                   weighting.theories, weighting.inputs);
 }
 
 Result<FitProblem> FitProblem::Coarse(const PhsParams& declared, double step_s) const {
@@ -122,6 +122,10 @@ Result<Weighting> FitProblem::CalcWeights(const PhsParams& params) const {
   for (const Channels& difference : differences) {
     out.theories.push_back(OnResidual(out.sample, difference));
   }
+  const Status drawn =
+      forward_->InputErrors(params, ForwardModel::Span::kEstimation, &differences);
+  if (!drawn.ok()) return drawn.error();
+  for (const Channels& error : differences) out.inputs.push_back(OnResidual(out.sample, error));
   out.about = forward_->About(params);
   return out;
 }

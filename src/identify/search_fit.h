@@ -69,6 +69,7 @@ using SampleWeights = std::vector<std::vector<double>>;  ///< [block][row], 0 = 
 struct Weighting {
   SampleWeights sample;
   std::vector<Eigen::VectorXd> theories;  ///< differences, weighted (likelihood.h)
+  std::vector<Eigen::VectorXd> inputs;    ///< ForwardModel::InputErrors, weighted
   std::shared_ptr<const ForwardModel> about;  ///< ForwardModel::About
 };
 

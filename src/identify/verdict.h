@@ -44,7 +44,7 @@ struct NamedEffect {
 struct FittedNumber {
   std::string name;
   double declared = 0, fitted = 0;
-  bool at_end = false;  ///< of the range that it was allowed
+  bool at_end = false;  ///< of the range that it was allowed, and told from what is declared
 };
 
 struct VerdictFacts {

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "identify/accept.h"
 #include "identify/own_form.h"
@@ -50,7 +51,10 @@ std::vector<FittedNumber> FittedNumbers(const Identification& found) {
     const FreeParameter& p = found.declared.free[i];
     const double at = p.ToCoordinate(found.after.values[i]);
     const double low = p.ToCoordinate(p.low), high = p.ToCoordinate(p.high);
-    const bool edge = std::min(at - low, high - at) < kEdge * (high - low);
+    // Where its interval holds what is declared the record does not tell it, wherever it ends.
+    const auto& half = found.after.half_95;
+    const bool told = i >= half.size() || std::abs(p.ToCoordinate(p.start) - at) > half[i];
+    const bool edge = told && std::min(at - low, high - at) < kEdge * (high - low);
     out.push_back({p.name, p.logarithmic ? p.start : 0, found.after.values[i], edge});
   }
   return out;
