@@ -386,8 +386,7 @@ Status BogieForward::RunTheory(Scenario scenario, const PhsParams& params, Span 
 
 Channels BogieForward::NoErrors(Span span) const {
   const size_t by = span == Span::kWhole ? 1 : static_cast<size_t>(stride_);
-  return Channels(data_.outputs.size(),
-                  std::vector<double>((Samples(span) + by - 1) / by, 0.0));
+  return Channels(data_.outputs.size(), std::vector<double>((Samples(span) + by - 1) / by, 0.0));
 }
 
 Status BogieForward::InputErrorsSpan(const PhsParams& params, Span span,

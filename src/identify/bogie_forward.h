@@ -42,7 +42,7 @@ struct BogieModel {
   /// Step of the runs of a fit; 0: the scenario's, as of every run whose numbers are reported.
   double fit_step_s = 0;
   bool by_measured_ways = false;  ///< forces and pressures, where the record has the ways
-  int threads = 1;  ///< for runs by other theories
+  int threads = 1;                ///< for runs by other theories
 };
 
 /// Loads scenario and PHS and looks at one instant of the run. Errors: what the files say wrongly,

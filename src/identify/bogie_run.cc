@@ -34,8 +34,9 @@ void TakeWays(const Manifest& manifest, BogieCase* c) {
   model.by_measured_ways = BogieForward(c->data, model).ByMeasuredWays();
   if (!model.by_measured_ways) return;
   if (manifest.free.empty()) FreeByWays(&model);
-  c->data.findings.push_back({"pistons", "are measured: forces and pressures are those of the PHS "
-                                         "at these ways (ways: predicted takes the vehicle's)"});
+  c->data.findings.push_back({"pistons",
+                              "are measured: forces and pressures are those of the PHS "
+                              "at these ways (ways: predicted takes the vehicle's)"});
 }
 
 /// Data and declared model, checked against each other.

@@ -86,8 +86,7 @@ class ForwardModel {
   }
   /// The same near `params`, for fits that begin there: over kEstimation, what says little of some
   /// numbers for all that its theory leaves open is held at those of `params`. Null: nothing is held.
-  virtual std::shared_ptr<const ForwardModel> About(
-      const hydraulics::PhsParams& /*params*/) const {
+  virtual std::shared_ptr<const ForwardModel> About(const hydraulics::PhsParams& /*params*/) const {
     return nullptr;
   }
   /// The same over the record on a clock of about `step_s`; a model that is fast may give itself.

@@ -14,7 +14,7 @@ namespace {
 constexpr size_t kCylinders = 4;       // all driven: rigs::RigKind::kFull
 constexpr double kLongestGap_s = 1.0;  // what slid meanwhile nobody knows
 
-constexpr double kMostLost = 0.1;      // of what an output owes to the ways
+constexpr double kMostLost = 0.1;  // of what an output owes to the ways
 
 double MeanSquare(const std::vector<double>& y, double about) {
   double sum = 0;
@@ -102,11 +102,11 @@ bool MeasuredWays::Take(const FitData& record,
 Result<std::vector<std::pair<int, std::string>>> MeasuredWays::Told(
     const hydraulics::PhsParams& phs) const {
   Channels shown;
-  if (Status s = rig_->RunSpan(phs, ForwardModel::Span::kEstimation, &shown); !s.ok()) {
+  if (Status s = rig_->RunSpan(phs, ForwardModel::Span::kWhole, &shown); !s.ok()) {
     return s.error();
   }
   std::vector<Channels> draws;
-  if (Status s = rig_->DrawnErrors(phs, ForwardModel::Span::kEstimation, &draws); !s.ok()) {
+  if (Status s = rig_->DrawnErrors(phs, ForwardModel::Span::kWhole, &draws); !s.ok()) {
     return s.error();
   }
   std::vector<std::pair<int, std::string>> told;

@@ -50,8 +50,9 @@ class MeasuredWays {
  private:
   MeasuredWays() = default;
   /// Takes these outputs of the record, by what of the PHS they are. False: the rig refuses them.
-  bool Take(const measurement::FitData& record, const std::vector<std::pair<int, std::string>>& which,
-            const hydraulics::PhsParams& phs, int stride);
+  bool Take(const measurement::FitData& record,
+            const std::vector<std::pair<int, std::string>>& which, const hydraulics::PhsParams& phs,
+            int stride);
   /// Those of its outputs that the noise of the ways does not drown.
   Result<std::vector<std::pair<int, std::string>>> Told(const hydraulics::PhsParams& phs) const;
   void PutInto(Channels&& of_phs, Channels* out) const;

@@ -122,8 +122,7 @@ Result<Weighting> FitProblem::CalcWeights(const PhsParams& params) const {
   for (const Channels& difference : differences) {
     out.theories.push_back(OnResidual(out.sample, difference));
   }
-  const Status drawn =
-      forward_->InputErrors(params, ForwardModel::Span::kEstimation, &differences);
+  const Status drawn = forward_->InputErrors(params, ForwardModel::Span::kEstimation, &differences);
   if (!drawn.ok()) return drawn.error();
   for (const Channels& error : differences) out.inputs.push_back(OnResidual(out.sample, error));
   out.about = forward_->About(params);

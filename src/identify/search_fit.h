@@ -68,8 +68,8 @@ using SampleWeights = std::vector<std::vector<double>>;  ///< [block][row], 0 = 
 /// What a residual is measured by.
 struct Weighting {
   SampleWeights sample;
-  std::vector<Eigen::VectorXd> theories;  ///< differences, weighted (likelihood.h)
-  std::vector<Eigen::VectorXd> inputs;    ///< ForwardModel::InputErrors, weighted
+  std::vector<Eigen::VectorXd> theories;      ///< differences, weighted (likelihood.h)
+  std::vector<Eigen::VectorXd> inputs;        ///< ForwardModel::InputErrors, weighted
   std::shared_ptr<const ForwardModel> about;  ///< ForwardModel::About
 };
 

@@ -71,11 +71,15 @@ TEST_F(BogieIndependentTest, NumbersOfThePhsDoNotFollowWhereTheAxlesStand) {
   std::ofstream(scratch_.File("r250.yaml"))
       << "track: curve_r250\nvehicle: bogie\nbogie: phs_declared\nspeed_km_h: 50\nwheel: S1002\n"
       << "rail: UIC60\nfriction: 0.35\ncreep: kalker_table\n";
-  const auto result = Found(Run(truth), scratch_.File("r250.yaml"), "[0.2, 16]", "[16, 30.8]", "", 0);
-  const auto value = [&](const char* name) { return result["fitted"][name]["value"].get<double>(); };
+  const auto result =
+      Found(Run(truth), scratch_.File("r250.yaml"), "[0.2, 16]", "[16, 30.8]", "", 0);
+  const auto value = [&](const char* name) {
+    return result["fitted"][name]["value"].get<double>();
+  };
   EXPECT_NEAR(value("friction.scale"), 1, 0.02);
   EXPECT_NEAR(value("lines.gas_volume_m3"), 16.16e-6, 0.01 * 16.16e-6);
-  EXPECT_NEAR(value("lines.oil_volume_m3"), 1.1e-3, 0.1 * 1.1e-3) << "told by a tenth of what gas is";
+  EXPECT_NEAR(value("lines.oil_volume_m3"), 1.1e-3, 0.1 * 1.1e-3)
+      << "told by a tenth of what gas is";
   EXPECT_NEAR(value("friction.stiffness_N_per_m"), 3.6e7, 0.1 * 3.6e7);
 }
 

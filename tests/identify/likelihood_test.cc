@@ -138,5 +138,29 @@ TEST(Likelihood, WhatTheoryLeavesOpenIsNoEvidence) {
   EXPECT_LT(open.Worth(0, last) + open.Worth(1, last), 1.1);
 }
 
+// Slow noise of what drives the model, of known power: a residual of just that is nothing to be
+// explained, though white noise of the same weights hardly makes it. Twice as much still is.
+TEST(Likelihood, ErrorsOfTheInputsAreNoiseOfTheirColour) {
+  constexpr int n = 2048;
+  const auto slow = [](unsigned seed) {
+    Eigen::VectorXd y = White(n, seed);
+    for (int i = 1; i < n; ++i) y[i] = 0.98 * y[i - 1] + 0.4 * y[i];
+    return y;
+  };
+  const std::vector<Block> blocks = {{0, n, 1}};
+  std::vector<Eigen::VectorXd> draws;
+  for (unsigned k = 0; k < 8; ++k) draws.push_back(slow(10 + k) / std::sqrt(8.0));
+  const Likelihood blind(blocks, 0.1), knows(blocks, 0.1, {}, draws);
+  const auto most = [&](const Likelihood& likelihood, double size) {
+    const Eigen::VectorXd residual = White(n, 1) + size * slow(2);
+    return likelihood.MostGain(likelihood.Powers(likelihood.Transform(residual)));
+  };
+  EXPECT_GT(most(blind, 1), 100);
+  EXPECT_LT(most(knows, 1), 0.1 * most(blind, 1));
+  EXPECT_GT(most(knows, 3), 5 * most(knows, 1));
+  EXPECT_EQ(knows.size(), blind.size());
+  EXPECT_NEAR(knows.Count(), blind.Count(), 1e-9) << "what an octave is worth stays";
+}
+
 }  // namespace
 }  // namespace phs::identify

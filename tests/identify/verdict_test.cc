@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "identify/result_json.h"
+
 namespace phs::identify {
 namespace {
 
@@ -134,6 +136,18 @@ TEST(Verdict, FaultsAndNumbersAtTheirEndsAreNeverSufficient) {
   facts.numbers[0].at_end = false;
   EXPECT_EQ(Judge(facts).word, "sufficient");
   EXPECT_THAT(Judge(facts).reasons, Contains(HasSubstr("2.5 times its declared value")));
+}
+
+// A number that ends at an end of its range, while its interval holds what is declared, is told by
+// nothing: it accuses nobody.
+TEST(Verdict, ANumberThatIsNotToldIsAtNoEnd) {
+  search::Identification found;
+  found.declared.free = {{"lines.oil_volume_m3", 1.1e-3, 0.44e-3, 2.75e-3, true, 1}};
+  found.after.values = {0.44e-3};
+  found.after.half_95 = {1.5};  // ln(2.5) = 0.92 lies within
+  EXPECT_FALSE(search::FittedNumbers(found)[0].at_end);
+  found.after.half_95 = {0.3};
+  EXPECT_TRUE(search::FittedNumbers(found)[0].at_end);
 }
 
 }  // namespace
