@@ -210,6 +210,19 @@ class Search {
     return {trial.form, {trial.fit.values.end() - own, trial.fit.values.end()}};
   }
 
+  /// By how much the criterion of `other` is above that of `best`; no more than what lies above the
+  /// known errors of what drives the model.
+  double Behind(const FitResult& other, const FitResult& best) const {
+    const double behind = Criterion(problem_, other.score, other.values.size()) -
+                          Criterion(problem_, best.score, best.values.size());
+    const Likelihood& likelihood = problem_.likelihood();
+    if (!likelihood.has_inputs()) return behind;
+    const double above =
+        Criterion(problem_, likelihood.MostGain(other.powers), other.values.size()) -
+        Criterion(problem_, likelihood.MostGain(best.powers), best.values.size());
+    return std::min(behind, above);
+  }
+
   /// A trial as an accepted effect; what of the others that pass the rule themselves chance may
   /// have put behind it is noted.
   AcceptedEffect BesideRivals(const FullTrial& trial, const Evidence& evidence,
@@ -218,9 +231,7 @@ class Search {
     for (const FullTrial& other : others) {
       const bool same = other.candidate->effect == trial.candidate->effect;
       if (same && !IsElsewhere(other.form, trial.form)) continue;
-      const double behind = Criterion(problem_, other.fit.score, other.fit.values.size()) -
-                            Criterion(problem_, trial.fit.score, trial.fit.values.size());
-      if (IsBeyondChance(problem_.rule(), behind, 1)) continue;
+      if (IsBeyondChance(problem_.rule(), Behind(other.fit, trial.fit), 1)) continue;
       const bool larger = problem_.rule().plain_first &&
                           Contains(other.form, trial.form);  // it shows all that its part does
       const std::string name = NameBeside(other.form, trial.form);

@@ -9,7 +9,7 @@ namespace phs::identify {
 Likelihood::Likelihood(std::vector<Block> blocks, double noise_known,
                        const std::vector<Eigen::VectorXd>& theories,
                        const std::vector<Eigen::VectorXd>& inputs)
-    : blocks_(std::move(blocks)) {
+    : blocks_(std::move(blocks)), has_inputs_(!inputs.empty()) {
   for (const Block& block : blocks_) {
     bands_.emplace_back(block.count);
     first_.push_back(size_);

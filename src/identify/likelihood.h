@@ -85,6 +85,9 @@ class Likelihood {
   double MinusTwoLog(const Eigen::VectorXd& residual) const {
     return MinusTwoLog(Powers(Transform(residual)));
   }
+  /// True if errors of what drives the model are known of: they were drawn with one model, so that
+  /// what leaves less than them is no evidence between two (MostGain alone is).
+  bool has_inputs() const { return has_inputs_; }
   /// By how much -2 ln L of these powers could fall at most: to that of noise alone.
   double MostGain(const BandPowers& powers) const;
   /// Mean square beyond the noise, per block, times its rows.
@@ -109,6 +112,7 @@ class Likelihood {
   BandPowers floor_;        ///< power that is noise, of inputs too, or left open by theory
   BandPowers most_worth_;   ///< 2/e²
   BandPowers shared_;       ///< C g
+  bool has_inputs_ = false;
   Eigen::MatrixXd theory_;  ///< D: a column for each
   Eigen::MatrixXd along_;   ///< coefficients -> a
 };

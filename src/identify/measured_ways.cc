@@ -13,8 +13,7 @@ namespace {
 
 constexpr size_t kCylinders = 4;       // all driven: rigs::RigKind::kFull
 constexpr double kLongestGap_s = 1.0;  // what slid meanwhile nobody knows
-
-constexpr double kMostLost = 0.1;  // of what an output owes to the ways
+constexpr double kMostLost = 0.1;      // of what an output owes to the ways
 
 double MeanSquare(const std::vector<double>& y, double about) {
   double sum = 0;

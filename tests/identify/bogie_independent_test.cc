@@ -121,5 +121,24 @@ TEST_F(BogieIndependentTest, ALeakIsNamed) {
       << "3.2e-12 on 2026-11-26: what theory leaves open takes a part of it";
 }
 
+// L2 and L3 tell the ratio of their gas. Which of them is off, what L1 and L4 show would say, but
+// there the ways cancel: what is left of their noise is no evidence for either.
+TEST_F(BogieIndependentTest, TheGasOfOneLineIsNamedOrSaidToBeOneOfTwo) {
+  if (std::getenv("PHS_LONG_TESTS") == nullptr) GTEST_SKIP() << "PHS_LONG_TESTS is not set";
+  const auto result = Identified(9606, "gas_L3", 1.5, "gas_volume");
+  ASSERT_EQ(result["effects"].size(), 1u) << result["candidates"].dump(1);
+  const auto& effect = result["effects"][0];
+  EXPECT_EQ(effect["name"], "gas_volume");
+  const double factor = effect["parameters"]["factor"]["value"].get<double>();
+  if (effect["on"] == nlohmann::ordered_json::array({"L3"})) {
+    EXPECT_NEAR(factor, 1.5, 0.25);
+  } else {
+    EXPECT_EQ(effect["on"], nlohmann::ordered_json::array({"L2"}));
+    EXPECT_NEAR(factor, 1 / 1.5, 0.12);
+    EXPECT_EQ(effect["confusable_with"], nlohmann::ordered_json::array({"gas_volume on L3"}));
+    EXPECT_EQ(result["verdict"], "undecidable");
+  }
+}
+
 }  // namespace
 }  // namespace phs::identify::search
