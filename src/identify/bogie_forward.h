@@ -4,8 +4,9 @@
 // The numbers of a fit are those of a PHS model (hydraulics::PhsParams): the declared PHS of the
 // scenario and, in its list of effects, whatever is tried. Effects of wheel and track
 // (vehicle/running_effects.h) stand in the same list and are taken out of it before a run; so one
-// search serves both. Nothing measured drives the run but the track, the speed and the place; forces
-// and pressures of the PHS are those at the measured ways where all of these are (measured_ways.h).
+// search serves both. Nothing measured drives the run but the track, the speed and the place;
+// forces and pressures of the PHS are those at the measured ways where all of these are
+// (measured_ways.h).
 //
 // Place, not time, joins run and measurement: output(t_i) is that of the simulated vehicle where
 // its leading wheelset has come as far along the track as the measured one had at t_i. A speed that
@@ -85,9 +86,9 @@ class BogieForward final : public RecordForward {
   std::vector<Candidate> Candidates(const hydraulics::PhsParams& params) const override;
   std::shared_ptr<const ForwardModel> Coarse(double step_s) const override;
   bool CoarseRunsAsLong() const override { return true; }
-  /// By measured ways: the vehicle runs with the PHS of `params`, so that the numbers of the PHS come
-  /// from its forces and pressures alone. Where axles find their place (0.04 to 0.08 mm between two
-  /// programs) would else pull them.
+  /// By measured ways: the vehicle runs with the PHS of `params`, so that the numbers of the PHS
+  /// come from its forces and pressures alone. Where axles find their place (0.04 to 0.08 mm between
+  /// two programs) would else pull them.
   std::shared_ptr<const ForwardModel> About(const hydraulics::PhsParams& params) const override;
   /// The longest stable step, if by it the run up to the end of the estimation window differs by no
   /// more than a tenth of the noise in any channel; else 0.

@@ -61,8 +61,8 @@ class ForwardModel {
     return {};
   }
   /// Draws of the error that the outputs over the span have because what drives the model was
-  /// measured with noise, scaled so that their powers add up to its power: where it has a colour that
-  /// Uncertainty() does not tell. None: it tells all.
+  /// measured with noise, scaled so that their powers add up to its power: where it has a colour
+  /// that Uncertainty() does not tell. None: it tells all.
   virtual Status InputErrors(const hydraulics::PhsParams& /*params*/, Span /*span*/,
                              std::vector<Channels>* draws) const {
     draws->clear();
@@ -85,7 +85,7 @@ class ForwardModel {
     return nullptr;
   }
   /// The same near `params`, for fits that begin there: over kEstimation, what says little of some
-  /// numbers for all that its theory leaves open is held at those of `params`. Null: nothing is held.
+  /// numbers for all that its theory leaves open is held at those of `params`. Null: nothing is.
   virtual std::shared_ptr<const ForwardModel> About(const hydraulics::PhsParams& /*params*/) const {
     return nullptr;
   }

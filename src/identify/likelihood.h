@@ -16,8 +16,8 @@
 // the coarsened posterior of Miller and Dunson 2019, J. Am. Stat. Assoc. 114, 1113).
 //
 // Where the motion that drives the model was measured with noise, the error that this makes has a
-// colour that the weights of samples do not tell: its power V_b, over the noise, of draws, is added to
-// that of noise: S_b >= 1 + e + V_b.
+// colour that the weights of samples do not tell: its power V_b, over the noise, of draws, is added
+// to that of noise: S_b >= 1 + e + V_b.
 //
 // Where the theory of the model leaves something open (forward_model.h), the difference d_t between
 // it and each other one is one draw of an error of unknown size, common to all blocks. So

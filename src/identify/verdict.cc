@@ -59,7 +59,7 @@ void AddNumbers(const VerdictFacts& facts, bool at_end, std::vector<std::string>
     if (at_end) {
       reasons->push_back(fmt::format("{} ends at the edge of its range ({:.3g}, declared {:.3g})",
                                      n.name, n.fitted, n.declared));
-    } else if (factor > 0 && std::max(factor, 1 / factor) > kFar) {
+    } else if (n.told && factor > 0 && std::max(factor, 1 / factor) > kFar) {
       reasons->push_back(
           fmt::format("{} is fitted to {:.2g} times its declared value: is it known "
                       "so badly, or does it stand for something else?",

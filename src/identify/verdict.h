@@ -44,7 +44,8 @@ struct NamedEffect {
 struct FittedNumber {
   std::string name;
   double declared = 0, fitted = 0;
-  bool at_end = false;  ///< of the range that it was allowed, and told from what is declared
+  bool at_end = false;  ///< of the range that it was allowed, and told
+  bool told = true;     ///< its interval does not hold what is declared
 };
 
 struct VerdictFacts {

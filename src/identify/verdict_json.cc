@@ -55,7 +55,7 @@ std::vector<FittedNumber> FittedNumbers(const Identification& found) {
     const auto& half = found.after.half_95;
     const bool told = i >= half.size() || std::abs(p.ToCoordinate(p.start) - at) > half[i];
     const bool edge = told && std::min(at - low, high - at) < kEdge * (high - low);
-    out.push_back({p.name, p.logarithmic ? p.start : 0, found.after.values[i], edge});
+    out.push_back({p.name, p.logarithmic ? p.start : 0, found.after.values[i], edge, told});
   }
   return out;
 }

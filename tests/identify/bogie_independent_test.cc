@@ -63,9 +63,9 @@ TEST_F(BogieIndependentTest, NothingIsNamedInACleanRecord) {
   EXPECT_EQ(result["verdict"], "sufficient") << result["reasons"].dump(1);
 }
 
-// In a tight curve the two programs put the axles 0.04 to 0.08 mm apart. Predicted with the vehicle,
-// friction came out 0.92 and gas 1.2 times as it is there; forces and pressures at the measured ways
-// do not know of it.
+// In a tight curve the two programs put the axles 0.04 to 0.08 mm apart. Predicted with the
+// vehicle, friction came out 0.92 and gas 1.2 times as it is there; forces and pressures at the
+// measured ways do not know of it.
 TEST_F(BogieIndependentTest, NumbersOfThePhsDoNotFollowWhereTheAxlesStand) {
   bogie_curve::Truth truth = bogie_curve::DeclaredTruth("r250");
   std::ofstream(scratch_.File("r250.yaml"))

@@ -1,4 +1,4 @@
-// Forces and pressures of a bogie's PHS at the measured ways of its pistons (identify/measured_ways.h).
+// Forces and pressures of a bogie's PHS at the measured ways of its pistons.
 #include "identify/measured_ways.h"
 
 #include <gtest/gtest.h>
@@ -58,7 +58,7 @@ TEST(MeasuredWays, ForcesAndPressuresAreThoseOfTheFullRigDrivenByTheWays) {
   for (int c = 0; c < 4; ++c) motion.position_m.push_back(data.outputs[c].values);
   rigs::RigPrediction wanted;
   ASSERT_TRUE(rig.value().Run(motion, &wanted).ok());
-  // The ways are smoothed: a micrometre of them is 36 N of a seal that holds; the lines rise by 10 MPa.
+  // The ways are smoothed: a micrometre is 36 N of a seal that holds; the lines rise by 10 MPa.
   for (size_t i = 0; i < data.time_s.size(); ++i) {
     EXPECT_NEAR(out[4][i], wanted.channels[4 + 2][i], 100) << data.time_s[i];
     EXPECT_NEAR(out[6][i], wanted.channels[8 + 1][i], 5e3) << data.time_s[i];

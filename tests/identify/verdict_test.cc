@@ -146,6 +146,10 @@ TEST(Verdict, ANumberThatIsNotToldIsAtNoEnd) {
   found.after.values = {0.44e-3};
   found.after.half_95 = {1.5};  // ln(2.5) = 0.92 lies within
   EXPECT_FALSE(search::FittedNumbers(found)[0].at_end);
+  VerdictFacts facts = Facts(1, 1);
+  facts.numbers = search::FittedNumbers(found);
+  EXPECT_EQ(Judge(facts).word, "sufficient");
+  EXPECT_THAT(Judge(facts).reasons, Not(Contains(HasSubstr("oil_volume"))));
   found.after.half_95 = {0.3};
   EXPECT_TRUE(search::FittedNumbers(found)[0].at_end);
 }

@@ -11,7 +11,7 @@ verdict)
   shift 4
   said=$("$phs" identify "$name" --out "$folder" --force --quiet)
   echo "$said"
-  case "$said" in "verdict: $verdict"*) ;; *) echo "expected: $verdict" && exit 1 ;; esac
+  echo "$said" | grep -q "^verdict: $verdict" || { echo "expected: $verdict" && exit 1; }
   found=$(echo "$said" | sed -n 's/^effect \([a-z_]*\)\( on [A-Z0-9]*\)*.*/\1\2/p' | sort | tr '\n' ',')
   expected=$(printf '%s\n' "$@" | sort | tr '\n' ',')
   [ "$found" = "$expected" ] || { echo "found $found expected $expected" && exit 1; }
