@@ -112,6 +112,38 @@ TEST_F(BogieTest, CantErrorIsNamedAndTheModelRunsAsItIs) {
   EXPECT_TRUE(phs_model::LoadPhsParams(scratch_.File("out/phs.yaml")).ok());
 }
 
+// In a fit the vehicle's channels do not pull the numbers of the PHS; reported runs have all numbers.
+TEST_F(BogieTest, AtMeasuredWaysTheVehicleIsHeldInAFit) {
+  Measure("", kOff);
+  const Manifest manifest = ManifestWith("cant_error");
+  auto model = LoadBogieModel(manifest.model, manifest.free, manifest.candidates);
+  ASSERT_TRUE(model.ok());
+  const auto data = ReadBogieData(manifest, &model.value());
+  ASSERT_TRUE(data.ok()) << data.error().Line();
+  model.value().by_measured_ways = true;
+  const BogieForward forward(data.value(), model.value());
+  ASSERT_TRUE(forward.ByMeasuredWays());
+  hydraulics::PhsParams params = model.value().phs;
+  const auto about = forward.About(params);
+  ASSERT_NE(about, nullptr);
+  const auto moved_by_friction = [&](ForwardModel::Span span, const std::string& channel) {
+    hydraulics::PhsParams stiffer = params;
+    EXPECT_TRUE(phs_model::SetParameter(&stiffer, "friction.scale", 1.3).ok());
+    Channels own, other;
+    EXPECT_TRUE(about->Run(params, span, &own).ok());
+    EXPECT_TRUE(about->Run(stiffer, span, &other).ok());
+    size_t c = 0;
+    while (data.value().outputs[c].name != channel) ++c;
+    double most = 0;
+    for (size_t i = 0; i < own[c].size(); ++i)
+      most = std::max(most, std::abs(own[c][i] - other[c][i]));
+    return most;
+  };
+  EXPECT_EQ(moved_by_friction(ForwardModel::Span::kEstimation, "lead_lateral_m"), 0);
+  EXPECT_GT(moved_by_friction(ForwardModel::Span::kEstimation, "load1_N"), 100);
+  EXPECT_GT(moved_by_friction(ForwardModel::Span::kWhole, "lead_lateral_m"), 1e-6);
+}
+
 // bo_bo_measured: gas 7.76e-6 m3 in the cross lines, 8.85e-6 m3 in the others.
 TEST_F(BogieTest, FittedOnARunAndScoredOnAFasterOne) {
   Measure("", "phs_parameters: {friction.scale: 1.15}\n");
