@@ -2,7 +2,7 @@
 // their noise, checks passed (docs/identify_bogie.md).
 #pragma once
 
-#include "identify/bogie_forward.h"
+#include "identify/bogie_model.h"
 #include "measurement/fit_data.h"
 
 namespace phs::identify::search {

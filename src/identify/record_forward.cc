@@ -46,20 +46,20 @@ Status RecordForward::Uncertainty(const hydraulics::PhsParams& params, Span span
   return done;
 }
 
+Status RecordForward::EachOnRows(Status done, Span span, std::vector<Channels>* sets) const {
+  if (!done.ok() || span != Span::kEstimation) return done;
+  for (Channels& one : *sets) one = OnRows(one);
+  return done;
+}
+
 Status RecordForward::TheoryDifferences(const hydraulics::PhsParams& params, Span span,
                                         std::vector<Channels>* differences) const {
-  Status done = TheorySpan(params, span, differences);
-  if (!done.ok() || span != Span::kEstimation) return done;
-  for (Channels& one : *differences) one = OnRows(one);
-  return done;
+  return EachOnRows(TheorySpan(params, span, differences), span, differences);
 }
 
 Status RecordForward::InputErrors(const hydraulics::PhsParams& params, Span span,
                                   std::vector<Channels>* draws) const {
-  Status done = InputErrorsSpan(params, span, draws);
-  if (!done.ok() || span != Span::kEstimation) return done;
-  for (Channels& one : *draws) one = OnRows(one);
-  return done;
+  return EachOnRows(InputErrorsSpan(params, span, draws), span, draws);
 }
 
 }  // namespace phs::identify::search

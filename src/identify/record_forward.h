@@ -42,6 +42,8 @@ class RecordForward : public ForwardModel {
   Channels OnRows(const Channels& span) const;
 
  private:
+  Status EachOnRows(Status done, Span span, std::vector<Channels>* sets) const;
+
   double step_s_;
   std::vector<int> rows_;
   std::vector<MeasuredBlock> measured_;

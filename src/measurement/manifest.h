@@ -89,9 +89,8 @@ struct Manifest {
   std::vector<OwnCandidate> own;        ///< the user's, beside them
   std::vector<std::string> extra;       ///< further channels, with unit; columns are in `columns`
   double low_pass_Hz = 0;               ///< 0: none
-  bool measured_ways =
-      true;  ///< of a bogie: forces and pressures are those at them, where they are
-  double compare_below_Hz = 0;             ///< 0: all frequencies
+  bool measured_ways = true;            ///< of a bogie: taken where all pistons are measured
+  double compare_below_Hz = 0;          ///< 0: all frequencies
   std::optional<rigs::RigSignals> signal;  ///< then no run is read
   int setup = 0;                           ///< of a step table; 0: by the model's name
   rigs::RigOptions options;

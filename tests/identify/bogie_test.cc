@@ -13,6 +13,7 @@
 #include "identify/bogie_data.h"
 #include "identify/bogie_forward.h"
 #include "identify/bogie_run.h"
+#include "identify/bogie_theories.h"
 #include "phs_model/phs_model.h"
 #include "tests/base/scratch_dir.h"
 #include "tests/identify/bogie_measurement.h"
@@ -110,6 +111,20 @@ TEST_F(BogieTest, CantErrorIsNamedAndTheModelRunsAsItIs) {
     EXPECT_EQ(rig.value().result["channels"][name]["rmse"], c["after"]["rmse"]) << name;
   }
   EXPECT_TRUE(phs_model::LoadPhsParams(scratch_.File("out/phs.yaml")).ok());
+}
+
+// Another place of the axles moves every line by the same factor: lines that differ stay apart.
+TEST(BogieTheories, APlaceMakesLinesNotAlike) {
+  const auto model = LoadBogieModel("reverse_curves", {}, {});
+  ASSERT_TRUE(model.ok()) << model.error().Line();
+  std::vector<Theory> places;
+  AddOtherPlaces(model.value().scenario, model.value().phs, &places);
+  ASSERT_EQ(places.size(), 2u);
+  const auto& numbers = places[1].scenario.phs_changes.parameters;
+  for (const auto& line : model.value().phs.lines) {
+    EXPECT_DOUBLE_EQ(numbers.at(line.name + ".gas_volume_m3"), 1.2 * line.gas_volume_m3);
+  }
+  EXPECT_EQ(numbers.count("lines.gas_volume_m3"), 0u);
 }
 
 // In a fit the vehicle's channels do not pull the numbers of the PHS; reported runs have all numbers.
