@@ -115,7 +115,7 @@ TEST_F(BogieTest, CantErrorIsNamedAndTheModelRunsAsItIs) {
 
 // Another place of the axles moves every line by the same factor: lines that differ stay apart.
 TEST(BogieTheories, APlaceMakesLinesNotAlike) {
-  const auto model = LoadBogieModel("reverse_curves", {}, {});
+  const auto model = LoadBogieModel("curve_r550", {}, {});
   ASSERT_TRUE(model.ok()) << model.error().Line();
   std::vector<Theory> places;
   AddOtherPlaces(model.value().scenario, model.value().phs, &places);
