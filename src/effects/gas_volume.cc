@@ -36,7 +36,7 @@ const EffectInfo& GasVolumeInfo() {
       InstallGasVolume,
       {
           // On a rig the gas of each line is a free number of the declared model.
-          .bogie = {{.free = {{"factor", 1}},
+          .bogie = {{.free = {{"factor", 0.6, 1.6, 2}},
                      .places = Places::kAlone,
                      .beside = {"gas_volume_m3"}}},
           .declared = GasAsTheOthers,

@@ -3,6 +3,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace phs::identify::search {
 namespace {
@@ -67,8 +68,9 @@ Evidence Compare(const FitProblem& problem, const FitResult& without, const FitR
     most = gain;
     e.best_channel = problem.block_name(b);
     e.best_channel_gain = 1 - std::exp(0.5 * change);
-    e.share = Share(excess[b], left[b]);
   }
+  e.share = Share(std::accumulate(excess.begin(), excess.end(), 0.0),
+                  std::accumulate(left.begin(), left.end(), 0.0));
   e.estimation_gain = 1 - std::exp(0.5 * mean);
   e.cross_validation_gain =
       1 - std::exp(-0.5 * (HeldOut(problem, without) - HeldOut(problem, with)) / count);

@@ -9,7 +9,7 @@ namespace phs::identify {
 Likelihood::Likelihood(std::vector<Block> blocks, double noise_known,
                        const std::vector<Eigen::VectorXd>& theories,
                        const std::vector<Eigen::VectorXd>& inputs)
-    : blocks_(std::move(blocks)), has_inputs_(!inputs.empty()) {
+    : blocks_(std::move(blocks)), noise_known_(noise_known), has_inputs_(!inputs.empty()) {
   for (const Block& block : blocks_) {
     bands_.emplace_back(block.count);
     first_.push_back(size_);
@@ -19,7 +19,7 @@ Likelihood::Likelihood(std::vector<Block> blocks, double noise_known,
   for (size_t t = 0; t < theories.size(); ++t) {
     theory_.col(static_cast<Eigen::Index>(t)) = InOctaves(theories[t]);
   }
-  SetFloors(noise_known, inputs);
+  SetFloors(inputs);
   if (theories.empty()) return;
   const Eigen::VectorXd weight = Weights(floor_).head(size_).array().square();
   const Eigen::MatrixXd weighted = theory_.transpose() * weight.asDiagonal();
@@ -29,7 +29,8 @@ Likelihood::Likelihood(std::vector<Block> blocks, double noise_known,
 }
 
 /// Of inputs and theories in all blocks, and what each octave is worth.
-void Likelihood::SetFloors(double noise_known, const std::vector<Eigen::VectorXd>& inputs) {
+void Likelihood::SetFloors(const std::vector<Eigen::VectorXd>& inputs) {
+  constexpr double kMost = 9;  // three times the size of a draw, as power
   std::vector<BandPowers> open, driven;
   for (const Eigen::VectorXd& draw : inputs) driven.push_back(Powers(InOctaves(draw)));
   for (Eigen::Index t = 0; t < theory_.cols(); ++t) open.push_back(Powers(theory_.col(t)));
@@ -37,7 +38,8 @@ void Likelihood::SetFloors(double noise_known, const std::vector<Eigen::VectorXd
   std::vector<double> sharing;             // their sum over the blocks
   for (size_t b = 0; b < blocks_.size(); ++b) {
     const auto count = static_cast<size_t>(bands_[b].num_bands());
-    std::vector<double>& floor = floor_.rows().emplace_back(count, 1 + noise_known);
+    std::vector<double>& floor = floor_.rows().emplace_back(count, 1 + noise_known_);
+    std::vector<double>& beyond = beyond_.rows().emplace_back(count, 0.0);
     doubt.emplace_back(count, 0.0);
     sharing.resize(std::max(sharing.size(), count), 0.0);
     for (size_t k = 0; k < count; ++k) {
@@ -48,6 +50,7 @@ void Likelihood::SetFloors(double noise_known, const std::vector<Eigen::VectorXd
       }
       floor[k] += power;
       for (const BandPowers& one : driven) floor[k] += one(b, static_cast<int>(k));
+      beyond[k] = floor[k] + (kMost - 1) * power;
       doubt[b][k] = squares / ((1 + power) * (1 + power));
       sharing[k] += doubt[b][k];
     }
@@ -57,7 +60,7 @@ void Likelihood::SetFloors(double noise_known, const std::vector<Eigen::VectorXd
     std::vector<double>& shared = shared_.rows().emplace_back();
     for (size_t k = 0; k < own.size(); ++k) {
       shared.push_back(std::max(1.0, sharing[k]) * own[k]);
-      most_worth.push_back(2 / (noise_known * noise_known + 2 * shared.back()));
+      most_worth.push_back(2 / (noise_known_ * noise_known_ + 2 * shared.back()));
     }
   }
 }
@@ -104,10 +107,23 @@ BandPowers Likelihood::Powers(const Eigen::VectorXd& coefficients) const {
   return out;
 }
 
-double Likelihood::Worth(size_t block, int band) const {
+double Likelihood::WorthOf(size_t block, int band, double most) const {
   const double n = blocks_[block].present * (bands_[block].end(band) - bands_[block].begin(band));
-  const double most = most_worth_(block, band);
   return n * most / (n + most);
+}
+
+double Likelihood::Worth(size_t block, int band) const {
+  return WorthOf(block, band, most_worth_(block, band));
+}
+
+double Likelihood::WorthMore(size_t block, int band, double power) const {
+  if (!(power > beyond_(block, band))) return 0;
+  return WorthOf(block, band, 2 / (noise_known_ * noise_known_)) - Worth(block, band);
+}
+
+double Likelihood::BeyondTheory(size_t block, int band, double power) const {
+  const double more = WorthMore(block, band, power);
+  return more > 0 ? more * std::log(power / beyond_(block, band)) : 0;
 }
 
 Eigen::VectorXd Likelihood::Weights(const BandPowers& powers) const {
@@ -116,7 +132,8 @@ Eigen::VectorXd Likelihood::Weights(const BandPowers& powers) const {
     for (int k = 0; k < bands_[b].num_bands(); ++k) {
       const int count = bands_[b].end(k) - bands_[b].begin(k);
       const double n = std::max(blocks_[b].present, 1e-3) * count;
-      out.segment(first_[b] + bands_[b].begin(k), count) *= std::sqrt(Worth(b, k) / n);
+      const double worth = Worth(b, k) + WorthMore(b, k, powers(b, k));
+      out.segment(first_[b] + bands_[b].begin(k), count) *= std::sqrt(worth / n);
     }
   }
   return out;
@@ -141,6 +158,7 @@ double Likelihood::MinusTwoLog(const BandPowers& powers, int block) const {
     for (int k = 0; k < bands_[b].num_bands(); ++k) {
       const double power = powers(b, k), variance = std::max(floor_(b, k), power);
       sum += Worth(b, k) * (std::log(variance) + power / variance);
+      sum += BeyondTheory(b, k, power);
     }
   }
   return sum;
@@ -152,6 +170,7 @@ double Likelihood::MostGain(const BandPowers& powers) const {
     for (int k = 0; k < bands_[b].num_bands(); ++k) {
       const double over = powers(b, k) / floor_(b, k);
       if (over > 1) sum += Worth(b, k) * std::log(over);
+      sum += BeyondTheory(b, k, powers(b, k));
     }
   }
   return sum;

@@ -28,7 +28,10 @@
 // - the power of one draw is known to its own size twice (the variance of chi² with one degree of
 //   freedom is 2), of all blocks of an octave together: e² + 2 C g_b in the place of e² in m_b,
 //   g_b = sum U_t²/(1 + sum U_t)², C = sum of g over the blocks of the octave, >= 1. An octave that
-//   theory governs counts for about one sample, however many coefficients and channels it has.
+//   theory governs counts for about one sample, however many coefficients and channels it has;
+// - one draw is within three times its size in 997 of 1000, and a record has a hundred octaves. What
+//   goes beyond 1 + e + 9 sum U_t is no theory's but discrepancy like any other: there m_b is that
+//   without theory. Else a cause might spoil one channel a hundredfold for the sake of others.
 #pragma once
 
 #include <Eigen/Core>
@@ -94,7 +97,7 @@ class Likelihood {
   std::vector<double> Excess(const BandPowers& powers) const;
   /// Sum of m over all bands: what the record is worth in independent samples.
   double Count() const;
-  /// m of a band: what it is worth in independent samples.
+  /// m of a band: what it is worth in independent samples while theory can be what is there.
   double Worth(size_t block, int band) const;
   /// C g of a band: what theory leaves open of it is one draw, whose n coefficients tell as 1/(C g).
   double Shared(size_t block, int band) const { return shared_(block, band); }
@@ -102,16 +105,23 @@ class Likelihood {
   std::vector<int> Parts(int parts) const;
 
  private:
-  void SetFloors(double noise_known, const std::vector<Eigen::VectorXd>& inputs);
+  void SetFloors(const std::vector<Eigen::VectorXd>& inputs);
   Eigen::VectorXd InOctaves(const Eigen::VectorXd& residual) const;
+  double WorthOf(size_t block, int band, double most) const;
+  /// What a band of this power is worth more than while theory can be what is there.
+  double WorthMore(size_t block, int band, double power) const;
+  /// And what of -2 ln L is that.
+  double BeyondTheory(size_t block, int band, double power) const;
 
   std::vector<Block> blocks_;
   std::vector<OctaveBands> bands_;
   std::vector<int> first_;  ///< coefficient of each block
   int size_ = 0;            ///< coefficients of all blocks
   BandPowers floor_;        ///< power that is noise, of inputs too, or left open by theory
-  BandPowers most_worth_;   ///< 2/e²
+  BandPowers beyond_;       ///< power above which it is no theory's
+  BandPowers most_worth_;   ///< 2/(e² + 2 C g)
   BandPowers shared_;       ///< C g
+  double noise_known_ = 0;  ///< e
   bool has_inputs_ = false;
   Eigen::MatrixXd theory_;  ///< D: a column for each
   Eigen::MatrixXd along_;   ///< coefficients -> a

@@ -25,7 +25,8 @@ RunningEffect BoxSpring() {
                      "k f: springs of these axle boxes other than the rest",
                      {{"factor", "-", 1, 0.02, 50, 0.1, 5, "f", true}},
                      nullptr,
-                     {.bogie = {{.free = {{"factor", 1}}, .places = Places::kAlone}}}},
+                     {.bogie = {{.free = {{"factor", 0.3, 0.3, 1, Walk::kEitherWay}},
+                                 .places = Places::kAlone}}}},
           [](const EffectParams& e, Scenario* s) {
             const double factor = e.values.at("factor");
             for (const std::string& box : e.targets) s->box_springs.push_back({box, factor});
@@ -66,18 +67,19 @@ std::vector<RunningEffect> MakeTable() {
                   "superelevation of curves other than declared, transitions in proportion",
                   {{"cant_m", "m", 0, -0.1, 0.1, -0.06, 0.06, "> 0 raises the outer rail"}},
                   nullptr,
-                  {.bogie = {{.free = {{"cant_m", 0}}}}}},
+                  {.bogie = {{.free = {{"cant_m", 0.01, 0.01, 1, Walk::kEitherWay}}}}}},
        [](const EffectParams& e, Scenario* s) { s->track_errors.cant_m = e.values.at("cant_m"); }});
-  rows.push_back({EffectInfo{"gauge_error",
-                             "track",
-                             "",
-                             "gauge other than declared, everywhere",
-                             {{"widening_m", "m", 0, -0.02, 0.05, -0.01, 0.02, "> 0 wider"}},
-                             nullptr,
-                             {.bogie = {{.free = {{"widening_m", 0}}}}}},
-                  [](const EffectParams& e, Scenario* s) {
-                    s->track_errors.widening_m = e.values.at("widening_m");
-                  }});
+  rows.push_back(
+      {EffectInfo{"gauge_error",
+                  "track",
+                  "",
+                  "gauge other than declared, everywhere",
+                  {{"widening_m", "m", 0, -0.02, 0.05, -0.01, 0.02, "> 0 wider"}},
+                  nullptr,
+                  {.bogie = {{.free = {{"widening_m", 0.003, 0.003, 1, Walk::kEitherWay}}}}}},
+       [](const EffectParams& e, Scenario* s) {
+         s->track_errors.widening_m = e.values.at("widening_m");
+       }});
   rows.push_back(BoxSpring());
   return rows;
 }

@@ -20,11 +20,15 @@ constexpr int kEvidenceRows = 1024;
 /// A model of which only the number of rows counts.
 class NoModel : public ForwardModel {
  public:
-  NoModel() : measured_{{"load_cell_N", std::vector<double>(kEvidenceRows, 0.0), 1.0}} {}
+  explicit NoModel(const std::vector<std::string>& channels = {"load_cell_N"}) {
+    for (const std::string& channel : channels) {
+      measured_.push_back({channel, std::vector<double>(kEvidenceRows, 0.0), 1.0});
+    }
+  }
   const std::vector<MeasuredBlock>& Measured() const override { return measured_; }
   Status Run(const hydraulics::PhsParams&, Span, Channels*) const override { return {}; }
   Status Uncertainty(const hydraulics::PhsParams&, Span, Channels* deviation) const override {
-    deviation->assign(1, std::vector<double>(kEvidenceRows, 0.0));
+    deviation->assign(measured_.size(), std::vector<double>(kEvidenceRows, 0.0));
     return {};
   }
   FreeModel Declared(const hydraulics::PhsParams&) const override { return {}; }
@@ -69,6 +73,26 @@ TEST(Evidence, HalfAResidualIsWorthTheLogOfFourInEveryOctave) {
   EXPECT_EQ(e.best_channel, "load_cell_N");
   // Mean square beyond the noise: 9 - 1.1 before, 2.25 - 1.1 after.
   EXPECT_NEAR(e.share, 1 - 1.15 / 7.9, 0.02);
+}
+
+// One channel comes down to its noise, another is spoilt by as much: nothing is explained.
+TEST(Evidence, WhatIsSpoiltCountsAgainstWhatIsMended) {
+  const FitProblem problem =
+      FitProblem::Create(
+          std::make_shared<NoModel>(std::vector<std::string>{"load_cell_N", "p_bore_Pa"}), {})
+          .value();
+  const auto fitted = [&](double force, double pressure) {
+    Eigen::VectorXd residual(2 * kEvidenceRows);
+    residual << force * Noise(1, 1), pressure * Noise(2, 1);
+    FitResult fit = Fitted(problem, residual, 1);
+    fit.channel_ms = {force * force, pressure * pressure};
+    return fit;
+  };
+  const FitResult before = fitted(4, 2);
+  const Evidence mended = Compare(problem, before, fitted(1, 2), 1);
+  EXPECT_NEAR(mended.share, 14.9 / (14.9 + 2.9), 0.03);
+  EXPECT_EQ(mended.best_channel, "load_cell_N");
+  EXPECT_LT(Compare(problem, before, fitted(1, 4.3), 1).share, 0.05);
 }
 
 TEST(Evidence, BelowTheNoiseNothingIsGained) {

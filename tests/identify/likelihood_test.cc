@@ -138,6 +138,38 @@ TEST(Likelihood, WhatTheoryLeavesOpenIsNoEvidence) {
   EXPECT_LT(open.Worth(0, last) + open.Worth(1, last), 1.1);
 }
 
+// Twenty channels that a theory turns by a slow wave, all at once. A residual of that size and another
+// shape is no evidence; one channel that a cause spoils by ten times that is, however many share the
+// octave, and a fit steps by the slope of what it lowers there too.
+TEST(Likelihood, WhatIsFarBeyondAllTheoryIsEvidenceAgain) {
+  constexpr int kChannels = 20, n = 512;
+  Eigen::VectorXd theory(kChannels * n);
+  for (int i = 0; i < theory.size(); ++i) theory[i] = 4 * std::sin(2 * M_PI * i / 256.0);
+  std::vector<Block> blocks;
+  for (int c = 0; c < kChannels; ++c) blocks.push_back({c * n, n, 1.0});
+  const Likelihood open(blocks, 0.1, {theory});
+  const Eigen::VectorXd noise = White(kChannels * n, 12);
+  const auto score = [&](double times) {
+    Eigen::VectorXd residual = noise;
+    for (int i = 0; i < n; ++i) residual[i] += 4 * times * std::cos(2 * M_PI * i / 256.0);
+    return open.MinusTwoLog(residual);
+  };
+  EXPECT_LT(score(1) - score(0), 1);
+  EXPECT_GT(score(10) - score(0), 10);
+  constexpr double h = 1e-4;
+  for (const double times : {1.5, 4.0}) {
+    const auto spoilt = [&](double by) {
+      Eigen::VectorXd residual = noise;
+      for (int i = 0; i < n; ++i) residual[i] += 4 * by * std::cos(2 * M_PI * i / 256.0);
+      return open.Transform(residual);
+    };
+    const Eigen::VectorXd c = spoilt(times), direction = (spoilt(times + h) - c) / h;
+    const Eigen::VectorXd weight = open.Weights(open.Powers(c));
+    const double slope = 2 * weight.cwiseProduct(c).dot(weight.cwiseProduct(direction));
+    EXPECT_NEAR((score(times + h) - score(times - h)) / (2 * h), slope, 1e-2 * std::abs(slope));
+  }
+}
+
 // Slow noise of what drives the model, of known power: a residual of just that is nothing to be
 // explained, though white noise of the same weights hardly makes it. Twice as much still is.
 TEST(Likelihood, ErrorsOfTheInputsAreNoiseOfTheirColour) {

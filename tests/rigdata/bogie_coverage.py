@@ -1,13 +1,14 @@
 #!/usr/bin/env python3
 """Do the 95 % intervals of `phs identify` hold the truth on a bogie in a curve?
 
-    bogie_coverage.py GENERATOR PHS DATA FOLDER [--records 36] [--seed 1] [--jobs 2] [--csv FILE]
+    bogie_coverage.py GENERATOR PHS DATA FOLDER [--records 36] [--seed 1] [--clean] [--jobs 2] [--csv FILE]
 
 GENERATOR is generate_bogie_curve, the independent multibody program; DATA the folder that holds models. Record k has
 seed + k, a curve of 550, 250 or 300 m and, in turn, nothing hidden, a seal, the cant, a leak, the springs of a box or
-the gas of a line, of an amount drawn by its seed. Counted are the declared numbers (scale of friction, gas) where what was
-accepted is what is hidden, and then the amount, too. Prints how many hold the truth, with the exact binomial interval,
-and of what misses by how many half widths; writes a row for each interval. Results that are there are kept.
+the gas of a line, of an amount drawn by its seed; --clean: nothing in any, the curves in turn. Counted are the
+declared numbers (scale of friction, gas) where what was accepted is what is hidden, and then the amount, too. Prints
+how many hold the truth, with the exact binomial interval, and of what misses by how many half widths; writes a row for
+each interval. Results that are there are kept.
 """
 import argparse
 import csv
@@ -44,8 +45,8 @@ def drawn(seed, place):
 def identified(args, k):
     """(name of the curve, what is hidden, its amount, truth, result) of record k."""
     seed = args.seed + k
-    curve = list(CURVES)[k // len(HIDDEN) % len(CURVES)]
-    hidden, amount = drawn(seed, k)
+    curve = list(CURVES)[(k if args.clean else k // len(HIDDEN)) % len(CURVES)]
+    hidden, amount = (None, 0.0) if args.clean else drawn(seed, k)
     folder = os.path.join(args.folder, f"record_{seed}")
     said = os.path.join(folder, "out", "result.json")
     if not os.path.exists(said):
@@ -99,6 +100,7 @@ def main():
         parser.add_argument(name)
     parser.add_argument("--records", type=int, default=36)
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--clean", action="store_true")
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--csv")
     args = parser.parse_args()
