@@ -1,4 +1,5 @@
-"""docs/identify_bogie.md: how many intervals hold the truth, counted from tests/rigdata/bogie_coverage.csv."""
+"""docs/identify_bogie.md: how many intervals hold the truth, counted from tests/rigdata/bogie_coverage.csv and, of records
+in which nothing is hidden, bogie_clean.csv."""
 import csv
 import sys
 
@@ -14,12 +15,16 @@ def off(row):
     return (truth - value) / (high - value if truth > value else value - low)
 
 
+def read(path):
+    with open(path, newline="") as file:
+        return list(csv.DictReader(file))
+
+
 def figures(phs):
     sys.path.insert(0, str(phs.source / "tests/rigdata"))
     from blind_sets import share_text
-    with open(phs.source / "tests/rigdata/bogie_coverage.csv", newline="") as file:
-        rows = list(csv.DictReader(file))
-    counted = [row for row in rows if row["truth"]]
+    rows, clean_rows = (read(phs.source / f"tests/rigdata/bogie_{name}.csv") for name in ("coverage", "clean"))
+    counted = [row for row in rows + clean_rows if row["truth"]]
     groups = {words: [row for row in counted if row["number"] == name] for name, words in WORDS.items()}
     groups["amounts of what is hidden"] = [row for row in counted if row["number"] not in WORDS]
     lines = []
@@ -28,9 +33,11 @@ def figures(phs):
         lines.append([words, share_text(len(of) - len(missed), len(of)),
                       ", ".join(f"{x:+.1f}".replace("-", "−") for x in missed) or "none"])
     records = {row["seed"]: row for row in rows}.values()
+    all_clean = {row["seed"]: row for row in clean_rows}.values()
     clean = [row for row in records if row["hidden"] == "nothing"]
     as_hidden = sum(bool(row["truth"]) for row in records if row["hidden"] != "nothing")
     return {"coverage": table(["95 % interval of", "hold the truth", "missed by, in half widths"], lines),
-            "coverage_records": str(len(records)), "coverage_clean": str(len(clean)),
-            "coverage_false": str(sum(not row["truth"] for row in clean)),
+            "coverage_records": str(len(records)), "coverage_clean": str(len(clean) + len(all_clean)),
+            "clean_records": str(len(all_clean)),
+            "coverage_false": str(sum(not row["truth"] for row in [*clean, *all_clean])),
             "coverage_found": f"{as_hidden} of {len(records) - len(clean)}"}

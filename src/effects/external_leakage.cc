@@ -22,8 +22,7 @@ Status InstallExternalLeakage(const EffectParams& effect, Extension* extension) 
     extension->AddFlow(
         Port::kLine, Port::kAtmosphere, -1, line, "external_leakage",
         std::make_unique<GapFlow>(G * LineFactor(effect, extension->params(), line),
-                                  effect.values.at("exponent"), effect.values.at("start_s"), 1,
-                                  effect.values.at("opens_Pa")));
+                                  effect.values.at("exponent"), effect.values.at("start_s")));
   }
   return {};
 }
@@ -35,7 +34,7 @@ const EffectInfo& ExternalLeakageInfo() {
       "external_leakage",
       "hydraulic",
       "lines",
-      "q = G d (d/5 MPa)^(n-1), d = p - p_atmosphere - d_o > 0, out of the line from start_s on",
+      "q = G d (d/5 MPa)^(n-1), d = p - p_atmosphere, out of the line from start_s on",
       {
           {"conductance_m3_per_Pas", "m3/(Pa s)", 1e-14, 0, 1e-3, 1e-18, 1e-11,
            "conductance at 5 MPa and 20 °C"},
@@ -43,7 +42,6 @@ const EffectInfo& ExternalLeakageInfo() {
           {"exponent", "-", 1, 0.2, 5, 0.4, 4, "n: 1 laminar, 1/2 orifice, > 1 widening gap"},
           {"rod_ratio", "-", 1, 1e-3, 1e3, 0.2, 5, "leak of rod lines over that of bore lines"},
           {"start_s", "s", 0, -1e12, 1e12, 0, 1e6, "the leak opens at this time"},
-          {"opens_Pa", "Pa", 0, 0, 1e9, 0, 2e7, "d_o: nothing passes below, a lip to be lifted"},
       },
       InstallExternalLeakage,
       {
@@ -63,7 +61,6 @@ const EffectInfo& ExternalLeakageInfo() {
                   {.free = {{"exponent", 0.6, 1.6, 2}}},
                   {.free = {{"rod_ratio", 1}}, .of_sides = true},
                   {.free = {{"start_s", 15, 60, 3}}},
-                  {.free = {{"opens_Pa", 1.5e6, 6e6, 3}}},
               },
           .over = {"m3_per_s", "p"},
       }};

@@ -2,8 +2,7 @@
 //   q = G (p - p_a),  t >= start (opening over 5 ms, hydraulics/pipe.h),   dV_line/dt = -q
 // G [m3/(Pa s)]: weeping fitting 1e-15 … 1e-13, slow leak 1e-12, a lost line 1e-8 and more. Below
 // atmospheric pressure the line draws in what surrounds it. The static state is no longer steady:
-// the precharge is lost with the time constant (V_oil/beta + V_g/p)/G. A lip or a valve that the oil
-// lifts passes nothing below opens_Pa, and G (p - p_a - opens_Pa) beyond. State: volume lost [m3].
+// the precharge is lost with the time constant (V_oil/beta + V_g/p)/G. State: volume lost [m3].
 #pragma once
 
 #include "hydraulics/extension.h"

@@ -22,7 +22,7 @@ Status InstallPistonLeakage(const EffectParams& effect, Extension* extension) {
     extension->AddFlow(
         Port::kBore, Port::kRod, i, -1, "piston_leakage",
         std::make_unique<GapFlow>(G, effect.values.at("exponent"), effect.values.at("start_s"),
-                                  effect.values.at("return_ratio"), effect.values.at("opens_Pa")));
+                                  effect.values.at("return_ratio")));
   }
   return {};
 }
@@ -34,7 +34,7 @@ const EffectInfo& PistonLeakageInfo() {
       "piston_leakage",
       "hydraulic",
       "cylinders",
-      "q = G d (|d|/5 MPa)^(n-1), d = p_bore - p_rod beyond d_o, past the piston from start_s on",
+      "q = G d (|d|/5 MPa)^(n-1), d = p_bore - p_rod, past the piston seal from start_s on",
       {
           {"conductance_m3_per_Pas", "m3/(Pa s)", 1e-13, 0, 1e-6, 1e-17, 1e-11,
            "conductance of the gap at 5 MPa and 20 °C"},
@@ -43,7 +43,6 @@ const EffectInfo& PistonLeakageInfo() {
           {"return_ratio", "-", 1, 1e-4, 1e4, 5e-3, 200,
            "conductance from rod to bore over that from bore to rod: a lip lifts one way"},
           {"start_s", "s", -1e12, -1e12, 1e12, 0, 1e6, "the seal fails at this time"},
-          {"opens_Pa", "Pa", 0, 0, 1e9, 0, 2e7, "d_o: nothing passes below, a lip to be lifted"},
       },
       InstallPistonLeakage,
       {
@@ -69,7 +68,6 @@ const EffectInfo& PistonLeakageInfo() {
                   {.free = {{"exponent", 0.6, 1.6, 2}}},
                   {.free = {{"return_ratio", 0.3, 3, 2}}},
                   {.free = {{"start_s", 15, 60, 3}}},
-                  {.free = {{"opens_Pa", 1.5e6, 6e6, 3}}},
               },
           .over = {"m3_per_s", "p"},
       }};

@@ -112,8 +112,6 @@ FlowLag PipeFlow::Lag(const FlowPlace& at, int lag) const noexcept {
   return {term.n * laminar / (8 * oil_inertance_), unsteady_ * term.m * laminar / 2};
 }
 
-constexpr double kSmooth = 2e3;  // [Pa]
-
 double GapFlow::Opening(double time) const {
   return std::clamp((time - start_) / kOpening, 0.0, 1.0);
 }
@@ -123,32 +121,17 @@ double GapFlow::Conductance(const FlowPlace& at, double dp) const {
   return at.viscosity == 1 ? own : own * std::pow(at.viscosity, -ViscousShare(exponent_));
 }
 
-double GapFlow::Beyond(double dp, double* slope) const {
-  *slope = 1;
-  if (opens_ == 0) return dp;
-  const auto lifted = [&](double over, double* rise) {  // max(over, 0), rounded
-    const double root = std::hypot(over, kSmooth);
-    *rise = 0.5 * (1 + over / root);
-    return over > 0 ? 0.5 * (over + root) : 0.5 * kSmooth * kSmooth / (root - over);
-  };
-  double forward = 0, backward = 0;
-  const double beyond = lifted(dp - opens_, &forward) - lifted(-dp - opens_, &backward);
-  *slope = forward + backward;
-  return beyond;
-}
-
 double GapFlow::Flow(const FlowPlace& at, double dp, double* slope) const noexcept {
   const double G = Opening(at.time) * Conductance(at, dp);
-  double beyond_slope = 1;
-  const double beyond = Beyond(dp, &beyond_slope);
   if (exponent_ == 1) {
-    *slope = G * beyond_slope;
-    return G * beyond;
+    *slope = G;
+    return G * dp;
   }
-  const double square = beyond * beyond + kSmooth * kSmooth;
+  constexpr double kSmooth = 2e3;  // [Pa]
+  const double square = dp * dp + kSmooth * kSmooth;
   const double factor = std::pow(square / (kReference * kReference), 0.5 * (exponent_ - 1));
-  *slope = G * factor * (1 + (exponent_ - 1) * beyond * beyond / square) * beyond_slope;
-  return G * factor * beyond;
+  *slope = G * factor * (1 + (exponent_ - 1) * dp * dp / square);
+  return G * factor * dp;
 }
 
 // A leak has no inertia, so its drop is never asked for in a run; Newton, for completeness of the
@@ -158,7 +141,6 @@ double GapFlow::Drop(const FlowPlace& at, double flow, double* slope) const noex
       kReference *
       std::copysign(std::pow(std::abs(flow) / (Conductance(at, flow) * kReference), 1 / exponent_),
                     flow);
-  dp += std::copysign(opens_, flow);
   const FlowPlace open{std::max(at.time, start_ + kOpening), at.warmer, at.viscosity};
   double rise = 1;
   for (int i = 0; i < 50; ++i) {

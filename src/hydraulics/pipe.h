@@ -48,8 +48,7 @@ class PipeFlow final : public FlowLaw {
 
 /// Leak through a narrow opening: q = G dp (|dp|/5 MPa)^(n-1), n = 1 a laminar gap, 1/2 an orifice
 /// (Bernoulli), above 1 a gap that the pressure widens. Smooth below 2 kPa. Opens from `start`
-/// on, over kOpening. A lip that the pressure must lift off first passes nothing while |dp| is
-/// below `opens`; beyond, dp counts from there.
+/// on, over kOpening.
 class GapFlow final : public FlowLaw {
  public:
   /// [s], assumed: a crack runs through a hose or a seal within milliseconds. A leak that opened at
@@ -61,23 +60,19 @@ class GapFlow final : public FlowLaw {
   /// wholly, an orifice (1/2) not at all.
   static double ViscousShare(double exponent) { return std::clamp(2 * exponent - 1, 0.0, 1.0); }
   /// `conductance` G > 0 [m3/(Pa s)] at the reference, exponent n > 0; `return_ratio` > 0: G at
-  /// dp < 0 over that at dp > 0; `opens` >= 0 [Pa].
-  GapFlow(double conductance, double exponent, double start_s = -1e300, double return_ratio = 1,
-          double opens_Pa = 0)
+  /// dp < 0 over that at dp > 0.
+  GapFlow(double conductance, double exponent, double start_s = -1e300, double return_ratio = 1)
       : conductance_(conductance),
         exponent_(exponent),
         start_(start_s),
-        return_ratio_(return_ratio),
-        opens_(opens_Pa) {}
+        return_ratio_(return_ratio) {}
   double Flow(const FlowPlace& at, double dp, double* slope) const noexcept override;
   double Drop(const FlowPlace& at, double flow, double* slope) const noexcept override;
 
  private:
   double Conductance(const FlowPlace& at, double dp) const;
   double Opening(double time) const;  ///< 0 … 1
-  /// What of dp is beyond `opens`, and its slope.
-  double Beyond(double dp, double* slope) const;
-  double conductance_, exponent_, start_, return_ratio_, opens_;
+  double conductance_, exponent_, start_, return_ratio_;
 };
 
 /// Two laws one behind the other: drops and inertances add.

@@ -123,26 +123,6 @@ TEST(EffectForms, LeakThroughGapOrificeAndWideningGap) {
   }
 }
 
-// A lip that 3 MPa must lift off: of 8 MPa five count, either way; below hardly anything passes, and
-// the slope is that of the flow everywhere.
-TEST(EffectForms, ALipThatMustBeLiftedPassesWhatIsBeyond) {
-  double slope, rise;
-  for (double n : {0.5, 1.0, 1.7}) {
-    const hydraulics::GapFlow lip(2e-14, n, -1, 0.25, 3e6);
-    EXPECT_NEAR(lip.Flow({}, 8e6, &slope), 1e-7, 1e-12);
-    EXPECT_NEAR(lip.Flow({}, -8e6, &slope), -0.25e-7, 1e-12);
-    EXPECT_NEAR(lip.Drop({}, 1e-7, &rise), 8e6, 10);
-    EXPECT_LT(std::abs(lip.Flow({}, 2.5e6, &slope)), 1e-4 * 1e-7);
-    for (const double dp : {-4e6, -2e6, 0.5e6, 2.999e6, 3.001e6, 7e6}) {
-      constexpr double h = 10;
-      const double mean = (lip.Flow({}, dp + h, &rise) - lip.Flow({}, dp - h, &rise)) / (2 * h);
-      lip.Flow({}, dp, &slope);
-      EXPECT_NEAR(slope, mean, 2e-3 * std::abs(mean) + 1e-20) << n << ", " << dp;
-      EXPECT_GE(lip.Flow({}, dp, &slope) * dp, 0) << "passive";
-    }
-  }
-}
-
 /// Fast compression of gas alone (stiff oil) with the given numbers of gas_thermal: p V^n against
 /// that of the start.
 double PowerLawRatio(const std::map<std::string, double>& numbers, double n) {

@@ -52,6 +52,12 @@ class BogieIndependentTest : public testing::Test {
     EXPECT_TRUE(outcome.ok()) << outcome.error().Line();
     return outcome.value().result;
   }
+  std::string ScenarioOfR250() const {
+    std::ofstream(scratch_.File("r250.yaml"))
+        << "track: curve_r250\nvehicle: bogie\nbogie: phs_declared\nspeed_km_h: 50\n"
+        << "wheel: S1002\nrail: UIC60\nfriction: 0.35\ncreep: kalker_table\n";
+    return scratch_.File("r250.yaml");
+  }
   ScratchDir scratch_;
 };
 
@@ -68,11 +74,7 @@ TEST_F(BogieIndependentTest, NothingIsNamedInACleanRecord) {
 // measured ways do not know of it.
 TEST_F(BogieIndependentTest, NumbersOfThePhsDoNotFollowWhereTheAxlesStand) {
   bogie_curve::Truth truth = bogie_curve::DeclaredTruth("r250");
-  std::ofstream(scratch_.File("r250.yaml"))
-      << "track: curve_r250\nvehicle: bogie\nbogie: phs_declared\nspeed_km_h: 50\nwheel: S1002\n"
-      << "rail: UIC60\nfriction: 0.35\ncreep: kalker_table\n";
-  const auto result =
-      Found(Run(truth), scratch_.File("r250.yaml"), "[0.2, 16]", "[16, 30.8]", "", 0);
+  const auto result = Found(Run(truth), ScenarioOfR250(), "[0.2, 16]", "[16, 30.8]", "", 0);
   const auto value = [&](const char* name) {
     return result["fitted"][name]["value"].get<double>();
   };
@@ -81,6 +83,19 @@ TEST_F(BogieIndependentTest, NumbersOfThePhsDoNotFollowWhereTheAxlesStand) {
   EXPECT_NEAR(value("lines.oil_volume_m3"), 1.1e-3, 0.1 * 1.1e-3)
       << "told by a tenth of what gas is";
   EXPECT_NEAR(value("friction.stiffness_N_per_m"), 3.6e7, 0.1 * 3.6e7);
+}
+
+// Springs of one box that put wheel loads 8 kN off were taken here: theory governs their slowest
+// octave in a tight curve, and it counted for nothing however far it was off (likelihood.h).
+TEST_F(BogieIndependentTest, WhatSpoilsTheWheelLoadsIsNotNamedInATightCurve) {
+  if (std::getenv("PHS_LONG_TESTS") == nullptr) GTEST_SKIP() << "PHS_LONG_TESTS is not set";
+  bogie_curve::Truth truth = bogie_curve::DeclaredTruth("r250");
+  bogie_curve::DrawOffDeclared(2, &truth);
+  bogie_curve::MeasuredRun run = Run(truth);
+  bogie_curve::AddInstruments(2, &run);
+  const auto result = Found(run, ScenarioOfR250(), "[0.2, 16]", "[16, 30.8]", "", 1);
+  EXPECT_TRUE(result["effects"].empty()) << result["effects"].dump(1);
+  EXPECT_EQ(result["verdict"], "sufficient") << result["reasons"].dump(1);
 }
 
 // 0.599 [0.597, 0.600] on 2026-11-26: the load of the wheels tells it.
