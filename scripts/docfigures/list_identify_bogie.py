@@ -33,11 +33,11 @@ def figures(phs):
         lines.append([words, share_text(len(of) - len(missed), len(of)),
                       ", ".join(f"{x:+.1f}".replace("-", "−") for x in missed) or "none"])
     records = {row["seed"]: row for row in rows}.values()
-    all_clean = {row["seed"]: row for row in clean_rows}.values()
+    more_clean = {row["seed"]: row for row in clean_rows}.values()
     clean = [row for row in records if row["hidden"] == "nothing"]
     as_hidden = sum(bool(row["truth"]) for row in records if row["hidden"] != "nothing")
     return {"coverage": table(["95 % interval of", "hold the truth", "missed by, in half widths"], lines),
-            "coverage_records": str(len(records)), "coverage_clean": str(len(clean) + len(all_clean)),
-            "clean_records": str(len(all_clean)),
-            "coverage_false": str(sum(not row["truth"] for row in [*clean, *all_clean])),
+            "coverage_records": str(len(records)), "coverage_clean": str(len(clean) + len(more_clean)),
+            "clean_records": str(len(more_clean)),
+            "coverage_false": str(sum(not row["truth"] for row in [*clean, *more_clean])),
             "coverage_found": f"{as_hidden} of {len(records) - len(clean)}"}

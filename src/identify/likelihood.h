@@ -29,9 +29,9 @@
 //   freedom is 2), of all blocks of an octave together: e² + 2 C g_b in the place of e² in m_b,
 //   g_b = sum U_t²/(1 + sum U_t)², C = sum of g over the blocks of the octave, >= 1. An octave that
 //   theory governs counts for about one sample, however many coefficients and channels it has;
-// - one draw is within three times its size in 997 of 1000, and a record has a hundred octaves. What
-//   goes beyond 1 + e + 9 sum U_t is no theory's but discrepancy like any other: there m_b is that
-//   without theory. Else a cause might spoil one channel a hundredfold for the sake of others.
+// - one draw is within three times its size in 997 of 1000, and a record has some hundred octaves.
+//   What goes beyond 1 + e + 9 sum U_t is no theory's but discrepancy like any other: there m_b is
+//   that without theory. Else a cause might spoil one channel a hundredfold for the sake of others.
 #pragma once
 
 #include <Eigen/Core>

@@ -129,7 +129,7 @@ TEST(BogieTheories, APlaceMakesLinesNotAlike) {
   EXPECT_EQ(numbers.count("lines.gas_volume_m3"), 0u);
 }
 
-// In a fit the vehicle's channels do not pull the numbers of the PHS; reported runs have all numbers.
+// In a fit the vehicle's channels do not pull the numbers of the PHS; reported runs have all.
 TEST_F(BogieTest, AtMeasuredWaysTheVehicleIsHeldInAFit) {
   Measure("", kOff);
   const Manifest manifest = ManifestWith("cant_error");

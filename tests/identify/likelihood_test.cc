@@ -138,9 +138,9 @@ TEST(Likelihood, WhatTheoryLeavesOpenIsNoEvidence) {
   EXPECT_LT(open.Worth(0, last) + open.Worth(1, last), 1.1);
 }
 
-// Twenty channels that a theory turns by a slow wave, all at once. A residual of that size and another
-// shape is no evidence; one channel that a cause spoils by ten times that is, however many share the
-// octave, and a fit steps by the slope of what it lowers there too.
+// Twenty channels that a theory turns by a slow wave, all at once. A residual of that size and of
+// another shape is no evidence; ten times that in one channel is, however many share the octave. A
+// fit steps by the slope of what it lowers on either side of three times.
 TEST(Likelihood, WhatIsFarBeyondAllTheoryIsEvidenceAgain) {
   constexpr int kChannels = 20, n = 512;
   Eigen::VectorXd theory(kChannels * n);
