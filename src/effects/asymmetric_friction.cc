@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "effects/added_friction.h"
 #include "effects/targets.h"
 #include "effects/viscous_friction.h"
 
@@ -18,19 +19,19 @@ using hydraulics::Walk;
 
 class Shift final : public hydraulics::LevelLaw {
  public:
-  explicit Shift(double level_N) : level_N_(level_N) {}
+  Shift(double level_N, double turn_m_s) : level_N_(level_N), turn_m_s_(turn_m_s) {}
   void Add(const LevelPlace& place, LevelParts* level) const noexcept override {
-    level->extra += place.sign > 0 ? level_N_ : -level_N_;
+    level->extra += (place.sign > 0 ? level_N_ : -level_N_) * Turned(place.speed, turn_m_s_);
   }
 
  private:
-  double level_N_;
+  double level_N_, turn_m_s_;
 };
 
 Status InstallAsymmetricFriction(const EffectParams& effect, Extension* extension) {
   const double d = effect.values.at("level_N"), e = effect.values.at("viscous_Ns_per_m");
   for (int i : TargetCylinders(effect, extension->params())) {
-    extension->AddLevel(i, std::make_unique<Shift>(d));
+    extension->AddLevel(i, std::make_unique<Shift>(d, effect.values.at("turn_m_s")));
     if (e != 0) {
       extension->AddForce(i,
                           std::make_unique<ViscousForce>(std::max(e, 0.0), std::max(-e, 0.0), 1));
@@ -50,6 +51,7 @@ const EffectInfo& AsymmetricFrictionInfo() {
       {
           {"level_N", "N", 100, -1e6, 1e6, -2000, 2000, "d"},
           {"viscous_Ns_per_m", "N s/m", 0, -1e8, 1e8, -1e4, 1e4, "e"},
+          kTurn,
       },
       InstallAsymmetricFriction,
       {
@@ -73,6 +75,10 @@ const EffectInfo& AsymmetricFrictionInfo() {
           .bogie =
               {
                   {.free = {{"level_N", 0}}},
+              },
+          .options =
+              {
+                  TurnOption(),
               },
           .over = {"N", "sv"},
       }};

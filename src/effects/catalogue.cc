@@ -25,9 +25,11 @@
 #include "effects/pressure_area.h"
 #include "effects/pressure_friction.h"
 #include "effects/seal_friction.h"
+#include "effects/sensor_creep.h"
 #include "effects/sensor_delay.h"
 #include "effects/sensor_drift.h"
 #include "effects/sensor_gain.h"
+#include "effects/sensor_hysteresis.h"
 #include "effects/sensor_offset.h"
 #include "effects/stribeck.h"
 #include "effects/temperature_drift.h"
@@ -57,6 +59,7 @@ class Table final : public hydraulics::EffectTable {
                  BacklashInfo(), MountComplianceInfo(), BushViscoelasticInfo(),
                  // instrument
                  SensorOffsetInfo(), SensorDriftInfo(), SensorDelayInfo(), SensorGainInfo(),
+                 SensorCreepInfo(), SensorHysteresisInfo(),
                  // environment
                  TemperatureDriftInfo(),
                  // a part on a bench

@@ -146,10 +146,8 @@ Status AddFlow(const EffectParams& effect, const Formula& formula, Extension* ex
   if (const std::string other = formula.VariableOtherThan("pt"); !other.empty()) {
     return RefuseEffect(effect, "a flow over " + other, "a formula over p and t");
   }
-  ForcePlace later;
-  later.time = 100;
-  if (formula.Value({}) != 0 || formula.Value(later) != 0) {
-    return RefuseEffect(effect, "a flow that does not vanish at rest", "0 at p = 0");
+  if (formula.VariableOtherThan("p").empty() && formula.Value({}) != 0) {
+    return RefuseEffect(effect, "a flow that does not vanish at rest", "0 at p = 0, or over t");
   }
   const auto& params = extension->params();
   const auto rest = [&](const std::string& name) { return StaticPressure(name, *extension); };

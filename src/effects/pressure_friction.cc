@@ -4,6 +4,7 @@
 #include <cmath>
 #include <memory>
 
+#include "effects/added_friction.h"
 #include "effects/targets.h"
 
 namespace phs::effects {
@@ -26,6 +27,7 @@ class PressedSeal final : public hydraulics::LevelLaw {
         retraction_ratio_(effect.values.at("retraction_ratio")),
         start_Pa_(effect.values.at("start_Pa")),
         exponent_(effect.values.at("exponent")),
+        turn_m_s_(effect.values.at("turn_m_s")),
         bore_rest_(bore_rest),
         rod_rest_(rod_rest),
         at_rest_(bore_rest - rod_rest) {}
@@ -36,6 +38,7 @@ class PressedSeal final : public hydraulics::LevelLaw {
       grip += difference_ *
               (std::abs(at_rest_ + place.at.bore_rise - place.at.rod_rise) - std::abs(at_rest_));
     }
+    grip *= Turned(place.speed, turn_m_s_);
     level->extra += place.sign > 0 ? grip : retraction_ratio_ * grip;
   }
   bool DependsOnPressure() const override { return bore_ != 0 || rod_ != 0 || difference_ != 0; }
@@ -52,7 +55,7 @@ class PressedSeal final : public hydraulics::LevelLaw {
     return exponent_ == 1 ? p : kReference * std::pow(p / kReference, exponent_);
   }
 
-  double bore_, rod_, difference_, retraction_ratio_, start_Pa_, exponent_;
+  double bore_, rod_, difference_, retraction_ratio_, start_Pa_, exponent_, turn_m_s_;
   double bore_rest_, rod_rest_, at_rest_;
 };
 
@@ -81,6 +84,7 @@ const EffectInfo& PressureFrictionInfo() {
           {"retraction_ratio", "-", 1, 0, 1e3, 0.05, 20, "of these terms, in retraction"},
           {"exponent", "-", 1, 0.1, 5, 0.3, 3, "n: k p (p/10 MPa)^(n-1), p beyond p_s"},
           {"start_Pa", "Pa", 0, 0, 1e9, 0, 2e7, "p_s: each chamber presses beyond it; 0: always"},
+          kTurn,
       },
       InstallPressureFriction,
       {
@@ -108,6 +112,7 @@ const EffectInfo& PressureFrictionInfo() {
                   {.free = {{"retraction_ratio", 1}}},
                   {.free = {{"start_Pa", 2e6, 8e6, 2}}},
                   {.free = {{"exponent", 0.6, 1.6, 2}}},
+                  TurnOption(),
               },
           .over = {"N", "spq"},
       }};

@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "effects/readings.h"
+#include "effects/targets.h"
 
 namespace phs::effects {
 namespace {
@@ -14,25 +14,33 @@ using hydraulics::Sensor;
 
 class Scale final : public hydraulics::ReadingLaw {
  public:
-  explicit Scale(double gain, double below_zero = 1) : above_(gain), below_(gain * below_zero) {}
+  explicit Scale(double gain, double below_zero = 1, double zeroed_at = 0)
+      : above_(gain), below_(gain * below_zero), zeroed_at_(zeroed_at) {}
   double Scaled(double value) const noexcept override {
-    return (value > 0 ? above_ : below_) * value;
+    const double from = value - zeroed_at_;
+    return zeroed_at_ + (from > 0 ? above_ : below_) * from;
   }
 
  private:
-  double above_, below_;
+  double above_, below_, zeroed_at_;
 };
 
 Status InstallSensorGain(const EffectParams& effect, Extension* extension) {
-  AddReadings<Scale>(effect,
-                     {{Sensor::kBorePressure, "p_bore"},
-                      {Sensor::kRodPressure, "p_rod"},
-                      {Sensor::kPiston, "piston"}},
-                     1, extension);
-  const double load = effect.values.at("load"), ratio = effect.values.at("load_compression");
-  if (load == 1 && ratio == 1) return {};
+  const auto value = [&effect](const char* key) { return effect.values.at(key); };
+  const bool at_rest = value("zeroed_at_rest") != 0;
   for (int i : TargetCylinders(effect, extension->params())) {
-    extension->AddReading(i, Sensor::kLoad, std::make_unique<Scale>(load, ratio));
+    const auto& cylinder = extension->params().cylinders[static_cast<size_t>(i)];
+    const auto add = [&](Sensor sensor, double gain, double ratio, double zeroed_at) {
+      if (gain == 1 && ratio == 1) return;
+      extension->AddReading(i, sensor, std::make_unique<Scale>(gain, ratio, zeroed_at));
+    };
+    const auto rest = [&](const std::string& line) {
+      return at_rest ? StaticPressure(line, *extension) : 0;
+    };
+    add(Sensor::kBorePressure, value("p_bore"), 1, rest(cylinder.bore_line));
+    add(Sensor::kRodPressure, value("p_rod"), 1, rest(cylinder.rod_line));
+    add(Sensor::kPiston, value("piston"), 1, 0);
+    add(Sensor::kLoad, value("load"), value("load_compression"), 0);
   }
   return {};
 }
@@ -40,37 +48,41 @@ Status InstallSensorGain(const EffectParams& effect, Extension* extension) {
 }  // namespace
 
 const EffectInfo& SensorGainInfo() {
-  static const EffectInfo info = {"sensor_gain",
-                                  "instrument",
-                                  "cylinders",
-                                  "shown = gain true; of a load cell in compression gain times "
-                                  "load_compression",
-                                  {
-                                      {"load", "-", 1, -100, 100, 0.4, 2.5, "load cell"},
-                                      {"load_compression", "-", 1, 1e-3, 1e3, 0.4, 2.5,
-                                       "gain of the load cell in compression over that in tension"},
-                                      {"p_bore", "-", 1, -100, 100, 0.4, 2.5, "bore pressure"},
-                                      {"p_rod", "-", 1, -100, 100, 0.4, 2.5, "rod pressure"},
-                                      {"piston", "-", 1, -100, 100, 0.4, 2.5, "piston"},
-                                  },
-                                  InstallSensorGain,
-                                  {
-                                      .rig =
-                                          {
-                                              {.free = {{"load", 1}}},
-                                              {.free = {{"load_compression", 1}}},
-                                              {.free = {{"p_bore", 1}}},
-                                              {.free = {{"p_rod", 1}}},
-                                              {.free = {{"piston", 1}}},
-                                              {.free = {{"p_bore", 1}, {"p_rod", 1}}},
-                                          },
-                                      .options =
-                                          {
-                                              {.free = {{"p_bore", 1}}},
-                                              {.free = {{"p_rod", 1}}},
-                                              {.free = {{"load_compression", 1}}, .with = "load"},
-                                          },
-                                  }};
+  static const EffectInfo info = {
+      "sensor_gain",
+      "instrument",
+      "cylinders",
+      "shown = gain true, of pressures as told about the static one; of "
+      "a load cell in compression gain times load_compression",
+      {
+          {"load", "-", 1, -100, 100, 0.4, 2.5, "load cell"},
+          {"load_compression", "-", 1, 1e-3, 1e3, 0.4, 2.5,
+           "gain of the load cell in compression over that in tension"},
+          {"p_bore", "-", 1, -100, 100, 0.4, 2.5, "bore pressure"},
+          {"p_rod", "-", 1, -100, 100, 0.4, 2.5, "rod pressure"},
+          {"piston", "-", 1, -100, 100, 0.4, 2.5, "piston"},
+          {"zeroed_at_rest", "-", 0, 0, 1, 0, 1, "1: pressures were set right at the static ones"},
+      },
+      InstallSensorGain,
+      {
+          .rig =
+              {
+                  {.free = {{"load", 1}}},
+                  {.free = {{"load_compression", 1}}},
+                  {.free = {{"p_bore", 1}}},
+                  {.free = {{"p_rod", 1}}},
+                  {.free = {{"piston", 1}}},
+                  {.free = {{"p_bore", 1}, {"p_rod", 1}}},
+                  {.free = {{"p_bore", 1}}, .held = {{"zeroed_at_rest", 1}}},
+                  {.free = {{"p_rod", 1}}, .held = {{"zeroed_at_rest", 1}}},
+              },
+          .options =
+              {
+                  {.free = {{"p_bore", 1}}},
+                  {.free = {{"p_rod", 1}}},
+                  {.free = {{"load_compression", 1}}, .with = "load"},
+              },
+      }};
   return info;
 }
 

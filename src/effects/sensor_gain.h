@@ -1,7 +1,8 @@
 // Instruments with a wrong scale: shown = gain * true, gain [-] by channel, plausible 0.4 … 2.5.
 // Load cells are calibrated in tension and in compression apart (ISO 376), so one may have another
 // gain in compression (force < 0): load_compression [-] times as much.
-// Predicted channels only.
+// A pressure gauge that was set right at the static pressure is wrong about it: shown = p0 + gain
+// (p - p0) (zeroed_at_rest). Predicted channels only.
 #pragma once
 
 #include "hydraulics/extension.h"

@@ -13,7 +13,7 @@ using hydraulics::EffectInfo;
 using hydraulics::EffectParams;
 using hydraulics::Extension;
 
-constexpr int kCoefficients = 6;
+constexpr int kCoefficients = kFormulaCoefficients;
 constexpr FormulaUnit kUnits[] = {FormulaUnit::kForce, FormulaUnit::kVolume, FormulaUnit::kFlow,
                                   FormulaUnit::kLength, FormulaUnit::kPressure};
 

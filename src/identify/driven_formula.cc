@@ -113,7 +113,10 @@ FormulaTrial TryLineFormula(const FitProblem& problem, const FitProblem& coarse,
   const size_t base = fit.values.size();
   FormulaTrial best = FitFormula(problem, model, fit, fit.values,
                                  SearchLineFormula(coarse, model, fit.values, limits), kMostOil);
-  for (int round = 0; round < kRounds && best.fit.ok; ++round) {
+  const auto has_room = [](const FoundFormula& found) {  // for the coefficient of one more term
+    return found.coefficients.size() < effects::kFormulaCoefficients;
+  };
+  for (int round = 0; round < kRounds && best.fit.ok && has_room(best.found); ++round) {
     const FormulaTrial about = best;
     const std::vector<double> values(about.fit.values.begin(),
                                      about.fit.values.begin() + static_cast<long>(base));
@@ -179,6 +182,8 @@ Candidate FormulaCandidate(const FoundFormula& found, double most) {
   c.params.formula = found.text;
   c.params.targets = found.targets;
   c.starts = {{}};
+  // Of a term of two parts either may be nothing.
+  if (!found.terms.empty() && !found.terms.front().second.empty()) c.mains = 2;
   for (size_t k = 0; k < found.coefficients.size(); ++k) {
     const std::string name = fmt::format("c{}_{}", k + 1, found.unit);
     FreeParameter p;

@@ -142,6 +142,21 @@ namespace {
 
 constexpr double kLast = 0.99;  // of the work
 
+/// What both models leave in a window, by channel.
+struct WindowLeft {
+  std::vector<LeftOver> before, after;
+  std::vector<BeforeAfter> scores;
+
+  std::vector<ChannelLeft> Channels() const {
+    std::vector<ChannelLeft> out;
+    for (size_t c = 0; c < scores.size(); ++c) {
+      out.push_back({scores[c].channel, before[c].over_noise, after[c].over_noise,
+                     scores[c].after.nrmse, after[c].following, after[c].comes_and_goes});
+    }
+    return out;
+  }
+};
+
 TestRig TestRigOf(const Manifest& manifest, const FitData& data, const PhsParams& declared,
                   const SearchOptions& options) {
   std::vector<std::string> inputs;
@@ -186,31 +201,34 @@ Result<IdentifyOutcome> SearchAndWrite(const Manifest& manifest, const FitData& 
   for (const Status& s : ran) {
     if (!s.ok()) return s.error();
   }
-  const Result<std::vector<LeftOver>> over_noise =
-      OverNoise(data, problem->forward(), corrected, after, data.validation);
-  const Result<std::vector<LeftOver>> over_before =
-      OverNoise(data, problem->forward(), corrected, before, data.validation);
-  if (!over_noise.ok()) return over_noise.error();
-  if (!over_before.ok()) return over_before.error();
+  const auto left_in = [&](const std::array<double, 2>& window) -> Result<WindowLeft> {
+    auto over_after = OverNoise(data, problem->forward(), corrected, after, window);
+    auto over_before = OverNoise(data, problem->forward(), corrected, before, window);
+    if (!over_after.ok()) return over_after.error();
+    if (!over_before.ok()) return over_before.error();
+    return WindowLeft{std::move(over_before).value(), std::move(over_after).value(),
+                      ScoreBoth(data, before, after, window)};
+  };
+  const Result<WindowLeft> validation = left_in(data.validation);
+  const Result<WindowLeft> estimation = left_in(data.estimation);
+  if (!validation.ok()) return validation.error();
+  if (!estimation.ok()) return estimation.error();
   Json& result = outcome.result;
   result = Head(manifest, data);
   PutRule(options.rule, &result);
-  const std::vector<BeforeAfter> scores = ScoreBoth(data, before, after, data.validation);
-  const Unexplained unexplained = FindUnexplained(data, after, over_noise.value(), found);
+  const Unexplained unexplained = FindUnexplained(data, after, validation.value().after, found);
   const std::vector<std::string> drives = WhatDrives(*problem, found);
   const std::vector<std::string> wrong = measurement::FindContradictions(after, data);
-  VerdictFacts facts{{},    NamedEffects(found),      UntoldNames(found), FittedNumbers(found),
-                     wrong, !found.candidates.empty()};
+  VerdictFacts facts{BothWindows(validation.value().Channels(), estimation.value().Channels()),
+                     NamedEffects(found),
+                     UntoldNames(found),
+                     FittedNumbers(found),
+                     wrong,
+                     !found.candidates.empty()};
   facts.faults.insert(facts.faults.end(), drives.begin(), drives.end());
   facts.faults.insert(facts.faults.end(), data.faults.begin(), data.faults.end());
-  for (size_t c = 0; c < data.outputs.size(); ++c) {
-    const LeftOver& left = over_noise.value()[c];
-    facts.channels.push_back({data.outputs[c].name, over_before.value()[c].over_noise,
-                              left.over_noise, scores[c].after.nrmse, left.following,
-                              left.comes_and_goes});
-  }
-  result["channels"] = ScoresJson(scores);
-  result["channels_estimation"] = ScoresJson(ScoreBoth(data, before, after, data.estimation));
+  result["channels"] = ScoresJson(validation.value().scores);
+  result["channels_estimation"] = ScoresJson(estimation.value().scores);
   result["effects"] = EffectList(found);
   result["fitted"] = Parameters(found.corrected, found.after, 0, found.declared.free.size(), true);
   result["localised"] = LocalisedJson(Localise(data, before, found.before));

@@ -140,7 +140,8 @@ json ToJson(const RowMap& map) {
           {"whiteness_p", map.whiteness_p}};
 }
 
-LeftOver LeftOfRows(const ElementData& data, const Rows& predicted, const Rows& uncertain) {
+LeftOver LeftOfRows(const ElementData& data, const Rows& predicted, const Rows& uncertain,
+                    bool fitted) {
   double square = 0, following = 0, count = 0;
   bool comes_and_goes = false;
   for (size_t r = 0; r < data.records.size(); ++r) {
@@ -153,12 +154,14 @@ LeftOver LeftOfRows(const ElementData& data, const Rows& predicted, const Rows& 
     if (data.has_pressure) driven.push_back(&motion.pressure_Pa);
     if (data.has_temperature) driven.push_back(&motion.temperature_K);
     signals.resize(driven.size() + 1);
-    for (size_t k = 0; k < record.scored.size(); ++k) {
+    const std::vector<char>& in = fitted ? record.fitted : record.scored;
+    const auto& window = fitted ? record.estimation : record.validation;
+    for (size_t k = 0; k < in.size(); ++k) {
       const auto i = static_cast<size_t>(record.row_sample[k]);
-      if (!record.validation.Contains(record.Time(record.row_sample[k]))) continue;
+      if (!window.Contains(record.Time(record.row_sample[k]))) continue;
       const double over = (record.row_value[k] - predicted[r][k]) / NoiseAt(data, uncertain, r, k);
-      residual.push_back(record.scored[k] ? over : std::numeric_limits<double>::quiet_NaN());
-      if (record.scored[k]) square += over * over, ++present;
+      residual.push_back(in[k] ? over : std::numeric_limits<double>::quiet_NaN());
+      if (in[k]) square += over * over, ++present;
       for (size_t s = 0; s < driven.size(); ++s) signals[s].push_back((*driven[s])[i]);
       signals.back().push_back(predicted[r][k]);
     }

@@ -33,8 +33,9 @@ struct RowMap {
 RowMap MapRows(const ElementData& data, const Rows& predicted, const Rows& uncertain, bool fitted);
 nlohmann::ordered_json ToJson(const RowMap& map);
 
-/// What the scored rows leave, over the noise.
-LeftOver LeftOfRows(const ElementData& data, const Rows& predicted, const Rows& uncertain);
+/// What the rows of the estimation (`fitted`) or of the validation windows leave, over the noise.
+LeftOver LeftOfRows(const ElementData& data, const Rows& predicted, const Rows& uncertain,
+                    bool fitted);
 /// The formula with its fitted coefficients; empty without.
 std::string FormulaText(const search::Identification& found);
 

@@ -123,17 +123,24 @@ std::vector<PhsParams> CorrectedModels(const ElementData& data, const BenchRuns&
 /// Errors and residuals of both models.
 struct BenchFindings {
   RowScore estimation_before, estimation_after, before, after;
-  RowMap map_before;  ///< in the estimation windows
-  RowMap map_after;   ///< in the validation windows
+  RowMap map_before;                     ///< in the estimation windows
+  RowMap map_after;                      ///< in the validation windows
+  LeftOver fitted_before, fitted_after;  ///< in the estimation windows
   LeftOver left_before, left_after;
 };
 
 BenchFindings Look(const ElementData& data, const Rows& before, const Rows& after,
                    const Rows& uncertain) {
-  return {ScoreRows(data, before, true),          ScoreRows(data, after, true),
-          ScoreRows(data, before, false),         ScoreRows(data, after, false),
-          MapRows(data, before, uncertain, true), MapRows(data, after, uncertain, false),
-          LeftOfRows(data, before, uncertain),    LeftOfRows(data, after, uncertain)};
+  return {ScoreRows(data, before, true),
+          ScoreRows(data, after, true),
+          ScoreRows(data, before, false),
+          ScoreRows(data, after, false),
+          MapRows(data, before, uncertain, true),
+          MapRows(data, after, uncertain, false),
+          LeftOfRows(data, before, uncertain, true),
+          LeftOfRows(data, after, uncertain, true),
+          LeftOfRows(data, before, uncertain, false),
+          LeftOfRows(data, after, uncertain, false)};
 }
 
 Unexplained UnexplainedOf(const BenchFindings& f, const Identification& found) {
@@ -150,8 +157,12 @@ VerdictFacts FactsOf(const BenchFindings& f, const FitProblem& problem, const Id
                      std::vector<std::string> faults, std::vector<std::string>* drives) {
   *drives = search::WhatDrives(problem, found);
   faults.insert(faults.end(), drives->begin(), drives->end());
-  return {{{f.map_after.channel, f.left_before.over_noise, f.map_after.over_noise,
-            f.after.score.nrmse, f.left_after.following, f.left_after.comes_and_goes}},
+  const std::string& channel = f.map_after.channel;
+  return {BothWindows({{channel, f.left_before.over_noise, f.map_after.over_noise,
+                        f.after.score.nrmse, f.left_after.following, f.left_after.comes_and_goes}},
+                      {{channel, f.fitted_before.over_noise, f.fitted_after.over_noise,
+                        f.estimation_after.score.nrmse, f.fitted_after.following,
+                        f.fitted_after.comes_and_goes}}),
           search::NamedEffects(found),
           search::UntoldNames(found),
           search::FittedNumbers(found),

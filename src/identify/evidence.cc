@@ -3,7 +3,6 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace phs::identify::search {
 namespace {
@@ -43,7 +42,15 @@ double HeldOut(const FitProblem& problem, const FitResult& fit) {
   return likelihood.MinusTwoLog(likelihood.Powers(held));
 }
 
-double Share(double without, double with) { return without > 0 ? 1 - with / without : 0; }
+/// Of what `best` shows beyond its noise; what the others show more than before counts against it.
+double Share(const std::vector<double>& without, const std::vector<double>& with, size_t best) {
+  if (!(without[best] > 0)) return 0;
+  double removed = without[best] - with[best];
+  for (size_t b = 0; b < without.size(); ++b) {
+    if (b != best) removed -= std::max(0.0, with[b] - without[b]);
+  }
+  return removed / without[best];
+}
 
 }  // namespace
 
@@ -58,6 +65,7 @@ Evidence Compare(const FitProblem& problem, const FitResult& without, const FitR
   const std::vector<double> excess = likelihood.Excess(without.powers),
                             left = likelihood.Excess(with.powers);
   double mean = 0, most = -1e300;
+  size_t best = 0;
   for (size_t b = 0; b < excess.size(); ++b) {
     const double change = std::log(with.channel_ms[b] / std::max(1e-300, without.channel_ms[b]));
     mean += change / static_cast<double>(excess.size());
@@ -65,12 +73,11 @@ Evidence Compare(const FitProblem& problem, const FitResult& without, const FitR
     const double gain =
         likelihood.MinusTwoLog(without.powers, block) - likelihood.MinusTwoLog(with.powers, block);
     if (gain <= most) continue;
-    most = gain;
+    most = gain, best = b;
     e.best_channel = problem.block_name(b);
     e.best_channel_gain = 1 - std::exp(0.5 * change);
   }
-  e.share = Share(std::accumulate(excess.begin(), excess.end(), 0.0),
-                  std::accumulate(left.begin(), left.end(), 0.0));
+  e.share = Share(excess, left, best);
   e.estimation_gain = 1 - std::exp(0.5 * mean);
   e.cross_validation_gain =
       1 - std::exp(-0.5 * (HeldOut(problem, without) - HeldOut(problem, with)) / count);

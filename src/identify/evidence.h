@@ -19,7 +19,8 @@ struct Evidence {
   double estimation_gain = 0;    ///< share of the residual rms removed, over all channels
   std::string best_channel;      ///< the one whose likelihood gains most
   double best_channel_gain = 0;  ///< share of its residual rms removed
-  double share = 0;  ///< removed of what all channels show beyond their noise [mean square]
+  double share = 0;  ///< removed of what that channel shows beyond its noise [mean square], less
+                     ///< what others show more than before
   double cross_validation_gain = 0;  ///< the same as estimation_gain on parts left out
 };
 

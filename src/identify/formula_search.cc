@@ -67,7 +67,7 @@ class PlaceTerms final : public TermLibrary {
       const auto [sine, cosine] = WaveTexts(wave, turned);
       Add(sine, cosine, turned ? 3 : 2, std::log(waves_));
     }
-    if (data_.has_friction) AddRamp(residual);
+    if (data_.has_friction) AddRamp(residual), AddNotch(residual);
     if (data_.has_time_waves) AddTimeWave(residual);
   }
 
@@ -128,6 +128,45 @@ class PlaceTerms final : public TermLibrary {
     best = Refine(best, (x.back() - x.front()) / (2 * kPositions), 7,
                   [&](double at) { return TakenOff(residual, text(at, best_above)); });
     Add(text(best, best_above), "", 2, std::log(2 * kPositions));
+  }
+
+  /// A place that holds or pushes away (a detent, a burr that a spring rides over), as a bump over
+  /// x and its slope.
+  void AddNotch(const Eigen::VectorXd& residual) {
+    constexpr int kPositions = 12, kWidths = 5;
+    if (!places_known_) CollectRows();
+    std::vector<double> x = row_x_;
+    if (x.size() < 2 * kPositions) return;
+    std::sort(x.begin(), x.end());
+    const auto texts = [&](double at, double width) {
+      const std::string away =
+          fmt::format("((x{}{:.4g}[m])/{:.4g}[m])", at < 0 ? "+" : "-", std::abs(at), width);
+      const std::string bump = "exp(-" + away + "^2)";
+      return std::pair(bump, away + "*" + bump);
+    };
+    const auto taken_at = [&](double at, double width) {
+      const auto [bump, slope] = texts(at, width);
+      return TakenOff(residual, bump, slope);
+    };
+    const double span = x_high_ - x_low_;
+    double best = 0, wide = 0, most = 0;
+    for (int k = 1; k <= kPositions; ++k) {
+      const double at = x[static_cast<size_t>(k) * x.size() / (kPositions + 1)];
+      for (int i = 0; i < kWidths; ++i) {
+        const double width = span / 40 * std::pow(10.0, i / (kWidths - 1.0));
+        if (const double taken = taken_at(at, width); taken > most) {
+          most = taken, best = at, wide = width;
+        }
+      }
+    }
+    if (!(most > 0)) return;
+    for (int round = 0; round < 2; ++round) {
+      best = Refine(best, 0.5 * wide, 8, [&](double at) { return taken_at(at, wide); });
+      wide = std::exp(Refine(std::log(wide), 0.3, 7,
+                             [&](double log) { return taken_at(best, std::exp(log)); }));
+    }
+    const auto [bump, slope] = texts(best, wide);
+    Add(bump, slope, 3, std::log(kPositions * kWidths));
   }
 
   void AddTimeWave(const Eigen::VectorXd& residual) {

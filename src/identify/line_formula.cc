@@ -9,6 +9,7 @@
 #include "effects/formula.h"
 #include "effects/unlisted.h"
 #include "identify/fit_intervals.h"
+#include "measurement/time_wave.h"
 
 namespace phs::identify::search {
 namespace {
@@ -23,6 +24,9 @@ struct LinePlace {
   std::vector<std::string> targets;
   double low = 0, high = 0;
   double end_s = 1;  ///< of the record
+  /// Channel of its pressure, where waves over time can be sought in it; empty: they cannot.
+  std::string wave_channel = {};
+  double wave_step_s = 0;
 };
 
 struct Model {
@@ -52,6 +56,7 @@ class LineTerms final : public TermLibrary {
   /// The ramps that fit best beyond a pressure, above and below static: sought among sums of a few
   /// that the model has answered to.
   void AddForResidual(const Eigen::VectorXd& residual) override {
+    if (!place_.wave_channel.empty()) AddTimeWave(residual);
     for (const double end : {place_.high, place_.low}) {
       if (std::abs(end) < 0.05 * scale_) continue;
       for (const int power : {1, 2}) AddBestRamp(residual, end, power);
@@ -60,6 +65,26 @@ class LineTerms final : public TermLibrary {
 
  private:
   static constexpr int kGrid = 12, kScan = 240;
+
+  /// Oil that something beside the rig presses in and sucks out again: the strongest wave of the
+  /// line's pressure.
+  void AddTimeWave(const Eigen::VectorXd& residual) {
+    const FitProblem& problem = model_.problem;
+    const int channel = problem.FindOutput(place_.wave_channel);
+    if (channel < 0) return;
+    const Block& rows = problem.block(static_cast<size_t>(channel));
+    const Eigen::VectorXd weight = problem.Weighted(
+        place_.wave_channel, {std::vector<double>(static_cast<size_t>(rows.count), 1.0)});
+    const Eigen::VectorXd here = residual.segment(rows.begin, rows.count)
+                                     .cwiseProduct(weight.segment(rows.begin, rows.count));
+    const auto wave =
+        measurement::FindTimeWave({here.data(), here.data() + here.size()}, place_.wave_step_s);
+    if (!(wave.frequency_Hz > 0)) return;
+    const std::string angle = fmt::format("(2*pi*t/{:.8g}[s])", 1 / wave.frequency_Hz);
+    Eigen::MatrixXd columns(model_.residual.size(), 2);
+    columns << Column("sin" + angle), Column("cos" + angle);
+    AddColumns("sin" + angle, "cos" + angle, 2, std::log(wave.looked_at), columns);
+  }
 
   std::string Ramp(double share, double end, int power) const {
     const double onset = std::abs(share * end);
@@ -141,7 +166,8 @@ class LineTerms final : public TermLibrary {
 
   /// What the model answers to the term (coefficient 1), weighted; zeros where it refuses it.
   Eigen::VectorXd Column(const std::string& term) const {
-    const double amount = place_.unit == FormulaUnit::kVolume ? 1e-8 : 1e-10;
+    const bool wave = term.starts_with("sin") || term.starts_with("cos");
+    const double amount = place_.unit == FormulaUnit::kVolume || wave ? 1e-8 : 1e-10;
     FreeModel with = model_.free;
     const std::string unit = effects::UnitSuffix(place_.unit);
     if (model_.has_law) {
@@ -174,7 +200,7 @@ std::vector<LinePlace> LinePlaces(const FitProblem& problem, const PhsParams& pa
   if (!frame.ok() || params.cylinders.empty()) return {};
   const auto& cylinder = params.cylinders.front();
   LinePlace bore, rod, across;
-  double end = 0;
+  double end = 0, step = 0;
   const auto widen = [](LinePlace* place, double rise) {
     place->low = std::min(place->low, rise), place->high = std::max(place->high, rise);
   };
@@ -186,11 +212,18 @@ std::vector<LinePlace> LinePlaces(const FitProblem& problem, const PhsParams& pa
     }
   }
   std::vector<LinePlace> out;
+  if (frame.value().has_time_waves && frame.value().places.front().size() > 1) {
+    step = frame.value().places.front()[1].time - frame.value().places.front()[0].time;
+  }
   const bool has_bore = params.FindLine(cylinder.bore_line) >= 0;
   const bool has_rod = params.FindLine(cylinder.rod_line) >= 0;
   for (const FormulaUnit unit : {FormulaUnit::kVolume, FormulaUnit::kFlow}) {
-    if (has_bore) out.push_back({unit, {cylinder.bore_line}, bore.low, bore.high, end});
-    if (has_rod) out.push_back({unit, {cylinder.rod_line}, rod.low, rod.high, end});
+    const bool waves = step > 0 && unit == FormulaUnit::kFlow;
+    const auto add = [&](const std::string& line, const LinePlace& seen, const char* channel) {
+      out.push_back({unit, {line}, seen.low, seen.high, end, waves ? channel : "", step});
+    };
+    if (has_bore) add(cylinder.bore_line, bore, "p_bore_Pa");
+    if (has_rod) add(cylinder.rod_line, rod, "p_rod_Pa");
     if (!has_bore || !has_rod) continue;
     out.push_back({unit,
                    {cylinder.bore_line, cylinder.rod_line},

@@ -5,7 +5,8 @@
 // A term's column is what the model itself answers to a small amount of it, so that compliance,
 // memory and every channel are in it: column = (r(0) - r(c))/c, r the weighted residual. Terms are
 // p/P, its square and cube, p |p|/P², t p/(T P), and beyond a pressure p_c from a scan max(p - p_c,
-// 0)/P and its square, above and below the static pressure.
+// 0)/P and its square, above and below the static pressure. A flow may also be a wave over time,
+// whatever the pressure: a pump beside the rig, a hose that somebody else squeezes.
 #pragma once
 
 #include <vector>

@@ -87,9 +87,9 @@ std::string FlowThatDrives(const FitProblem& problem, const Identification& foun
     for (size_t i = 0; i + 1 < record.size(); ++i) {
       const double step = record[i + 1].time - record[i].time;
       const auto add = [&](double p) {
-        ForcePlace at = record[i];
-        at.bore_rise = p;
-        work += law.Value(at) * p * step;
+        ForcePlace at = record[i], still = at;
+        at.bore_rise = p, still.bore_rise = 0;
+        work += (law.Value(at) - law.Value(still)) * p * step;
       };
       if (past) add(record[i].bore_rise - record[i].rod_rise);
       if (!past && is_on(cylinder.bore_line)) add(record[i].bore_rise);

@@ -6,9 +6,10 @@
 // model's own friction it takes in
 //   W = integral of [R + (f(v, s) - f(0, 0)) sgn v] |v| dt
 // over the record, in extension and in retraction; of a flow out of a line or past the piston,
-//   W = integral of q(p) p dt
-// p its pressure difference. Where one of these is negative the formula drives: no part of a rig
-// without a supply of its own does that, so that something else is there.
+//   W = integral of [q(p) - q(0)] p dt
+// p its pressure difference; what flows at p = 0 is driven by time, by a supply of its own. Where
+// one of these is negative the formula drives: no part of a rig without a supply does that, so that
+// something else is there.
 #pragma once
 
 #include <string>

@@ -28,8 +28,10 @@ const ChannelLeft* Worst(const VerdictFacts& facts) {
 
 std::string Left(const ChannelLeft& c) {
   return fmt::format(
-      "{} is left with {:.1f} times its noise and uncertainty, {:.1f} % of its standard deviation",
-      c.channel, c.after, 100 * c.of_sigma);
+      "{}{} is left with {:.1f} times its noise and uncertainty, {:.1f} % of its standard "
+      "deviation",
+      c.window == "validation" ? "" : "in the " + c.window + " window ", c.channel, c.after,
+      100 * c.of_sigma);
 }
 
 /// Channels with more than their white noise, of which no more than that follows what the rig did.
@@ -46,9 +48,9 @@ void AddColoured(const VerdictFacts& facts, std::vector<std::string>* reasons) {
 /// What shakes the rig from beside it: what follows the rig, or drifts, is loud in some parts, too.
 void AddComing(const ChannelLeft& c, std::vector<std::string>* reasons) {
   if (!c.comes_and_goes || c.following > kAsLargeAsNoise) return;
-  reasons->push_back("what " + c.channel +
-                     " is left with comes and goes: for parts of the validation window it is as "
-                     "good as quiet; look for what runs or strikes beside the rig");
+  reasons->push_back(
+      "what " + c.channel + " is left with comes and goes: for parts of the " + c.window +
+      " window it is as good as quiet; look for what runs or strikes beside the rig");
 }
 
 /// Declared numbers that the fit has driven to an end, or far away: said in any case.
@@ -74,6 +76,16 @@ Verdict Undescribed(const VerdictFacts& facts, std::vector<std::string> reasons)
 }
 
 }  // namespace
+
+std::vector<ChannelLeft> BothWindows(std::vector<ChannelLeft> validation,
+                                     const std::vector<ChannelLeft>& estimation) {
+  for (ChannelLeft c : estimation) {
+    if (Lacking(c) <= kAsLargeAsNoise) continue;
+    c.window = "estimation";
+    validation.push_back(std::move(c));
+  }
+  return validation;
+}
 
 Verdict Judge(const VerdictFacts& facts) {
   std::vector<std::string> reasons = facts.faults;

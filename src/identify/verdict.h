@@ -8,7 +8,8 @@
 // "Noise": of the mean square of the worst channel over that of sensor noise and uncertain input,
 // no more than 1 is beyond the noise and follows what the rig did (motion_share.h), so that
 // whatever the model lacks is no larger than the noise itself. What does not follow is noise with a
-// colour, unless it comes and goes: that is something beside the rig.
+// colour, unless it comes and goes: that is something beside the rig. Both windows are judged: a
+// model that leaves the record it was fitted to undescribed is none of what it was not.
 // "Most": more than half of the mean square beyond the noise.
 #pragma once
 
@@ -21,7 +22,7 @@ namespace phs::identify {
 /// Mean square beyond the noise, over it, that a model may lack and suffice.
 inline constexpr double kAsLargeAsNoise = 1;
 
-/// What a channel leaves on the validation window.
+/// What a channel leaves on a window.
 struct ChannelLeft {
   std::string channel;
   double before = 1, after = 1;  ///< rms over noise: declared model as fitted, corrected model
@@ -29,7 +30,13 @@ struct ChannelLeft {
   /// Mean square over that of the noise, corrected, of the part that follows what the rig did.
   double following = std::numeric_limits<double>::infinity();
   bool comes_and_goes = false;  ///< what is left is not there all the time (motion_share.h)
+  std::string window = "validation";
 };
+
+/// The channels of the validation window, and of the estimation window those that lack more than
+/// noise there.
+std::vector<ChannelLeft> BothWindows(std::vector<ChannelLeft> validation,
+                                     const std::vector<ChannelLeft>& estimation);
 
 /// An accepted effect and those that explain as much.
 struct NamedEffect {

@@ -290,6 +290,24 @@ TEST(EffectForms, AMountHardensAndDiffersByDirection) {
   }
 }
 
+/// VDI 2230: stiff until tension has used up the preload, the bolts alone beyond.
+TEST(EffectForms, ABoltedMountGapesBeyondItsPreload) {
+  const double k = 5e7, r = 0.25, preload = 4000;
+  const PhsParams params = OilWith(
+      "mount_compliance", {{"stiffness_N_per_m", k}, {"tension_ratio", r}, {"opens_N", preload}});
+  int gaping = 0, closed = 0;
+  for (double x : {1e-3, 2e-4, -1e-3}) {
+    const Held at = Hold(Compile(params), x, 0.1);
+    const double u = x - at.piston;
+    const bool open = u > preload / k;
+    ++(open ? gaping : closed);
+    EXPECT_NEAR(at.force, open ? preload + r * k * (u - preload / k) : k * u,
+                1e-4 * std::abs(at.force));
+  }
+  EXPECT_GT(gaping, 0);
+  EXPECT_GT(closed, 0);
+}
+
 /// A bench part that rubs with 1000 N and has one effect.
 PhsSystem Rubbing(const std::string& effect, std::map<std::string, double> values) {
   PhsParams params;

@@ -156,6 +156,7 @@ TEST(EnergyOfForms, WorkIsStoredPlusLost) {
       {"external_leakage", {{"exponent", 1.7}, {"rod_ratio", 3}}},
       {"backlash", {{"gap_m", 2e-4}, {"tension_share", 0.2}, {"hardening_1_per_m2", 1e9}}},
       {"mount_compliance", {{"hardening_1_per_m2", 3e6}, {"tension_ratio", 0.7}}},
+      {"mount_compliance", {{"opens_N", 3e3}, {"tension_ratio", 0.4}}},
       {"bush_viscoelastic",
        {{"second_N_per_m", 3e7}, {"second_relaxation_s", 0.05}, {"hardening_1_per_m2", 1e6}}},
       {"presliding", {{"creeping", 1}, {"share", 0.6}}},
@@ -163,6 +164,8 @@ TEST(EnergyOfForms, WorkIsStoredPlusLost) {
       {"presliding", {{"creeping", 1}, {"exponent", 0.6}}},
       {"position_friction", {{"spot_share", 0.4}, {"wave_sine", 0.2}}},
       {"viscous_friction", {{"exponent", 2}}},
+      {"pressure_friction", {{"turn_m_s", 1e-3}}},
+      {"asymmetric_friction", {{"turn_m_s", 1e-3}}},
       {"throttle",
        {{"laminar_Pas_per_m3", 2e9}, {"turbulent_Pas2_per_m6", 3e14}, {"relief_Pa", 3e4}}},
   };

@@ -105,6 +105,27 @@ TEST(PressureFriction, MayBeginAtAPressure) {
               1e-4 * 1e7 * 0.5, 1e-6);
 }
 
+/// Added friction turns over a speed of its own, in both effects that have one.
+TEST(AddedFriction, MayTurnOverASpeedOfItsOwn) {
+  const PhsParams p = Quarter();
+  const double turn = 6e-4, rise = 3e6;
+  const PhsSystem plain = Compile(p);
+  const PhsSystem pressed = Compile(With(
+      p, "pressure_friction", {{"bore_N_per_Pa", 1e-4}, {"rod_N_per_Pa", 0}, {"turn_m_s", turn}}));
+  const PhsSystem sided =
+      Compile(With(p, "asymmetric_friction", {{"level_N", 200}, {"turn_m_s", turn}}));
+  hydraulics::FrictionPlace place;
+  place.bore_rise = rise;
+  for (const double v : {3e-4, 6e-4, 5e-3}) {
+    const double part = v / std::hypot(v, turn);
+    for (const int sign : {1, -1}) {
+      const double own = plain.friction(0).Level(sign, v, place);
+      EXPECT_NEAR(pressed.friction(0).Level(sign, v, place) - own, 1e-4 * rise * part, 1e-6) << v;
+      EXPECT_NEAR(sided.friction(0).Level(sign, v, place) - own, sign * 200 * part, 1e-6) << v;
+    }
+  }
+}
+
 TEST(PressureFriction, GrowsWithThePressureOfEachChamber) {
   const PhsParams p = Quarter();
   const double kb = 2e-4, kr = 1e-4;

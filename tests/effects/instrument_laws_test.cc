@@ -62,6 +62,60 @@ TEST(Instruments, ALoadCellMayHaveAnotherGainInCompression) {
   EXPECT_EQ(shown[2], plain[2]);
 }
 
+TEST(Instruments, AGaugeThatWasZeroedAtRestIsWrongAboutIt) {
+  const PhsParams p = Quarter();
+  const auto plain = Shown(p);
+  const auto shown = Shown(With(p, "sensor_gain", {{"p_bore", 1.1}, {"zeroed_at_rest", 1}}));
+  const double rest = p.lines[1].static_pressure_Pa;
+  ASSERT_EQ(p.cylinders[0].bore_line, p.lines[1].name);
+  for (const size_t i : {0u, 70u, 200u}) {
+    EXPECT_NEAR(shown[2][i], rest + 1.1 * (plain[2][i] - rest), 1e-6);
+  }
+  EXPECT_EQ(shown[3], plain[3]);
+}
+
+/// Against the same equation in steps a thousand times finer.
+TEST(Instruments, AGaugeThatCreepsShowsAShareLate) {
+  const PhsParams p = Quarter();
+  const auto plain = Shown(p);
+  const auto shown = Shown(With(p, "sensor_creep",
+                                {{"load", 0.05},
+                                 {"time_s", 0.7},
+                                 {"slow_part", 0.25},
+                                 {"slow_time_s", 3},
+                                 {"p_rod", -0.02}}));
+  double quick = 0, slow = 0;
+  for (size_t i = 0; i + 1 < plain[1].size(); ++i) {
+    const double from = plain[1][i] - plain[1][0], to = plain[1][i + 1] - plain[1][0];
+    for (int k = 0; k < 1000; ++k) {
+      const double u = from + (to - from) * (k + 0.5) / 1000;
+      quick += 0.01 / 1000 * (u - quick) / 0.7, slow += 0.01 / 1000 * (u - slow) / 3;
+    }
+    EXPECT_NEAR(shown[1][i + 1] - plain[1][i + 1], 0.05 * (0.75 * quick + 0.25 * slow), 0.05)
+        << i << ": of some kN";
+  }
+  EXPECT_DOUBLE_EQ(shown[3][0], plain[3][0]);
+  EXPECT_NE(shown[3][300], plain[3][300]);
+  EXPECT_EQ(shown[2], plain[2]);
+}
+
+/// Up and down again: the loop does not know how fast, it closes, and it lags.
+TEST(Instruments, ALoadCellWithHysteresisGoesAnotherWayBack) {
+  const PhsParams p = Quarter();
+  const auto plain = Shown(p);
+  const double share = 0.1, width = 6000;
+  const auto shown = Shown(With(p, "sensor_hysteresis", {{"load", share}, {"width_N", width}}));
+  double most = 0, loop = 0;
+  for (size_t i = 0; i + 1 < plain[1].size(); ++i) {
+    most = std::max(most, std::abs(plain[1][i] - shown[1][i]));
+    loop += 0.5 * (plain[1][i] + plain[1][i + 1] - shown[1][i] - shown[1][i + 1]) *
+            (plain[1][i + 1] - plain[1][i]);
+  }
+  EXPECT_GT(loop, 0) << "what the part beside takes up it does not give back";
+  // All six elements slip: mean of W/6 … W.
+  EXPECT_NEAR(most, share * width * 7 / 12, 1e-9 * width);
+}
+
 TEST(Instruments, ADriftMayComeAndGoWithAPeriod) {
   const PhsParams p = Quarter();
   const auto plain = Shown(p);

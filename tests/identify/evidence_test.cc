@@ -90,8 +90,9 @@ TEST(Evidence, WhatIsSpoiltCountsAgainstWhatIsMended) {
   };
   const FitResult before = fitted(4, 2);
   const Evidence mended = Compare(problem, before, fitted(1, 2), 1);
-  EXPECT_NEAR(mended.share, 14.9 / (14.9 + 2.9), 0.03);
+  EXPECT_NEAR(mended.share, 1, 0.03) << "of the channel that it mends, whatever else is wrong";
   EXPECT_EQ(mended.best_channel, "load_cell_N");
+  EXPECT_NEAR(Compare(problem, before, fitted(1, 3), 1).share, 1 - (9 - 4) / 14.9, 0.05);
   EXPECT_LT(Compare(problem, before, fitted(1, 4.3), 1).share, 0.05);
 }
 

@@ -123,6 +123,10 @@ TEST(Passivity, AFlowAgainstItsPressureDrives) {
   EXPECT_TRUE(DrivesWith("c1*(p/1e6[Pa])", "m3_per_s", 1e-9, {"L1"}).empty());
   EXPECT_THAT(DrivesWith("c1*(p/1e6[Pa])", "m3_per_s", -1e-9, {"L1"}),
               testing::ElementsAre(testing::HasSubstr("the flow c1*(p/1e6[Pa]) drives")));
+  for (const double sign : {1, -1}) {
+    EXPECT_TRUE(DrivesWith("c1*sin(2*pi*t/7[s])", "m3_per_s", sign * 1e-6, {"L1"}).empty())
+        << "time drives it, which is said by its variable";
+  }
 }
 
 }  // namespace

@@ -115,6 +115,34 @@ TEST(UnlistedSearchTest, ATapOnAThroatReadsLowByTheSquareOfTheSpeed) {
   EXPECT_NEAR(found.after.values.back(), -1.2e5, 4e3);
 }
 
+/// A pump on the next bench squeezes the hose: oil comes and goes whatever the piston does.
+TEST(UnlistedSearchTest, OilThatComesAndGoesWithTimeIsAFlowOfItsLine) {
+  const FitData data = Record(WithUnlisted("c1*cos(2*pi*t/0.61[s])", "c1_m3_per_s", 3e-6, {"L2"}));
+  const Identification found = Find(Declared(), data);
+  ASSERT_EQ(found.effects.size(), 1u) << Said(found);
+  EXPECT_EQ(found.effects[0].candidate.effect, "unlisted");
+  EXPECT_EQ(found.formula.unit, "m3_per_s");
+  EXPECT_EQ(found.formula.targets, std::vector<std::string>{"L2"});
+  const std::string text = found.formula.text;
+  ASSERT_THAT(text, testing::HasSubstr("sin(2*pi*t/"));
+  EXPECT_NEAR(std::stod(text.substr(text.find("t/") + 2)), 0.61, 1e-3 * 0.61);
+  EXPECT_LT(found.after.channel_ms[2], 1.1);
+}
+
+/// A spring ball drops into a notch: a bump's slope, of which the even part is nothing.
+TEST(UnlistedSearchTest, ADetentIsABumpOverThePosition) {
+  const FitData data = Record(WithUnlisted(
+      "c1*((x-0.0004[m])/0.0005[m])*exp(-((x-0.0004[m])/0.0005[m])^2)", "c1_N", 900, {}));
+  const Identification found = Find(Declared(), data);
+  ASSERT_EQ(found.effects.size(), 1u) << Said(found);
+  EXPECT_EQ(found.effects[0].candidate.effect, "unlisted");
+  const std::string text = found.formula.text;
+  ASSERT_THAT(text, testing::StartsWith("c1*exp(-((x-"));
+  EXPECT_NEAR(std::stod(text.substr(text.find("((x-") + 4)), 4e-4, 2e-5);
+  const Identification clean = Find(Declared(), Record(OffDeclared()));
+  EXPECT_LT(found.after.channel_ms[1], 1.1 * clean.after.channel_ms[1]);
+}
+
 TEST(UnlistedSearchTest, AReliefValveIsAFlowBeyondAPressure) {
   const double opening = 5e6;  // above static: beyond what a leak of any exponent gives
   const FitData data =

@@ -53,6 +53,19 @@ TEST(Verdict, WhatComesAndGoesIsNoNoiseOfTheSensor) {
   EXPECT_THAT(Judge(facts).reasons, Not(Contains(HasSubstr("comes and goes"))));
 }
 
+/// One loud stroke in the record that was fitted to, none like it in the validation window.
+TEST(Verdict, WhatTheEstimationWindowShowsIsJudgedToo) {
+  const ChannelLeft quiet{"load_cell_N", 1.05, 1.05, 0.02}, loud{"load_cell_N", 9, 9, 0.05};
+  VerdictFacts facts = Facts(1.05, 1.05);
+  facts.channels = BothWindows({quiet}, {quiet});
+  EXPECT_EQ(facts.channels.size(), 1u);
+  EXPECT_EQ(Judge(facts).word, "sufficient");
+  facts.channels = BothWindows({quiet}, {loud});
+  EXPECT_EQ(Judge(facts).word, "not_described");
+  EXPECT_THAT(Judge(facts).reasons,
+              Contains(HasSubstr("in the estimation window load_cell_N is left with 9.0 times")));
+}
+
 TEST(Verdict, AFormThatIsOnNoListIsSaid) {
   VerdictFacts facts = Facts(5, 1.05);
   facts.effects = {{.name = "stribeck", .own_form = "c1*(v/0.02[m/s])"}};

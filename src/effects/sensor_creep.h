@@ -1,0 +1,14 @@
+// Instruments of which a share of the signal comes late and fades late: the foil and the glue of a
+// strain gauge creep under load and return after it (OIML R 60: creep and its recovery).
+//   shown = true + a [(1 - b) z1 + b z2],   tau_i dz_i/dt = (true - at first) - z_i
+// a [-] by channel, load cells 2e-4 … 0.1, of either sign; b: the part that is slow. At the first
+// sample the gauge has settled. Predicted channels only.
+#pragma once
+
+#include "hydraulics/extension.h"
+
+namespace phs::effects {
+
+const hydraulics::EffectInfo& SensorCreepInfo();
+
+}  // namespace phs::effects
