@@ -12,6 +12,18 @@ using hydraulics::EffectParams;
 using hydraulics::Extension;
 using hydraulics::Sensor;
 
+/// Beyond a pressure the gauge shows another share of what comes on top.
+class ScaleBeyond final : public hydraulics::ReadingLaw {
+ public:
+  ScaleBeyond(double gain, double from) : gain_(gain), from_(from) {}
+  double Scaled(double value) const noexcept override {
+    return value > from_ ? from_ + gain_ * (value - from_) : value;
+  }
+
+ private:
+  double gain_, from_;
+};
+
 class Scale final : public hydraulics::ReadingLaw {
  public:
   explicit Scale(double gain, double below_zero = 1, double zeroed_at = 0)
@@ -28,19 +40,23 @@ class Scale final : public hydraulics::ReadingLaw {
 Status InstallSensorGain(const EffectParams& effect, Extension* extension) {
   const auto value = [&effect](const char* key) { return effect.values.at(key); };
   const bool at_rest = value("zeroed_at_rest") != 0;
+  const double from = value("from_Pa");
   for (int i : TargetCylinders(effect, extension->params())) {
     const auto& cylinder = extension->params().cylinders[static_cast<size_t>(i)];
-    const auto add = [&](Sensor sensor, double gain, double ratio, double zeroed_at) {
+    const auto add = [&](Sensor sensor, double gain, double ratio = 1, double zeroed_at = 0) {
       if (gain == 1 && ratio == 1) return;
       extension->AddReading(i, sensor, std::make_unique<Scale>(gain, ratio, zeroed_at));
     };
-    const auto rest = [&](const std::string& line) {
-      return at_rest ? StaticPressure(line, *extension) : 0;
+    const auto add_pressure = [&](Sensor sensor, double gain, const std::string& line) {
+      if (gain == 1 || from == 0) {
+        return add(sensor, gain, 1, at_rest ? StaticPressure(line, *extension) : 0);
+      }
+      extension->AddReading(i, sensor, std::make_unique<ScaleBeyond>(gain, from));
     };
-    add(Sensor::kBorePressure, value("p_bore"), 1, rest(cylinder.bore_line));
-    add(Sensor::kRodPressure, value("p_rod"), 1, rest(cylinder.rod_line));
-    add(Sensor::kPiston, value("piston"), 1, 0);
-    add(Sensor::kLoad, value("load"), value("load_compression"), 0);
+    add_pressure(Sensor::kBorePressure, value("p_bore"), cylinder.bore_line);
+    add_pressure(Sensor::kRodPressure, value("p_rod"), cylinder.rod_line);
+    add(Sensor::kPiston, value("piston"));
+    add(Sensor::kLoad, value("load"), value("load_compression"));
   }
   return {};
 }

@@ -1,5 +1,6 @@
 #include "effects/viscous_friction.h"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -17,7 +18,8 @@ Status InstallViscousFriction(const EffectParams& effect, Extension* extension) 
   for (int i : TargetCylinders(effect, extension->params())) {
     extension->AddForce(i, std::make_unique<ViscousForce>(effect.values.at("extension_Ns_per_m"),
                                                           effect.values.at("retraction_Ns_per_m"),
-                                                          effect.values.at("exponent")));
+                                                          effect.values.at("exponent"),
+                                                          effect.values.at("from_m_s")));
   }
   return {};
 }
@@ -26,7 +28,8 @@ Status InstallViscousFriction(const EffectParams& effect, Extension* extension) 
 
 double ViscousForce::Force(const hydraulics::ForcePlace& place) const noexcept {
   constexpr double kReference = 1e-2, kSmooth = 1e-4;  // [m/s]
-  const double v = place.speed;
+  const double v =
+      place.speed > 0 ? std::max(place.speed - from_, 0.0) : std::min(place.speed + from_, 0.0);
   double force = (v > 0 ? extension_ : retraction_) * v;
   if (force != 0 && exponent_ != 1) {
     force *=
@@ -40,11 +43,12 @@ const EffectInfo& ViscousFrictionInfo() {
       "viscous_friction",
       "friction",
       "cylinders",
-      "+ c v (|v|/1 cm/s)^(n-1)",
+      "+ c v (|v|/1 cm/s)^(n-1), |v| beyond v_f",
       {
           {"extension_Ns_per_m", "N s/m", 5000, 0, 1e8, 0, 1e6, "c for v > 0"},
           {"retraction_Ns_per_m", "N s/m", 5000, 0, 1e8, 0, 1e6, "c for v < 0"},
           {"exponent", "-", 1, 0.2, 4, 0.4, 2.5, "n"},
+          {"from_m_s", "m/s", 0, 0, 10, 0, 0.05, "v_f: no drag below it"},
       },
       InstallViscousFriction,
       {
@@ -76,6 +80,7 @@ const EffectInfo& ViscousFrictionInfo() {
           .options =
               {
                   {.free = {{"exponent", 0.7, 1.6, 2}}},
+                  {.free = {{"from_m_s", 2e-3, 1e-2, 2}}},
               },
           .over = {"N", "sv"},
       }};

@@ -68,7 +68,7 @@ class ForceLaw {
                        double* /*state*/) const noexcept {}
   /// True where it depends on the speed alone: pressures and direction then need not be known.
   virtual bool OfSpeedAlone() const { return false; }
-  /// d(force)/d(speed) about rest [N s/m], >= 0, for motion of direction `sign`.
+  /// d(force)/d(speed) about rest, or more [N s/m], >= 0, for motion of direction `sign`.
   virtual double Damping(int /*sign*/) const { return 0; }
 };
 

@@ -1,8 +1,9 @@
 // What the instruments of a cylinder show of the truth on a rig.
 //
 // Several laws at one sensor: shown = scales(true') + sum of errors, where true' is the true series
-// after all lags. Lags and scales do not change the sign and are linear to either side of zero, so
-// the order of the laws does not count (but where a lag crosses zero).
+// after all lags. Lags and scales do not change the sign and most are linear to either side of zero,
+// so the order of the laws does not count (but where a lag crosses zero, and beside a scale that
+// begins at a value or a loop).
 #pragma once
 
 #include <memory>

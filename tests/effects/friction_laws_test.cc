@@ -126,6 +126,18 @@ TEST(AddedFriction, MayTurnOverASpeedOfItsOwn) {
   }
 }
 
+TEST(ViscousFriction, MayBeginAtASpeed) {
+  const PhsParams p = Quarter();
+  const PhsParams with =
+      With(p, "viscous_friction",
+           {{"extension_Ns_per_m", 4e4}, {"retraction_Ns_per_m", 2e4}, {"from_m_s", 6e-3}});
+  for (const double v : {2e-3, 5e-3, 9e-3}) {
+    const double beyond = std::max(v - 6e-3, 0.0);
+    EXPECT_NEAR(Sliding(with, v) - Sliding(p, v), 4e4 * beyond, 1e-6) << v;
+    EXPECT_NEAR(Sliding(with, -v) - Sliding(p, -v), -2e4 * beyond, 1e-6) << v;
+  }
+}
+
 TEST(PressureFriction, GrowsWithThePressureOfEachChamber) {
   const PhsParams p = Quarter();
   const double kb = 2e-4, kr = 1e-4;

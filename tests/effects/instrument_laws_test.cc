@@ -74,6 +74,41 @@ TEST(Instruments, AGaugeThatWasZeroedAtRestIsWrongAboutIt) {
   EXPECT_EQ(shown[3], plain[3]);
 }
 
+TEST(Instruments, AGaugeMayBeRightUpToAPressure) {
+  const PhsParams p = Quarter();
+  const auto plain = Shown(p);
+  const double from = p.lines[1].static_pressure_Pa + 2e5;
+  const auto shown = Shown(With(p, "sensor_gain", {{"p_bore", 0.8}, {"from_Pa", from}}));
+  int beyond = 0;
+  for (size_t i = 0; i < plain[2].size(); ++i) {
+    const double above = std::max(plain[2][i] - from, 0.0);
+    beyond += above > 0;
+    EXPECT_NEAR(shown[2][i], plain[2][i] - 0.2 * above, 1e-6);
+  }
+  EXPECT_GT(beyond, 20);
+  EXPECT_LT(beyond, 380);
+}
+
+/// A plug of grease in the tap: the reading stands until the difference moves the plug.
+TEST(Instruments, AGaugeBehindAPlugStandsStillAfterEveryReversal) {
+  const PhsParams p = Quarter();
+  const auto plain = Shown(p);
+  const double width = 1e5;
+  const auto shown = Shown(With(p, "sensor_hysteresis", {{"p_rod", 1}, {"width_Pa", width}}));
+  const auto seeping =
+      Shown(With(p, "sensor_hysteresis", {{"p_rod", 1}, {"width_Pa", width}, {"seeps_s", 0.05}}));
+  double behind = 0, behind_seeping = 0;
+  for (size_t i = 0; i + 1 < plain[3].size(); ++i) {
+    behind = std::max(behind, std::abs(plain[3][i] - shown[3][i]));
+    behind_seeping = std::max(behind_seeping, std::abs(plain[3][i] - seeping[3][i]));
+    if (std::abs(plain[3][i] - plain[3][0]) > width / 6) continue;
+    if (i < 20) EXPECT_NEAR(shown[3][i], plain[3][0], 1e-6) << "no element has slipped yet";
+  }
+  EXPECT_NEAR(behind, width * 7 / 12, 1e-6 * width);
+  EXPECT_LT(behind_seeping, 0.9 * behind);
+  EXPECT_EQ(shown[2], plain[2]);
+}
+
 /// Against the same equation in steps a thousand times finer.
 TEST(Instruments, AGaugeThatCreepsShowsAShareLate) {
   const PhsParams p = Quarter();
