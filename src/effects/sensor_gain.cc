@@ -78,6 +78,7 @@ const EffectInfo& SensorGainInfo() {
           {"p_rod", "-", 1, -100, 100, 0.4, 2.5, "rod pressure"},
           {"piston", "-", 1, -100, 100, 0.4, 2.5, "piston"},
           {"zeroed_at_rest", "-", 0, 0, 1, 0, 1, "1: pressures were set right at the static ones"},
+          {"from_Pa", "Pa", 0, 0, 1e9, 0, 2e7, "pressures are right up to it; 0: nowhere"},
       },
       InstallSensorGain,
       {
@@ -97,6 +98,8 @@ const EffectInfo& SensorGainInfo() {
                   {.free = {{"p_bore", 1}}},
                   {.free = {{"p_rod", 1}}},
                   {.free = {{"load_compression", 1}}, .with = "load"},
+                  {.free = {{"from_Pa", 2e6, 8e6, 2}}, .with = "p_bore"},
+                  {.free = {{"from_Pa", 2e6, 8e6, 2}}, .with = "p_rod"},
               },
       }};
   return info;
