@@ -1,5 +1,6 @@
 #include "effects/pressure_area.h"
 
+#include <cmath>
 #include <memory>
 
 #include "effects/targets.h"
@@ -13,35 +14,52 @@ using hydraulics::Extension;
 using hydraulics::Places;
 using hydraulics::Walk;
 
-class PressedArea final : public hydraulics::LoadLaw {
+/// A p (|p| / 10 MPa)^(n - 1).
+class Thrust {
  public:
-  explicit PressedArea(double area_m2) : area_m2_(area_m2) {}
-  void Add(const hydraulics::LoadMotion& motion, std::vector<double>* force) const override {
-    for (size_t i = 0; i < motion.pressure.size(); ++i)
-      (*force)[i] += area_m2_ * motion.pressure[i];
+  explicit Thrust(const EffectParams& effect)
+      : area_m2_(effect.values.at("area_m2")), exponent_(effect.values.at("exponent")) {}
+  double At(double pressure) const {
+    constexpr double kReference = 1e7;  // [Pa]
+    if (exponent_ == 1) return area_m2_ * pressure;
+    return area_m2_ *
+           std::copysign(kReference * std::pow(std::abs(pressure) / kReference, exponent_),
+                         pressure);
   }
 
  private:
-  double area_m2_;
+  double area_m2_, exponent_;
+};
+
+class PressedArea final : public hydraulics::LoadLaw {
+ public:
+  explicit PressedArea(const Thrust& thrust) : thrust_(thrust) {}
+  void Add(const hydraulics::LoadMotion& motion, std::vector<double>* force) const override {
+    for (size_t i = 0; i < motion.pressure.size(); ++i)
+      (*force)[i] += thrust_.At(motion.pressure[i]);
+  }
+
+ private:
+  Thrust thrust_;
 };
 
 class PressedChamber final : public hydraulics::ForceLaw {
  public:
-  PressedChamber(double area_m2, bool bore) : area_m2_(area_m2), bore_(bore) {}
+  PressedChamber(const Thrust& thrust, bool bore) : thrust_(thrust), bore_(bore) {}
   double Force(const hydraulics::ForcePlace& place) const noexcept override {
-    return area_m2_ * (bore_ ? place.bore_rise : place.rod_rise);
+    return thrust_.At(bore_ ? place.bore_rise : place.rod_rise);
   }
 
  private:
-  double area_m2_;
+  Thrust thrust_;
   bool bore_;
 };
 
 Status InstallPressureArea(const EffectParams& effect, Extension* extension) {
-  const double area = effect.values.at("area_m2");
+  const Thrust thrust(effect);
   const auto& params = extension->params();
   if (IsBenchPart(params)) {
-    extension->AddLoad(std::make_unique<PressedArea>(area));
+    extension->AddLoad(std::make_unique<PressedArea>(thrust));
     return {};
   }
   for (const int line : TargetLines(effect, params)) {
@@ -50,7 +68,7 @@ Status InstallPressureArea(const EffectParams& effect, Extension* extension) {
       const auto& cylinder = params.cylinders[i];
       for (const bool bore : {true, false}) {
         if ((bore ? cylinder.bore_line : cylinder.rod_line) != name) continue;
-        extension->AddForce(static_cast<int>(i), std::make_unique<PressedChamber>(area, bore));
+        extension->AddForce(static_cast<int>(i), std::make_unique<PressedChamber>(thrust, bore));
       }
     }
   }
@@ -60,22 +78,25 @@ Status InstallPressureArea(const EffectParams& effect, Extension* extension) {
 }  // namespace
 
 const EffectInfo& PressureAreaInfo() {
-  static const EffectInfo info = {"pressure_area",
-                                  "element",
-                                  "lines",
-                                  "force A p: of a chamber's rise, on a bench of its channel",
-                                  {{"area_m2", "m2", 1e-4, -10, 10, -0.1, 0.1, "A"}},
-                                  InstallPressureArea,
-                                  {
-                                      .rig = {{.free = {{"area_m2", 0}}, .places = Places::kEach}},
-                                      .bench =
-                                          {
-                                              {.free = {{"area_m2", 0, 0, 1, Walk::kEach, -50, 50}},
-                                               .needs = {"p_Pa"},
-                                               .beside = {"element.pressure_area"}},
-                                          },
-                                      .over = {"N", "pq"},
-                                  }};
+  static const EffectInfo info = {
+      "pressure_area",
+      "element",
+      "lines",
+      "force A p (|p|/10 MPa)^(n-1): of a chamber's rise, on a bench of its channel",
+      {{"area_m2", "m2", 1e-4, -10, 10, -0.1, 0.1, "A"},
+       {"exponent", "-", 1, 0.1, 5, 0.4, 2.5, "n"}},
+      InstallPressureArea,
+      {
+          .rig = {{.free = {{"area_m2", 0}}, .places = Places::kEach}},
+          .bench =
+              {
+                  {.free = {{"area_m2", 0, 0, 1, Walk::kEach, -50, 50}},
+                   .needs = {"p_Pa"},
+                   .beside = {"element.pressure_area"}},
+              },
+          .options = {{.free = {{"exponent", 0.7, 1.5, 2}}}},
+          .over = {"N", "pq"},
+      }};
   return info;
 }
 

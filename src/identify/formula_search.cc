@@ -134,6 +134,7 @@ class PlaceTerms final : public TermLibrary {
   /// x and its slope.
   void AddNotch(const Eigen::VectorXd& residual) {
     constexpr int kPositions = 12, kWidths = 5;
+    constexpr double kFlank = 2;  // widths: the bump is down to e^-4
     if (!places_known_) CollectRows();
     std::vector<double> x = row_x_;
     if (x.size() < 2 * kPositions) return;
@@ -144,7 +145,12 @@ class PlaceTerms final : public TermLibrary {
       const std::string bump = "exp(-" + away + "^2)";
       return std::pair(bump, away + "*" + bump);
     };
+    // Of one whose flanks are not both seen nobody knows that it ends.
+    const auto is_seen = [&](double at, double width) {
+      return at - kFlank * width > x_low_ && at + kFlank * width < x_high_;
+    };
     const auto taken_at = [&](double at, double width) {
+      if (!is_seen(at, width)) return 0.0;
       const auto [bump, slope] = texts(at, width);
       return TakenOff(residual, bump, slope);
     };

@@ -205,6 +205,14 @@ TEST(ElementBench, OnARigAnAreaCarriesTheRiseOfItsLine) {
       EXPECT_EQ(with[channel][i], without[channel][i]);
       EXPECT_NEAR(with[1][i] - without[1][i], 2e-4 * (with[channel][i] - still), 1e-6);
     }
+    // A hose thrusts less the straighter it is: with the 0.6th power.
+    params.effects.back().values["exponent"] = 0.6;
+    const auto bent = run(params);
+    for (size_t i = 0; i < 400; i += 37) {
+      const double rise = with[channel][i] - still;
+      const double thrust = std::copysign(2e-4 * 1e7 * std::pow(std::abs(rise) / 1e7, 0.6), rise);
+      EXPECT_NEAR(bent[1][i] - without[1][i], thrust, 1e-6);
+    }
   }
 }
 
