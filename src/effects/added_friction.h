@@ -1,7 +1,7 @@
 // Friction beside the declared curve turns over a speed of its own: times v / sqrt(v² + v_t²).
-// v_t [m/s]: where it is 0.71 of its full size; 0: at once. A dry lip turns over some µm/s, one that
-// a film lifts or that has to roll over some mm/s; the declared curve, measured without it, says
-// nothing of that. Dissipative: it keeps the sign of the level.
+// v_t [m/s]: where it is 0.71 of its full size; 0: at once. A dry lip turns over some µm/s, one
+// that a film lifts or that has to roll over some mm/s; the declared curve, measured without it,
+// says nothing of that. Dissipative: it keeps the sign of the level.
 #pragma once
 
 #include <cmath>

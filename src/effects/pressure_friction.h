@@ -3,8 +3,8 @@
 // A lip that bears only when the oil presses it out begins at a pressure p_s: of p and p0 counts
 // what is above (start_Pa, absolute). One that is soon flat, or bears ever more, grows with
 // p (p/10 MPa)^(n-1) (exponent). A lip that turns over with the motion is gripped by another share
-// in retraction (retraction_ratio). It turns over a speed of its own (added_friction.h). On an element bench p is the pressure channel and p0 = 0.
-// Dissipative: part of the friction level.
+// in retraction (retraction_ratio). What is added turns over a speed of its own (added_friction.h).
+// On a bench p is the pressure channel and p0 = 0. Dissipative: part of the friction level.
 #pragma once
 
 #include "hydraulics/extension.h"

@@ -13,9 +13,9 @@ struct Acceptance {
   /// better by 2 ln(1/false_alarms): by Bonferroni's inequality chance alone does not do that more
   /// often.
   double false_alarms = 0.01;
-  /// Share of what all channels show beyond their noise that an effect must remove, what it spoils
-  /// counted against it: no model is quite right, and with many samples the likelihood sees every
-  /// tenth of a per cent of it. Below a third the larger cause is another one.
+  /// Share of what the channel that gains most shows beyond its noise that an effect must remove,
+  /// what it spoils in others counted against it: no model is quite right, and with many samples
+  /// the likelihood sees every per mille of it. Below a third the larger cause is another.
   double least_share = 0.33;
   /// How well the power of noise and discrepancy is known in an octave (likelihood.h): the noise is
   /// estimated from the same record, its level not better than by 5 %.

@@ -70,9 +70,7 @@ void AddRms(const std::vector<Channels>& differences, Channels* deviation) {
 
 }  // namespace
 
-Result<std::vector<LeftOver>> OverNoise(const FitData& data, const ForwardModel& forward,
-                                        const PhsParams& params, const Channels& predicted,
-                                        const std::array<double, 2>& window) {
+Result<Channels> KnownErrors(const ForwardModel& forward, const PhsParams& params) {
   Channels uncertain;
   const Status s = forward.Uncertainty(params, ForwardModel::Span::kWhole, &uncertain);
   if (!s.ok()) return s.error();
@@ -83,6 +81,11 @@ Result<std::vector<LeftOver>> OverNoise(const FitData& data, const ForwardModel&
   const Status drawn = forward.InputErrors(params, ForwardModel::Span::kWhole, &differences);
   if (!drawn.ok()) return drawn.error();
   AddRms(differences, &uncertain);
+  return uncertain;
+}
+
+std::vector<LeftOver> OverNoise(const FitData& data, const Channels& uncertain,
+                                const Channels& predicted, const std::array<double, 2>& window) {
   const auto row = [&](double t) {
     return static_cast<size_t>(std::lower_bound(data.time_s.begin(), data.time_s.end(), t) -
                                data.time_s.begin());
@@ -201,25 +204,21 @@ Result<IdentifyOutcome> SearchAndWrite(const Manifest& manifest, const FitData& 
   for (const Status& s : ran) {
     if (!s.ok()) return s.error();
   }
-  const auto left_in = [&](const std::array<double, 2>& window) -> Result<WindowLeft> {
-    auto over_after = OverNoise(data, problem->forward(), corrected, after, window);
-    auto over_before = OverNoise(data, problem->forward(), corrected, before, window);
-    if (!over_after.ok()) return over_after.error();
-    if (!over_before.ok()) return over_before.error();
-    return WindowLeft{std::move(over_before).value(), std::move(over_after).value(),
-                      ScoreBoth(data, before, after, window)};
+  const Result<Channels> uncertain = KnownErrors(problem->forward(), corrected);
+  if (!uncertain.ok()) return uncertain.error();
+  const auto left_in = [&](const std::array<double, 2>& window) -> WindowLeft {
+    return {OverNoise(data, uncertain.value(), before, window),
+            OverNoise(data, uncertain.value(), after, window),
+            ScoreBoth(data, before, after, window)};
   };
-  const Result<WindowLeft> validation = left_in(data.validation);
-  const Result<WindowLeft> estimation = left_in(data.estimation);
-  if (!validation.ok()) return validation.error();
-  if (!estimation.ok()) return estimation.error();
+  const WindowLeft validation = left_in(data.validation), estimation = left_in(data.estimation);
   Json& result = outcome.result;
   result = Head(manifest, data);
   PutRule(options.rule, &result);
-  const Unexplained unexplained = FindUnexplained(data, after, validation.value().after, found);
+  const Unexplained unexplained = FindUnexplained(data, after, validation.after, found);
   const std::vector<std::string> drives = WhatDrives(*problem, found);
   const std::vector<std::string> wrong = measurement::FindContradictions(after, data);
-  VerdictFacts facts{BothWindows(validation.value().Channels(), estimation.value().Channels()),
+  VerdictFacts facts{BothWindows(validation.Channels(), estimation.Channels()),
                      NamedEffects(found),
                      UntoldNames(found),
                      FittedNumbers(found),
@@ -227,8 +226,8 @@ Result<IdentifyOutcome> SearchAndWrite(const Manifest& manifest, const FitData& 
                      !found.candidates.empty()};
   facts.faults.insert(facts.faults.end(), drives.begin(), drives.end());
   facts.faults.insert(facts.faults.end(), data.faults.begin(), data.faults.end());
-  result["channels"] = ScoresJson(validation.value().scores);
-  result["channels_estimation"] = ScoresJson(estimation.value().scores);
+  result["channels"] = ScoresJson(validation.scores);
+  result["channels_estimation"] = ScoresJson(estimation.scores);
   result["effects"] = EffectList(found);
   result["fitted"] = Parameters(found.corrected, found.after, 0, found.declared.free.size(), true);
   result["localised"] = LocalisedJson(Localise(data, before, found.before));

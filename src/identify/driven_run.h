@@ -22,12 +22,14 @@ Status WriteMeasured(const ResultDir& dir, const measurement::FitData& data);
 /// First part of result.json: what was asked and what the data are like.
 Json Head(const measurement::Manifest& manifest, const measurement::FitData& data);
 
-/// Of the residual of whole-record predictions, per channel; window [s].
-Result<std::vector<LeftOver>> OverNoise(const measurement::FitData& data,
-                                        const ForwardModel& forward,
-                                        const hydraulics::PhsParams& params,
-                                        const Channels& predicted,
-                                        const std::array<double, 2>& window);
+/// By how much (standard deviation) predictions over the whole record are uncertain though the
+/// model be right: through what drives it, and by what its theory leaves open.
+Result<Channels> KnownErrors(const ForwardModel& forward, const hydraulics::PhsParams& params);
+
+/// Of the residual of whole-record predictions over noise and known errors, per channel;
+/// window [s].
+std::vector<LeftOver> OverNoise(const measurement::FitData& data, const Channels& uncertain,
+                                const Channels& predicted, const std::array<double, 2>& window);
 
 /// Writes the corrected model in the form of the declared one.
 using WriteModel = std::function<Status(const hydraulics::PhsParams& corrected)>;

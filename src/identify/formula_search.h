@@ -3,10 +3,11 @@
 //
 // Terms are products of plain numbers: x/L, v/V, p/P, q/P, t/T0, dT/K and their powers, the
 // direction s of friction (with its memory of reversals), s³ (the shape of a reversal), and waves
-// sin and cos of 2 pi x/lambda, alone and times s, with lambda from a scan, and of 2 pi t/T. Each
-// coefficient has the unit of what the formula gives. What a sensor shows has |v| and v² in place of
-// terms with s: a flow past its port. Odd ones are left out: a resistance between chamber and line
-// does that, and a reading would take its place.
+// sin and cos of 2 pi x/lambda, alone and times s, with lambda from a scan, and of 2 pi t/T. Of
+// forces also what begins at a position, max(x - x1, 0), and a notch, exp(-((x - x1)/w)²) and its
+// slope, both flanks of which are seen. Each coefficient has the unit of what the formula gives.
+// What a sensor shows has |v| and v² in place of terms with s: a flow past its port. Odd ones are
+// left out: a resistance between chamber and line does that, and a reading would take its place.
 #pragma once
 
 #include <Eigen/Core>

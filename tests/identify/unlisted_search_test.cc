@@ -276,11 +276,12 @@ TEST(Unexplained, SaysWhatTheValidationWindowAloneExcites) {
   found.after.channel_ms = {1, 1, 1, 1};
   const Channels truth = PredictWhole(data, OffDeclared());
   const auto rig = RigForward::Create(data, Declared());
-  const auto over = OverNoise(data, *rig.value(), OffDeclared(), truth, data.validation);
-  ASSERT_TRUE(over.ok());
-  EXPECT_NEAR(over.value()[2].over_noise, 1, 0.1);
-  EXPECT_NEAR(over.value()[3].following, 99, 10) << "an offset is no noise";
-  const Unexplained left = FindUnexplained(data, truth, over.value(), found);
+  const Result<Channels> uncertain = KnownErrors(*rig.value(), OffDeclared());
+  ASSERT_TRUE(uncertain.ok());
+  const auto over = OverNoise(data, uncertain.value(), truth, data.validation);
+  EXPECT_NEAR(over[2].over_noise, 1, 0.1);
+  EXPECT_NEAR(over[3].following, 99, 10) << "an offset is no noise";
+  const Unexplained left = FindUnexplained(data, truth, over, found);
   EXPECT_EQ(left.channel, "p_rod_Pa");
   EXPECT_NEAR(left.over_noise, 10, 1);
   EXPECT_THAT(OtherMotion(left), testing::HasSubstr("validation window excites"));
