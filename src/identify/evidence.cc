@@ -43,7 +43,8 @@ double HeldOut(const FitProblem& problem, const FitResult& fit) {
 }
 
 /// Of what `best` shows beyond its noise; what the others show more than before counts against it.
-double Share(const std::vector<double>& without, const std::vector<double>& with, size_t best) {
+double ShareOfBest(const std::vector<double>& without, const std::vector<double>& with,
+                   size_t best) {
   if (!(without[best] > 0)) return 0;
   double removed = without[best] - with[best];
   for (size_t b = 0; b < without.size(); ++b) {
@@ -77,7 +78,7 @@ Evidence Compare(const FitProblem& problem, const FitResult& without, const FitR
     e.best_channel = problem.block_name(b);
     e.best_channel_gain = 1 - std::exp(0.5 * change);
   }
-  e.share = Share(excess, left, best);
+  e.share = ShareOfBest(excess, left, best);
   e.estimation_gain = 1 - std::exp(0.5 * mean);
   e.cross_validation_gain =
       1 - std::exp(-0.5 * (HeldOut(problem, without) - HeldOut(problem, with)) / count);
