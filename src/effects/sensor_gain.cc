@@ -98,8 +98,6 @@ const EffectInfo& SensorGainInfo() {
                   {.free = {{"p_bore", 1}}},
                   {.free = {{"p_rod", 1}}},
                   {.free = {{"load_compression", 1}}, .with = "load"},
-                  {.free = {{"from_Pa", 2e6, 8e6, 2}}, .with = "p_bore"},
-                  {.free = {{"from_Pa", 2e6, 8e6, 2}}, .with = "p_rod"},
               },
       }};
   return info;

@@ -3,7 +3,7 @@
 // gain in compression (force < 0): load_compression [-] times as much.
 // A pressure gauge that was set right at the static pressure is wrong about it: shown = p0 + gain
 // (p - p0) (zeroed_at_rest); one whose membrane meets something is right up to a pressure and shows
-// gain times what comes on top (from_Pa). Predicted channels only.
+// gain times what comes on top (from_Pa, which goes before zeroed_at_rest). Predicted channels only.
 #pragma once
 
 #include "hydraulics/extension.h"

@@ -8,8 +8,8 @@
 // "Noise": of the mean square of the worst channel over that of sensor noise and uncertain input,
 // no more than 1 is beyond the noise and follows what the rig did (motion_share.h), so that
 // whatever the model lacks is no larger than the noise itself. What does not follow is noise with a
-// colour, unless it comes and goes: that is something beside the rig. Both windows are judged: a
-// model that leaves the record it was fitted to undescribed is none of what it was not.
+// colour, unless it comes and goes: that is something beside the rig. Both windows are judged: what
+// stands out in the estimation window alone is missing in the model all the same.
 // "Most": more than half of the mean square beyond the noise.
 #pragma once
 

@@ -143,6 +143,16 @@ TEST(UnlistedSearchTest, ADetentIsABumpOverThePosition) {
   EXPECT_LT(found.after.channel_ms[1], 1.1 * clean.after.channel_ms[1]);
 }
 
+/// A rubber bumper is met in the last part of the stroke: no far flank, so no notch.
+TEST(UnlistedSearchTest, ABumperAtTheEndOfTheStrokeIsNoNotch) {
+  const FitData data =
+      Record(WithUnlisted("c1*(max(x-0.0012[m],0[m])/0.001[m])^2", "c1_N", 900, {}));
+  const Identification found = Find(Declared(), data);
+  ASSERT_EQ(found.effects.size(), 1u) << Said(found);
+  EXPECT_THAT(found.formula.text, testing::HasSubstr("max(x-"));
+  EXPECT_THAT(found.formula.text, testing::Not(testing::HasSubstr("exp(")));
+}
+
 TEST(UnlistedSearchTest, AReliefValveIsAFlowBeyondAPressure) {
   const double opening = 5e6;  // above static: beyond what a leak of any exponent gives
   const FitData data =
