@@ -1,5 +1,6 @@
 #include "effects/formula.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "effects/formula_parser.h"
@@ -85,9 +86,16 @@ std::string Formula::VariableOtherThan(const std::string& allowed) const {
   return {};
 }
 
+bool Formula::Uses(const std::string& variable) const {
+  return std::any_of(steps_.begin(), steps_.end(), [&](const FormulaStep& step) {
+    return step.code == Code::kVariable && step.variable < kFirstState &&
+           kVariables[step.variable].name == variable;
+  });
+}
+
 double Formula::Value(const hydraulics::ForcePlace& place) const noexcept {
-  const double variables[] = {place.piston,   place.speed, place.direction,  place.bore_rise,
-                              place.rod_rise, place.time,  place.temperature};
+  const double variables[] = {place.piston,   place.speed, place.direction,   place.bore_rise,
+                              place.rod_rise, place.time,  place.temperature, place.force};
   double stack[kMaxFormulaDepth + 1];
   int top = -1;
   // NOLINTBEGIN(clang-analyzer-core.CallAndMessage): a parsed formula takes nothing from an empty stack

@@ -5,7 +5,8 @@
 // Variables: x position [m], v speed [m/s], s direction of friction (-1 … 1, turns over the
 // friction's presliding or ramp, so nothing flickers at rest), p and q pressure of bore and rod
 // above static [Pa] (element bench: p is its pressure channel; a line: p is its own), t time [s],
-// dT temperature above the model's [K]. Coefficients c1 … c6 have the unit of the whole. Numbers
+// dT temperature above the model's [K]; of readings also F, the force that the load cell carries,
+// tension > 0 [N]. Coefficients c1 … c6 have the unit of the whole. Numbers
 // may carry a unit in brackets: 0.0025[m], 3[N/m], 2[m/s]. Operators + - * / ^ (a plain number as
 // exponent), functions sin, cos, exp, tanh, abs, sqrt, max(a, b), constant pi. The dimension of
 // every part is checked: sums need equal dimensions, functions plain numbers, the whole is what is
@@ -47,6 +48,7 @@ class Formula {
   double Value(const hydraulics::ForcePlace& place) const noexcept;
   /// Symbol of the first variable that is not among `allowed`; empty if there is none.
   std::string VariableOtherThan(const std::string& allowed) const;
+  bool Uses(const std::string& variable) const;
 
  private:
   explicit Formula(std::vector<FormulaStep> steps) : steps_(std::move(steps)) {}

@@ -170,8 +170,8 @@ Status AddFlow(const EffectParams& effect, const Formula& formula, Extension* ex
 
 Status AddReading(const EffectParams& effect, const Formula& formula, FormulaUnit unit,
                   Extension* extension) {
-  if (const std::string other = formula.VariableOtherThan("xvpqt"); !other.empty()) {
-    return RefuseEffect(effect, "a reading over " + other, "a formula over x, v, p, q and t");
+  if (const std::string other = formula.VariableOtherThan("xvpqtF"); !other.empty()) {
+    return RefuseEffect(effect, "a reading over " + other, "a formula over x, v, p, q, t and F");
   }
   const auto sensors = Sensors(effect, unit, extension->params());
   if (!sensors.ok()) return sensors.error();

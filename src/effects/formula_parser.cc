@@ -37,7 +37,7 @@ class Parser {
     if (!error_.empty()) {
       return Error{
           "formula \"" + text_ + "\"", error_,
-          "x, v, s, p, q, t, dT, " + Known() +
+          "x, v, s, p, q, t, dT, F, " + Known() +
               ", numbers with [unit], + - * / ^, sin, cos, exp, tanh, abs, sqrt, max, pi; a " +
               words_,
           ""};
@@ -194,7 +194,8 @@ class Parser {
       Push({Code::kNumber, M_PI});
       return kPlain;
     }
-    for (size_t i = 0; i < std::size(kVariables); ++i) {
+    const auto number = names_.numbers.find(name);  // a number of the law's own may be called F
+    for (size_t i = 0; number == names_.numbers.end() && i < std::size(kVariables); ++i) {
       if (name != kVariables[i].name) continue;
       Push({Code::kVariable, 0, static_cast<int>(i)});
       return kVariables[i].dimension;
@@ -219,13 +220,12 @@ class Parser {
         return (*list)[i].second;
       }
     }
-    const auto found = names_.numbers.find(name);
-    if (found == names_.numbers.end()) {
+    if (number == names_.numbers.end()) {
       Fail(name.empty() ? "a value is missing" : "unknown name " + name);
       return kPlain;
     }
-    Push({.code = Code::kNumber, .number = found->second.value, .free = true});
-    return found->second.dimension;
+    Push({.code = Code::kNumber, .number = number->second.value, .free = true});
+    return number->second.dimension;
   }
   Dimension Larger() {
     if (!Take('(')) Fail("a bracket is missing");

@@ -67,8 +67,8 @@ inline constexpr Symbol kUnits[] = {
     {"A", {0, 0, 0, 0, 1}}, {"V", {2, 1, -3, 0, -1}}, {"W", {2, 1, -3, 0}},  {"J", {2, 1, -2, 0}}};
 /// In the order of ForcePlace as Force() takes them.
 inline constexpr Symbol kVariables[] = {
-    {"x", {1, 0, 0, 0}},   {"v", {1, 0, -1, 0}}, {"s", kPlain},       {"p", {-1, 1, -2, 0}},
-    {"q", {-1, 1, -2, 0}}, {"t", {0, 0, 1, 0}},  {"dT", {0, 0, 0, 1}}};
+    {"x", {1, 0, 0, 0}},   {"v", {1, 0, -1, 0}}, {"s", kPlain},        {"p", {-1, 1, -2, 0}},
+    {"q", {-1, 1, -2, 0}}, {"t", {0, 0, 1, 0}},  {"dT", {0, 0, 0, 1}}, {"F", kNewton}};
 /// Variables of a step: those above, states, further channels.
 inline constexpr int kFirstState = 100, kFirstExtra = 200;
 

@@ -33,9 +33,9 @@ struct Place {
 constexpr Place kPlaces[] = {
     {"piston", FormulaUnit::kForce, "N", "force [N]", "xvspqtdT", true, false},
     {"mounting", FormulaUnit::kForce, "N", "force [N]", "xvpt", true, true},
-    {"reading_N", FormulaUnit::kForce, "N", "force [N]", "xvpqt", false, true},
-    {"reading_m", FormulaUnit::kLength, "m", "length [m]", "xvpqt", false, true},
-    {"reading_Pa", FormulaUnit::kPressure, "Pa", "pressure [Pa]", "xvpqt", false, true},
+    {"reading_N", FormulaUnit::kForce, "N", "force [N]", "xvpqtF", false, true},
+    {"reading_m", FormulaUnit::kLength, "m", "length [m]", "xvpqtF", false, true},
+    {"reading_Pa", FormulaUnit::kPressure, "Pa", "pressure [Pa]", "xvpqtF", false, true},
     {"volume", FormulaUnit::kVolume, "m3", "volume [m^3]", "p", false, false},
     {"flow", FormulaUnit::kFlow, "m3_per_s", "flow [m^3/s]", "pt", false, false},
 };

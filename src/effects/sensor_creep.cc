@@ -12,6 +12,7 @@ using hydraulics::EffectInfo;
 using hydraulics::EffectParams;
 using hydraulics::Extension;
 using hydraulics::Sensor;
+using hydraulics::Walk;
 
 class Creep final : public hydraulics::ReadingLaw {
  public:
@@ -19,7 +20,8 @@ class Creep final : public hydraulics::ReadingLaw {
       : quick_(share * (1 - effect.values.at("slow_part"))),
         slow_(share * effect.values.at("slow_part")),
         time_s_(effect.values.at("time_s")),
-        slow_time_s_(effect.values.at("slow_time_s")) {}
+        slow_time_s_(effect.values.at("slow_time_s")),
+        prompt_(effect.values.at("settled") != 0 ? share : 0) {}
   // Exact for a signal that is straight between samples.
   void Lag(double step, std::vector<double>* values) const override {
     std::vector<double>& y = *values;
@@ -31,7 +33,7 @@ class Creep final : public hydraulics::ReadingLaw {
       const double now = shown - rest;
       behind_quick = quick.After(behind_quick, before, now);
       behind_slow = slow.After(behind_slow, before, now);
-      shown += quick_ * behind_quick + slow_ * behind_slow;
+      shown += quick_ * behind_quick + slow_ * behind_slow - prompt_ * now;
       before = now;
     }
   }
@@ -47,7 +49,7 @@ class Creep final : public hydraulics::ReadingLaw {
     double keeps, mean;
   };
 
-  double quick_, slow_, time_s_, slow_time_s_;
+  double quick_, slow_, time_s_, slow_time_s_, prompt_;
 };
 
 Status InstallSensorCreep(const EffectParams& effect, Extension* extension) {
@@ -65,12 +67,14 @@ Status InstallSensorCreep(const EffectParams& effect, Extension* extension) {
 
 }  // namespace
 
+// One that is right in the end shows a gain if it takes longer than a motion lasts: sought up to
+// 10 s.
 const EffectInfo& SensorCreepInfo() {
   static const EffectInfo info = {
       "sensor_creep",
       "instrument",
       "cylinders",
-      "shown = true + a z, tau dz/dt = (true - at first) - z",
+      "shown = true + a z, tau dz/dt = u - z, u = true - at first; settled: true - a (u - z)",
       {
           {"load", "-", 0, -1, 1, -0.3, 0.3, "a of the load cell"},
           {"p_bore", "-", 0, -1, 1, -0.3, 0.3, "a of the bore pressure"},
@@ -78,6 +82,7 @@ const EffectInfo& SensorCreepInfo() {
           {"time_s", "s", 1, 1e-3, 1e6, 0.1, 100, "tau"},
           {"slow_part", "-", 0, 0, 1, 0, 1, "b: of a, with the time of its own"},
           {"slow_time_s", "s", 10, 1e-3, 1e6, 1, 300, "tau of the slow part"},
+          {"settled", "-", 0, 0, 1, 0, 1, "1: right once all has come; 0: right at first"},
       },
       InstallSensorCreep,
       {
@@ -86,6 +91,12 @@ const EffectInfo& SensorCreepInfo() {
                   {.free = {{"load", 0}, {"time_s", 0.4, 5, 2}}},
                   {.free = {{"p_bore", 0}, {"time_s", 0.4, 5, 2}}},
                   {.free = {{"p_rod", 0}, {"time_s", 0.4, 5, 2}}},
+                  {.free = {{"load", 0}, {"time_s", 0.4, 5, 2, Walk::kEach, 0.1, 10}},
+                   .held = {{"settled", 1}}},
+                  {.free = {{"p_bore", 0}, {"time_s", 0.4, 5, 2, Walk::kEach, 0.1, 10}},
+                   .held = {{"settled", 1}}},
+                  {.free = {{"p_rod", 0}, {"time_s", 0.4, 5, 2, Walk::kEach, 0.1, 10}},
+                   .held = {{"settled", 1}}},
               },
           .options =
               {

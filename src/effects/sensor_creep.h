@@ -2,7 +2,9 @@
 // strain gauge creep under load and return after it (OIML R 60: creep and its recovery).
 //   shown = true + a [(1 - b) z1 + b z2],   tau_i dz_i/dt = (true - at first) - z_i
 // a [-] by channel, load cells 2e-4 … 0.1, of either sign; b: the part that is slow. At the first
-// sample the gauge has settled. Predicted channels only.
+// sample the gauge has settled. So it is right at first. One that was calibrated by weights that lay
+// still (`settled`) is right in the end: a [u - (1 - b) z1 - b z2] is missing, u = true - at first.
+// Predicted channels only.
 #pragma once
 
 #include "hydraulics/extension.h"

@@ -38,13 +38,31 @@ Result<std::optional<FormulaUnit>> UnitOf(const EffectParams& effect) {
   return unit;
 }
 
+Result<Formula> FormulaOf(const EffectParams& effect, FormulaUnit unit) {
+  std::map<std::string, double> coefficients;
+  for (int k = 1; k <= kCoefficients; ++k) {
+    const auto value = effect.values.find(CoefficientName(k, unit));
+    coefficients["c" + std::to_string(k)] = value == effect.values.end() ? 0 : value->second;
+  }
+  Result<Formula> formula = Formula::Parse(effect.formula, coefficients, unit);
+  if (formula.ok()) return formula;
+  Error error = formula.error();
+  error.where = "effects." + effect.name + "." + error.where;
+  return error;
+}
+
+/// No force depends on itself: over F it is what the load cell shows.
+bool IsReading(const Formula& formula) { return formula.Uses("F"); }
+
 /// How many formulas give a force on a cylinder.
 long ForcesOn(int cylinder, const hydraulics::PhsParams& params) {
   return std::count_if(params.effects.begin(), params.effects.end(), [&](const auto& other) {
     if (other.name != UnlistedInfo().name) return false;
     const auto unit = UnitOf(other);
     const std::vector<int> targets = TargetCylinders(other, params);
-    return unit.ok() && unit.value() == FormulaUnit::kForce &&
+    if (!unit.ok() || unit.value() != FormulaUnit::kForce) return false;
+    const Result<Formula> formula = FormulaOf(other, FormulaUnit::kForce);
+    return formula.ok() && !IsReading(formula.value()) &&
            std::find(targets.begin(), targets.end(), cylinder) != targets.end();
   });
 }
@@ -58,18 +76,6 @@ Status AddForce(const EffectParams& effect, const Formula& formula, Extension* e
     AddForceTo(i, formula, extension);
   }
   return {};
-}
-
-Result<Formula> FormulaOf(const EffectParams& effect, FormulaUnit unit) {
-  std::map<std::string, double> coefficients;
-  for (int k = 1; k <= kCoefficients; ++k) {
-    coefficients["c" + std::to_string(k)] = effect.values.at(CoefficientName(k, unit));
-  }
-  Result<Formula> formula = Formula::Parse(effect.formula, coefficients, unit);
-  if (formula.ok()) return formula;
-  Error error = formula.error();
-  error.where = "effects." + effect.name + "." + error.where;
-  return error;
 }
 
 /// A law whose coefficients are all zero (a fit passes there) does nothing, wherever it acts; it
@@ -91,6 +97,7 @@ Status InstallUnlisted(const EffectParams& effect, Extension* extension) {
   if (!formula.ok()) return formula.error();
   switch (unit) {
     case FormulaUnit::kForce:
+      if (IsReading(formula.value())) return AddReading(effect, formula.value(), unit, extension);
       return AddForce(effect, formula.value(), extension);
     case FormulaUnit::kVolume:
       return AddVolume(effect, formula.value(), extension);

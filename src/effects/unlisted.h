@@ -2,6 +2,7 @@
 // (formula.h). The unit of its coefficients says what it is and where it acts:
 //
 //   c1_N …         a force on the piston beside friction        targets: cylinders
+//                  over F too: what the load cell shows beyond F, that it carries
 //   c1_m3 …        a volume that a line takes up, over its p     targets: lines
 //   c1_m3_per_s …  a flow out of a line over its p and t         targets: lines
 //                  (0 at p = 0, unless t alone drives it)
@@ -10,7 +11,7 @@
 //   c1_Pa …        what a pressure sensor shows beyond it        targets: lines
 //
 // p of a line is its pressure above static, of a cylinder's flow the difference above the static
-// one. Of readings x, v, p, q and t are those of the true state, p and q
+// one. Of readings x, v, p, q, t and F are those of the true state, p and q
 // of bore and rod, also on a line. Example: formula: "c1*(max(p-9e6[Pa],0[Pa])/1e6[Pa])" with
 // c1_m3_per_s: 2e-7 on L2, a valve that opens 9 MPa above static. Not passive by construction: it
 // is what was measured.

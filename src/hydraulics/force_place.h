@@ -12,6 +12,7 @@ struct ForcePlace {
   double bore_rise = 0;           ///< p_bore above static [Pa]; element bench: the pressure itself
   double rod_rise = 0;            ///< p_rod above static [Pa]
   double temperature = 0;         ///< above the model's [K]
+  double force = 0;               ///< of readings: what the load cell carries, tension > 0 [N]
   const double* state = nullptr;  ///< states of the law itself; null: all 0
   const double* extra = nullptr;  ///< further measured channels, in their order; null: all 0
 };

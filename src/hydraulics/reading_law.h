@@ -23,7 +23,7 @@ class ReadingLaw {
   virtual void Lag(double /*step*/, std::vector<double>* /*values*/) const {}
   virtual double Scaled(double value) const noexcept { return value; }
   /// Added to what is shown, in the unit of the channel; of `place`, the true one, time, piston, its
-  /// speed and pressures are set.
+  /// speed, pressures and what the load cell carries are set.
   virtual double Error(const ForcePlace& /*place*/) const noexcept { return 0; }
 };
 using ReadingLaws = std::vector<std::unique_ptr<const ReadingLaw>>;

@@ -23,6 +23,8 @@ constexpr RulePart kParts[] = {
     {"elsewhere", &SearchRule::elsewhere,
      "candidates are tried about a robust fit and with moved numbers held, too"},
     {"superfluous", &SearchRule::superfluous, "what the later ones made superfluous goes"},
+    {"bends", &SearchRule::bends,
+     "what another form of a stronger effect would explain for the larger part goes"},
     {"challenge", &SearchRule::challenge, "one formula may take the place of all listed effects"},
     {"names", &SearchRule::names, "a formula that is a listed effect gets its name"},
     {"formula", &SearchRule::formula, "what no effect explains is described by a formula"},

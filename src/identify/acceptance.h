@@ -34,6 +34,7 @@ struct SearchRule {
   bool options = true;
   bool elsewhere = true;
   bool superfluous = true;
+  bool bends = true;
   bool challenge = true;
   bool names = true;
   bool formula = true;

@@ -21,10 +21,10 @@ std::string ForceChannel(const FitProblem& problem) {
   return problem.FindOutput("force_N") >= 0 ? "force_N" : "load_cell_N";
 }
 
-/// A formula for what one channel shows beyond the model.
+/// A formula for what one channel shows beyond the model: as a force, or as its sensor's reading.
 FoundFormula SearchChannelFormula(const FitProblem& problem, const FreeModel& model,
                                   const FitResult& fit, const std::string& name,
-                                  const FormulaLimits& limits) {
+                                  const FormulaLimits& limits, bool reading) {
   const int channel = problem.FindOutput(name);
   if (channel < 0) return {};
   Result<FormulaFrame> framed = problem.forward().Frame(problem.Params(model, fit.values), name);
@@ -41,6 +41,7 @@ FoundFormula SearchChannelFormula(const FitProblem& problem, const FreeModel& mo
   data.has_pressure = frame.has_pressure, data.has_rod_pressure = frame.has_rod_pressure;
   data.has_temperature = frame.has_temperature;
   data.has_friction = frame.has_friction, data.has_speed = frame.has_speed;
+  if (reading) data.has_friction = false, data.has_load = frame.has_load;
   data.has_time_waves = frame.has_time_waves;
   data.first_row = problem.block(static_cast<size_t>(channel)).begin;
   return SearchFormula(data, limits);
@@ -50,7 +51,7 @@ FoundFormula SearchChannelFormula(const FitProblem& problem, const FreeModel& mo
 
 FoundFormula SearchForceFormula(const FitProblem& problem, const FreeModel& model,
                                 const FitResult& fit, const FormulaLimits& limits) {
-  return SearchChannelFormula(problem, model, fit, ForceChannel(problem), limits);
+  return SearchChannelFormula(problem, model, fit, ForceChannel(problem), limits, false);
 }
 
 FoundFormula SearchReadingFormula(const FitProblem& problem, const FreeModel& model,
@@ -60,15 +61,19 @@ FoundFormula SearchReadingFormula(const FitProblem& problem, const FreeModel& mo
   struct Sensor {
     const char *channel, *unit;
     std::vector<std::string> targets;
+    bool is_load = false;
   };
   const Sensor sensors[] = {{"piston_m", "m", {}},
+                            {"load_cell_N", "N", {}, true},
                             {"p_bore_Pa", "Pa", {cylinder.bore_line}},
                             {"p_rod_Pa", "Pa", {cylinder.rod_line}}};
   FoundFormula found[std::size(sensors)];
   problem.ForEach(static_cast<int>(std::size(sensors)), [&](int k) {
     const int channel = problem.FindOutput(sensors[k].channel);
     if (channel < 0 || fit.channel_ms[static_cast<size_t>(channel)] < noise) return;
-    found[k] = SearchChannelFormula(problem, model, fit, sensors[k].channel, limits);
+    found[k] = SearchChannelFormula(problem, model, fit, sensors[k].channel, limits, true);
+    // What does not hang on the force that a load cell carries is a force itself.
+    if (sensors[k].is_load && found[k].text.find('F') == std::string::npos) found[k] = {};
     found[k].unit = sensors[k].unit, found[k].targets = sensors[k].targets;
   });
   return *std::max_element(std::begin(found), std::end(found),
@@ -162,8 +167,10 @@ FormulaTrial TryFormula(const FitProblem& problem, const FitProblem& coarse, con
   };
   const auto try_reading = [&] {
     const FoundFormula shown = SearchReadingFormula(problem, model, fit, kNoise, limits);
-    reading = FitFormula(problem, model, fit, fit.values, shown,
-                         shown.unit == "m" ? kMostReading_m : kMostReading_Pa);
+    const double most = shown.unit == "m"   ? kMostReading_m
+                        : shown.unit == "N" ? kMostForce_N
+                                            : kMostReading_Pa;
+    reading = FitFormula(problem, model, fit, fit.values, shown, most);
     reading.channel_gain = reading.evidence.best_channel_gain;
   };
   const std::function<void()> searches[] = {try_line, try_force, try_reading};

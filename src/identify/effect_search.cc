@@ -7,8 +7,10 @@
 
 #include "effects/unlisted.h"
 #include "identify/accept.h"
+#include "identify/bent_form.h"
 #include "identify/formula_rounds.h"
 #include "identify/near_fit.h"
+#include "identify/own_form.h"
 #include "identify/points.h"
 #include "identify/test_question.h"
 #include "identify/trials.h"
@@ -48,10 +50,13 @@ class Search {
     DropSuperfluous();
     Stage(0.85, 0.1);
     if (!cancelled_ && options_.formula && problem_.rule().formula) {
-      const auto go_on = [this](double part) { return GoOn(part); };
-      ChallengeByFormula(problem_, coarse_, options_.effort, go_on, &out_);
+      ChallengeByFormula(problem_, coarse_, options_.effort, Asks(), &out_);
       const bool room = static_cast<int>(out_.effects.size()) < options_.effort.max_effects;
-      if (room && AddFormula(problem_, coarse_, options_.effort, go_on, &out_)) DropSuperfluous();
+      if (room && AddFormula(problem_, coarse_, options_.effort, Asks(), &out_)) {
+        const size_t beside = out_.effects.size();
+        DropSuperfluous();
+        if (out_.effects.size() < beside) SeekFormulaAnew();
+      }
     }
     KeepPlainFit();
     UpdateRecords();
@@ -143,8 +148,7 @@ class Search {
           PointsAbout(*screen, model, fit, out_.declared.free.size(), elsewhere);
       if (points.empty()) continue;
       reference_ = Criterion(*screen, points.front().score, points.front().values.size());
-      return TryEffects(problem_, *screen, model, fit, points, list, options_.effort,
-                        [this](double part) { return GoOn(part); });
+      return TryEffects(problem_, *screen, model, fit, points, list, options_.effort, Asks());
     }
     return {};
   }
@@ -256,18 +260,49 @@ class Search {
       const SearchRule& rule = problem_.rule();
       const bool told = !rule.beyond_zero || IsToldInTheEnd(out_, i);
       const bool gains = !rule.cross_validation || e.cross_validation_gain > 0;
+      std::string why = told ? "superfluous beside the later ones" : kNotTold;
       if (told && gains && IsBeyondChance(rule, e.delta_bic, 1)) {
-        ++i;
-        continue;
+        const std::string host = FormOf(i, model, rest);
+        if (host.empty()) {
+          ++i;
+          continue;
+        }
+        why = "another form of " + host + " would explain most of it";
       }
       const std::string gone = out_.effects[i].candidate.effect;
-      Withdraw(gone, told ? "superfluous beside the later ones" : kNotTold, &out_.candidates);
+      Withdraw(gone, why, &out_.candidates);
       if (gone == effects::UnlistedInfo().name) out_.formula = {};
       out_.effects.erase(out_.effects.begin() + static_cast<long>(i));
       out_.corrected = model, out_.after = std::move(rest);
       if (rule.options && TakeOutEdges(&out_)) RefitCorrected();
       i = 0;
     }
+  }
+
+  /// A formula whose companion went has more to tell.
+  void SeekFormulaAnew() {
+    const auto formula = std::find_if(out_.effects.begin(), out_.effects.end(), IsFormula);
+    if (formula == out_.effects.end() || cancelled_) return;
+    Identification before = out_;
+    FreeModel model;
+    const std::vector<double> values =
+        ValuesWithout(out_, static_cast<size_t>(formula - out_.effects.begin()), &model);
+    out_.after = FitNear(problem_, model, values, {}, {.max_steps = 8, .final_slopes = true});
+    out_.corrected = model, out_.effects.erase(formula), out_.formula = {};
+    Withdraw(effects::UnlistedInfo().name, "sought anew beside fewer effects", &out_.candidates);
+    const bool found = out_.after.ok &&
+                       AddFormula(problem_, coarse_, options_.effort, Asks(), &out_) &&
+                       Criterion(problem_, out_.after.score, out_.after.values.size()) <
+                           Criterion(problem_, before.after.score, before.after.values.size());
+    found ? DropSuperfluous() : void(out_ = std::move(before));
+  }
+
+  /// The stronger effect whose form effect i is; a formula that is said as such stays.
+  std::string FormOf(size_t i, const FreeModel& model, const FitResult& rest) const {
+    if (!problem_.rule().bends || out_.effects.size() < 2) return {};
+    if (IsFormula(out_.effects[i]) && HasOwnForm(out_)) return {};
+    const std::optional<size_t> host = IsFormOf(problem_, out_, i, model, rest);
+    return host ? out_.effects[*host].candidate.effect : "";
   }
 
   /// What is said of the accepted among the candidates is what was accepted in the end; strongest
@@ -293,6 +328,9 @@ class Search {
     });
   }
 
+  std::function<bool(double)> Asks() {
+    return [this](double part) { return GoOn(part); };
+  }
   void Stage(double begin, double length) { begin_ = begin, length_ = length; }
 
   /// Asked before every run of the model, so that a stop is heard at once.

@@ -81,7 +81,7 @@ FreeModel WithCandidate(const FreeModel& model, const Candidate& candidate);
 
 /// In a list of what was tried: the accepted record of an effect gets another verdict.
 template <typename Record>
-void Withdraw(const std::string& effect, const char* verdict, std::vector<Record>* records) {
+void Withdraw(const std::string& effect, const std::string& verdict, std::vector<Record>* records) {
   for (Record& r : *records) {
     if (r.effect == effect && r.verdict == "accepted") r.verdict = verdict;
   }

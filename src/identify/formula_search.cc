@@ -21,12 +21,12 @@ using effects::Formula;
 using hydraulics::ForcePlace;
 
 struct Scale {
-  double x = 1e-3, v = 1e-3, p = 1e5, q = 1e5, t = 1, T = 1;
+  double x = 1e-3, v = 1e-3, p = 1e5, q = 1e5, t = 1, T = 1, F = 1e3;
 };
 
 Scale MeasureScale(const FormulaPlaces& places) {
   double x_low = INFINITY, x_high = -INFINITY;
-  Scale largest{0, 0, 0, 0, 0, 0};
+  Scale largest{0, 0, 0, 0, 0, 0, 0};
   for (const auto& run : places) {
     for (const ForcePlace& at : run) {
       x_low = std::min(x_low, at.piston), x_high = std::max(x_high, at.piston);
@@ -35,6 +35,7 @@ Scale MeasureScale(const FormulaPlaces& places) {
       largest.q = std::max(largest.q, std::abs(at.rod_rise));
       largest.t = std::max(largest.t, std::abs(at.time));
       largest.T = std::max(largest.T, std::abs(at.temperature));
+      largest.F = std::max(largest.F, std::abs(at.force));
     }
   }
   return {RoundScale(0.5 * (x_high - x_low)),
@@ -42,7 +43,8 @@ Scale MeasureScale(const FormulaPlaces& places) {
           RoundScale(largest.p),
           RoundScale(largest.q),
           RoundScale(largest.t),
-          RoundScale(largest.T)};
+          RoundScale(largest.T),
+          RoundScale(largest.F)};
 }
 
 class PlaceTerms final : public TermLibrary {
@@ -54,6 +56,7 @@ class PlaceTerms final : public TermLibrary {
 
   /// The strongest wave over x in this residual, plain and times s, and over t.
   void AddForResidual(const Eigen::VectorXd& residual) override {
+    if (!places_known_) CollectRows();
     for (const bool turned : {false, true}) {
       if (turned && !data_.has_friction) continue;
       double wave = FindWave(residual, turned);
@@ -67,7 +70,10 @@ class PlaceTerms final : public TermLibrary {
       const auto [sine, cosine] = WaveTexts(wave, turned);
       Add(sine, cosine, turned ? 3 : 2, std::log(waves_));
     }
-    if (data_.has_friction) AddRamp(residual), AddNotch(residual);
+    if (data_.has_friction) AddRamp(residual, {"x", "m", scale_.x, row_x_}), AddNotch(residual);
+    for (const bool squared : {false, true}) {
+      if (data_.has_load) AddRamp(residual, {"F", "N", scale_.F, row_F_}, squared);
+    }
     if (data_.has_time_waves) AddTimeWave(residual);
   }
 
@@ -101,19 +107,26 @@ class PlaceTerms final : public TermLibrary {
     return best;
   }
 
-  /// What begins at a position, to either side (a stop, an end of a guide).
-  void AddRamp(const Eigen::VectorXd& residual) {
+  struct Variable {
+    const char *symbol, *unit;
+    double scale;
+    const std::vector<double>& rows;
+  };
+
+  /// What begins at a position (a stop, an end of a guide) or at a force (an amplifier that gives
+  /// way), to either side; squared: without a kink.
+  void AddRamp(const Eigen::VectorXd& residual, const Variable& over, bool squared = false) {
     constexpr int kPositions = 24;
-    if (!places_known_) CollectRows();
-    std::vector<double> x = row_x_;
+    std::vector<double> x = over.rows;
     if (x.size() < 2 * kPositions) return;
     std::sort(x.begin(), x.end());
     const auto text = [&](double from, bool above) {
-      const std::string start = fmt::format("{:.4g}[m]", std::abs(from));
+      const std::string start = fmt::format("{:.4g}[{}]", std::abs(from), over.unit);
       const char* sign = from < 0 ? "-" : "";
-      const std::string way =
-          above ? std::string("x") + (from < 0 ? "+" : "-") + start : sign + start + "-x";
-      return fmt::format("(max({},0[m])/{:g}[m])", way, scale_.x);
+      const std::string way = above ? over.symbol + std::string(from < 0 ? "+" : "-") + start
+                                    : sign + start + "-" + over.symbol;
+      return fmt::format("(max({0},0[{1}])/{2:g}[{1}]){3}", way, over.unit, over.scale,
+                         squared ? "^2" : "");
     };
     double best = 0, most = 0;
     bool best_above = true;
@@ -127,7 +140,7 @@ class PlaceTerms final : public TermLibrary {
     if (!(most > 0)) return;
     best = Refine(best, (x.back() - x.front()) / (2 * kPositions), 7,
                   [&](double at) { return TakenOff(residual, text(at, best_above)); });
-    Add(text(best, best_above), "", 2, std::log(2 * kPositions));
+    Add(text(best, best_above), "", squared ? 3 : 2, std::log(2 * kPositions));
   }
 
   /// A place that holds or pushes away (a detent, a burr that a spring rides over), as a bump over
@@ -135,7 +148,6 @@ class PlaceTerms final : public TermLibrary {
   void AddNotch(const Eigen::VectorXd& residual) {
     constexpr int kPositions = 12, kWidths = 5;
     constexpr double kFlank = 2;  // widths: the bump is down to e^-4
-    if (!places_known_) CollectRows();
     std::vector<double> x = row_x_;
     if (x.size() < 2 * kPositions) return;
     std::sort(x.begin(), x.end());
@@ -247,6 +259,13 @@ class PlaceTerms final : public TermLibrary {
     } else if (data_.has_speed) {
       Add(v, "", 1, 0), Add(v + "^2", "", 2, 0);
     }
+    if (data_.has_load) AddLoad(ratio("F", scale_.F, "N"), x, others);
+  }
+
+  void AddLoad(const std::string& F, const std::string& x, const std::vector<std::string>& others) {
+    Add(F, "", 1, 0), Add(F + "^2", "", 2, 0), Add(F + "^3", "", 3, 0), Add("abs" + F, "", 2, 0);
+    Add(F + "*" + x, "", 2, 0), Add(F + "*" + x + "^2", "", 3, 0);
+    for (const std::string& other : others) Add(F + "*" + other, "", 2, 0);
   }
 
   void AddWithFriction(const std::string& x, const std::string& v, const std::string& signed_v,
@@ -266,7 +285,6 @@ class PlaceTerms final : public TermLibrary {
   /// Wave number [1/m] that takes most from the residual: coarse scan on thinned places, then a
   /// finer one around the best. 0: the motion is too short to tell.
   double FindWave(const Eigen::VectorXd& residual, bool turned) {
-    if (!places_known_) CollectRows();
     if (row_x_.empty()) return 0;
     const double span = x_high_ - x_low_;
     if (!(span > 0)) return 0;
@@ -294,22 +312,25 @@ class PlaceTerms final : public TermLibrary {
     return best;
   }
 
-  /// x, s and weight on (at most 6000 of) the rows, read off through the caller's own columns.
+  /// x, s, F and weight on (at most 6000 of) the rows, read off through the caller's own columns.
   void CollectRows() {
     places_known_ = true;
-    std::vector<std::vector<double>> x, s, one;
+    std::vector<std::vector<double>> x, s, load, one;
     for (const auto& run : data_.places) {
-      x.emplace_back(), s.emplace_back(), one.emplace_back(run.size(), 1.0);
+      x.emplace_back(), s.emplace_back(), load.emplace_back(), one.emplace_back(run.size(), 1.0);
       for (const ForcePlace& at : run) {
         x.back().push_back(at.piston), s.back().push_back(at.direction);
+        load.back().push_back(at.force);
       }
     }
-    const Eigen::VectorXd w = data_.column(one), wx = data_.column(x), ws = data_.column(s);
+    const Eigen::VectorXd w = data_.column(one), wx = data_.column(x), ws = data_.column(s),
+                          wF = data_.column(load);
     const Eigen::Index stride = std::max<Eigen::Index>(1, w.size() / 6000);
     for (Eigen::Index i = 0; i < w.size(); i += stride) {
       if (!(w[i] > 0)) continue;
       row_.push_back(static_cast<size_t>(i)), row_weight_.push_back(w[i]);
       row_x_.push_back(wx[i] / w[i]), row_s_.push_back(std::clamp(ws[i] / w[i], -1.0, 1.0));
+      row_F_.push_back(wF[i] / w[i]);
       x_low_ = std::min(x_low_, row_x_.back()), x_high_ = std::max(x_high_, row_x_.back());
     }
   }
@@ -319,7 +340,7 @@ class PlaceTerms final : public TermLibrary {
   Eigen::VectorXd weight_;  ///< of a sample, for waves over time
   bool places_known_ = false;
   std::vector<size_t> row_;
-  std::vector<double> row_x_, row_s_, row_weight_;
+  std::vector<double> row_x_, row_s_, row_F_, row_weight_;
   double x_low_ = INFINITY, x_high_ = -INFINITY, waves_ = 1;
 };
 

@@ -6,7 +6,8 @@
 // sin and cos of 2 pi x/lambda, alone and times s, with lambda from a scan, and of 2 pi t/T. Of
 // forces also what begins at a position, max(x - x1, 0), and a notch, exp(-((x - x1)/w)²) and its
 // slope, both flanks of which are seen. Each coefficient has the unit of what the formula gives.
-// What a sensor shows has |v| and v² in place of terms with s: a flow past its port. Odd ones are
+// What a sensor shows has the force F that the load cell carries beside them, also from a force
+// on, max(F - F1, 0), and |v| and v² in place of terms with s: a flow past its port. Odd ones are
 // left out: a resistance between chamber and line does that, and a reading would take its place.
 #pragma once
 
@@ -30,6 +31,7 @@ struct FormulaData : SelectionData {
   bool has_pressure = false, has_rod_pressure = false, has_temperature = false;
   bool has_friction = true;  ///< terms with speed and direction
   bool has_speed = false;    ///< without friction: terms with speed alone
+  bool has_load = false;     ///< without friction: terms with what the load cell carries
   /// Waves over time: one run, evenly sampled, whose places are the rows from `first_row` on.
   bool has_time_waves = false;
   Eigen::Index first_row = 0;

@@ -34,6 +34,7 @@ struct FormulaFrame {
   bool has_pressure = false, has_rod_pressure = false, has_temperature = false;
   bool has_friction = false;    ///< direction and speed too
   bool has_speed = false;       ///< speed alone
+  bool has_load = false;        ///< what the load cell carries
   bool has_time_waves = false;  ///< one record whose places are the rows
 };
 

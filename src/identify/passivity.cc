@@ -114,7 +114,7 @@ std::vector<std::string> WhatDrives(const FitProblem& problem, const Identificat
     const bool flow = found.formula.unit == "m3_per_s";
     if (!flow && found.formula.unit != "N") continue;
     const Result<Formula> law = LawOf(effect, flow ? FormulaUnit::kFlow : FormulaUnit::kForce);
-    if (!law.ok()) continue;
+    if (!law.ok() || law.value().Uses("F")) continue;  // over F: what the load cell shows
     const std::string text = flow ? FlowThatDrives(problem, found, params, law.value())
                                   : ForceThatDrives(problem, found, params, law.value());
     if (!text.empty()) out.push_back(text);

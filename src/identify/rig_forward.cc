@@ -221,12 +221,14 @@ Result<FormulaFrame> RigForward::Frame(const PhsParams& params, const std::strin
     at.direction = std::clamp(at.speed / kRamp, -1.0, 1.0);
     at.bore_rise = prediction.channels[2][i] - bore;
     at.rod_rise = prediction.channels[3][i] - rod;
+    at.force = prediction.channels[1][i];
     at.temperature = rig.value().system().Ambient(at.time) - params.temperature_K;
     out.push_back(at);
   }
   frame.rows = [](const Channels& values) { return values; };
   frame.has_pressure = true, frame.has_rod_pressure = data_.kind == rigs::RigKind::kQuarter;
   frame.has_friction = channel == "load_cell_N", frame.has_speed = true;
+  frame.has_load = true;
   frame.has_time_waves = true;
   return frame;
 }

@@ -5,6 +5,8 @@
 #include <thread>
 #include <vector>
 
+#include "base/first_thrown.h"
+
 namespace phs::identify::search {
 
 int ThreadBudget::Take(int most) {
@@ -18,12 +20,16 @@ int ThreadBudget::Take(int most) {
 void ThreadBudget::ForEach(int n, const std::function<void(int)>& work) {
   std::atomic<int> next{0};
   std::vector<std::thread> helpers;
+  FirstThrown thrown;
+  const auto do_one = [&](int i) {
+    if (!thrown.Run([&] { work(i); })) next = n;  // nothing more is begun
+  };
   const auto call_helpers = [&] {
     int taken = Take(n - 1 - next);  // one item is the caller's own
     try {
       for (; taken > 0; --taken) {
         helpers.emplace_back([&] {
-          for (int i = next++; i < n; i = next++) work(i);
+          for (int i = next++; i < n; i = next++) do_one(i);
           ++free_;
         });
       }
@@ -35,11 +41,12 @@ void ThreadBudget::ForEach(int n, const std::function<void(int)>& work) {
     call_helpers();
     const int i = next++;
     if (i >= n) break;
-    work(i);
+    do_one(i);
   }
   ++free_;  // while it waits, the calling thread's place is the others'
   for (std::thread& t : helpers) t.join();
   --free_;
+  thrown.Rethrow();
 }
 
 }  // namespace phs::identify::search

@@ -12,7 +12,8 @@ class ThreadBudget {
   /// `threads` in all, with the one that calls.
   explicit ThreadBudget(int threads) : free_(threads - 1) {}
   /// Calls work(i) for i in 0 … n-1 on the calling thread and those that are or become free;
-  /// returns when all is done. Results must not depend on the order.
+  /// returns when all is done. Results must not depend on the order. If one throws, no further one
+  /// is begun, and what it threw is thrown here.
   void ForEach(int n, const std::function<void(int)>& work);
 
  private:

@@ -14,6 +14,7 @@
 #include "analysis/running_statistics.h"
 #include "base/data_path.h"
 #include "base/disk.h"
+#include "base/first_thrown.h"
 #include "vehicle/simulation.h"
 
 namespace phs::jobs {
@@ -129,9 +130,11 @@ Result<bool> DoAll(int count, int workers, double from, double to, const Watch& 
   std::atomic<bool> end = false;
   std::mutex mutex;
   std::optional<Error> first;
+  FirstThrown thrown;
   const auto work = [&] {
     for (int i = next++; i < count && !end; i = next++) {
-      const Status s = task(i);
+      Status s;
+      if (!thrown.Run([&] { s = task(i); })) end = true;
       ++done;
       if (s.ok()) continue;
       const std::lock_guard lock(mutex);
@@ -149,6 +152,7 @@ Result<bool> DoAll(int count, int workers, double from, double to, const Watch& 
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
   }
   for (std::thread& thread : threads) thread.join();
+  thrown.Rethrow();
   if (first && goes_on) return *first;
   return goes_on;
 }

@@ -85,6 +85,10 @@ std::string OnNoList(const json& effect) {
       {"Pa", "an error of the pressure reading on no list"}};
   const json numbers = effect.value("parameters", json::object());
   if (numbers.empty()) return "an effect on no list";
+  if (effect.value("formula", std::string()).find('F') != std::string::npos &&
+      numbers.begin().key().ends_with("_N")) {
+    return "an error of the load cell on no list";
+  }
   const std::string first = numbers.begin().key();
   const auto kind = kinds.find(first.substr(first.find('_') + 1));
   return kind == kinds.end() ? "an effect on no list" : kind->second;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace phs::rigs {
@@ -14,7 +15,7 @@ using hydraulics::Sensor;
 
 /// What a channel is of: a cylinder and the indices of its channels, -1 = not among them.
 struct Source {
-  int cylinder = 0, piston = 0, bore = 2, rod = 3;
+  int cylinder = 0, piston = 0, bore = 2, rod = 3, load = 1;
 };
 
 using Values = std::vector<std::vector<double>>;
@@ -24,6 +25,7 @@ class TrueState {
  public:
   TrueState(const PhsSystem& system, const Source& source, const Values& truth, double step_s)
       : piston_(truth[static_cast<size_t>(source.piston)]),
+        load_(truth[static_cast<size_t>(source.load)]),
         step_s_(step_s),
         further_(system.extra()) {
     const auto& params = system.params();
@@ -45,6 +47,7 @@ class TrueState {
     place.speed = Speed(i);
     place.bore_rise = bore_.Rise(i);
     place.rod_rise = rod_.Rise(i);
+    place.force = load_[i];
     if (further_ != nullptr) {
       further_->At(time, extra_);
       place.extra = extra_;
@@ -66,6 +69,7 @@ class TrueState {
   }
 
   const std::vector<double>& piston_;
+  const std::vector<double>& load_;
   double step_s_;
   Pressure bore_, rod_;
   const hydraulics::ExtraSeries* further_;
@@ -106,7 +110,7 @@ void ApplyToFullRig(const PhsSystem& system, Instruments* instruments) {
   std::vector<char> shown(static_cast<size_t>(system.num_lines()), 0);
   for (int c = 0; c < 4; ++c) {
     const auto& cylinder = params.cylinders[static_cast<size_t>(c)];
-    const Source source{c, c, line_of(cylinder.bore_line), line_of(cylinder.rod_line)};
+    const Source source{c, c, line_of(cylinder.bore_line), line_of(cylinder.rod_line), 4 + c};
     instruments->Apply(Sensor::kPiston, source, c);
     instruments->Apply(Sensor::kLoad, source, 4 + c);
     for (const bool bore : {true, false}) {
@@ -134,12 +138,24 @@ void ApplyInstruments(RigKind kind, const hydraulics::PhsSystem& system, double 
   if (!HasReadings(system)) return;
   Instruments instruments(system, t0_s, step_s, &prediction->channels);
   if (kind == RigKind::kFull) return ApplyToFullRig(system, &instruments);
-  if (kind == RigKind::kElement) return instruments.Apply(Sensor::kLoad, {0, 0, -1, -1}, 0);
   const Source source;
   instruments.Apply(Sensor::kPiston, source, 0);
   instruments.Apply(Sensor::kLoad, source, 1);
   instruments.Apply(Sensor::kBorePressure, source, 2);
   instruments.Apply(Sensor::kRodPressure, source, 3);
+}
+
+void ApplyBenchInstruments(const PhsSystem& system, const RigMotion& motion, Drive driven_by,
+                           RigPrediction* prediction) {
+  if (!HasReadings(system)) return;
+  const bool by_force = driven_by == Drive::kForce;
+  Values both = {motion.position_m[0], prediction->channels[0]};  // piston and load cell
+  if (by_force) std::swap(both[0], both[1]);
+  Instruments instruments(system, motion.t0_s, motion.step_s, &both);
+  const Source source{.bore = -1, .rod = -1};
+  by_force ? instruments.Apply(Sensor::kPiston, source, 0)
+           : instruments.Apply(Sensor::kLoad, source, 1);
+  prediction->channels[0] = std::move(both[by_force ? 0 : 1]);
 }
 
 }  // namespace phs::rigs

@@ -285,6 +285,10 @@ Status RigModel::Run(const RigMotion& motion, RigPrediction* prediction,
       impl_->RunOne(motion, speed[0], pressures, prediction);
       break;
   }
+  if (impl_->kind == RigKind::kElement) {
+    ApplyBenchInstruments(impl_->system, motion, impl_->options.driven_by, prediction);
+    return {};
+  }
   ApplyInstruments(impl_->kind, impl_->system, motion.t0_s, motion.step_s, prediction);
   prediction->channels.resize(impl_->outputs.size());  // given pressures are no prediction
   return {};

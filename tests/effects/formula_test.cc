@@ -168,6 +168,16 @@ TEST(Unlisted, AReadingChangesItsChannelAlone) {
     const double v = 1e-3 * 0.02 * std::cos(0.02 * static_cast<double>(i)) / 0.005;
     EXPECT_NEAR(tap[3][i] - plain[3][i], -1e5 * std::pow(v / 0.05, 2), 0.2) << "of 640 Pa";
   }
+  const auto cell = run("c1*(max(F+2e4[N],0[N])/1e4[N])^2", "c1_N", -40, {});
+  const auto askew = run("c1*(F/1e4[N])*(x/1e-3[m])", "c1_N", 60, {});
+  for (size_t i = 0; i < plain[0].size(); i += 37) {
+    const double load = plain[1][i] / 1e4;
+    EXPECT_NEAR(cell[1][i], plain[1][i] - 40 * std::pow(std::max(load + 2, 0.0), 2), 1e-9);
+    EXPECT_NEAR(askew[1][i], plain[1][i] + 60 * load * plain[0][i] / 1e-3, 1e-9);
+  }
+  const auto strained = run("c1*(F/1e4[N])", "c1_Pa", 5e4, {params.cylinders[0].bore_line});
+  EXPECT_NEAR(strained[2][200], plain[2][200] + 5 * plain[1][200], 1e-6);
+  for (const size_t other : {0, 2, 3}) EXPECT_EQ(cell[other], plain[other]);
   for (const size_t other : {1, 2, 3}) EXPECT_EQ(laser[other], plain[other]);
   for (const size_t other : {0, 1, 3}) EXPECT_EQ(sensor[other], plain[other]);
 }
@@ -203,6 +213,9 @@ TEST(Unlisted, RefusesWhatHasNoMeaning) {
   EXPECT_THAT(refusal("c1*(p/1[Pa])", {{"c1_m3", 1e-9}}, {"1"}), HasSubstr("not to cylinders"));
   EXPECT_THAT(refusal("c1*s", {{"c1_N", 5}, {"c1_m3", 1e-9}}, {}), HasSubstr("two units"));
   EXPECT_THAT(refusal("c1*s", {{"c1_m", 1e-6}}, {"1"}), HasSubstr("over s"));
+  EXPECT_THAT(refusal("c1*s*(F/1[N])", {{"c1_N", 1}}, {"1"}), HasSubstr("over s"));
+  EXPECT_THAT(refusal("c1*(F/1[N])", {{"c1_N", 1}}, {"L1"}), HasSubstr("no piston"));
+  EXPECT_THAT(refusal("c1*(F/1[N])", {{"c1_m3", 1e-6}}, {"L1"}), HasSubstr("over F"));
   EXPECT_THAT(refusal("c1", {{"c1_m", 1e-6}}, {"L1"}), HasSubstr("no piston"));
   EXPECT_THAT(refusal("c1", {{"c1_Pa", 1e3}}, {"1"}), HasSubstr("that of a line"));
   EXPECT_THAT(refusal("c1*s", {{"c1_N", 5}}, {"L9"}), HasSubstr("none of the model's"));

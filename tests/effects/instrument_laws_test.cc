@@ -103,7 +103,9 @@ TEST(Instruments, AGaugeBehindAPlugStandsStillAfterEveryReversal) {
     whole += std::abs(plain[3][i] - shown[3][i]);
     whole_seeping += std::abs(plain[3][i] - seeping[3][i]);
     if (std::abs(plain[3][i] - plain[3][0]) > width / 6) continue;
-    if (i < 20) EXPECT_NEAR(shown[3][i], plain[3][0], 1e-6) << "no element has slipped yet";
+    if (i < 20) {
+      EXPECT_NEAR(shown[3][i], plain[3][0], 1e-6) << "no element has slipped yet";
+    }
   }
   EXPECT_NEAR(behind, width * 7 / 12, 1e-6 * width);
   EXPECT_LT(whole_seeping, 0.9 * whole);
@@ -130,6 +132,12 @@ TEST(Instruments, AGaugeThatCreepsShowsAShareLate) {
     }
     EXPECT_NEAR(shown[1][i + 1] - plain[1][i + 1], 0.05 * (0.75 * quick + 0.25 * slow), 0.05)
         << i << ": of some kN";
+  }
+  const auto settled = Shown(With(
+      p, "sensor_creep",
+      {{"load", 0.05}, {"time_s", 0.7}, {"slow_part", 0.25}, {"slow_time_s", 3}, {"settled", 1}}));
+  for (size_t i = 0; i < plain[1].size(); i += 17) {
+    EXPECT_NEAR(settled[1][i], shown[1][i] - 0.05 * (plain[1][i] - plain[1][0]), 1e-9);
   }
   EXPECT_DOUBLE_EQ(shown[3][0], plain[3][0]);
   EXPECT_NE(shown[3][300], plain[3][300]);

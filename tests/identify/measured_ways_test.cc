@@ -22,7 +22,7 @@ hydraulics::PhsParams BoBo() {
 }
 
 /// Ten seconds at 50 Hz: four ways as sines of 2 mm, one load cell, one line, one place of an axle.
-FitData Record() {
+FitData BogieRecord() {
   FitData data;
   data.step_s = 0.02, data.estimation = {0.2, 6}, data.validation = {6, 10};
   for (int i = 0; i < 500; ++i) data.time_s.push_back(0.02 * i);
@@ -41,7 +41,7 @@ FitData Record() {
 PhsOutputsOf Outputs() { return {{0, 1, 2, 3}, {-1, -1, 4, -1}, {-1, 6, -1, -1}}; }
 
 TEST(MeasuredWays, ForcesAndPressuresAreThoseOfTheFullRigDrivenByTheWays) {
-  const FitData data = Record();
+  const FitData data = BogieRecord();
   const hydraulics::PhsParams phs = BoBo();
   const auto ways = MeasuredWays::Of(data, Outputs(), phs);
   ASSERT_NE(ways, nullptr);
@@ -66,7 +66,7 @@ TEST(MeasuredWays, ForcesAndPressuresAreThoseOfTheFullRigDrivenByTheWays) {
 }
 
 TEST(MeasuredWays, ThinnedRunsAreEverySoManythSample) {
-  const FitData data = Record();
+  const FitData data = BogieRecord();
   const hydraulics::PhsParams phs = BoBo();
   const auto ways = MeasuredWays::Of(data, Outputs(), phs, 2);
   ASSERT_NE(ways, nullptr);
@@ -77,7 +77,7 @@ TEST(MeasuredWays, ThinnedRunsAreEverySoManythSample) {
 }
 
 TEST(MeasuredWays, WhatTheNoiseOfTheWaysMakesIsUncertain) {
-  const FitData data = Record();
+  const FitData data = BogieRecord();
   const hydraulics::PhsParams phs = BoBo();
   const auto ways = MeasuredWays::Of(data, Outputs(), phs);
   ASSERT_NE(ways, nullptr);
@@ -97,10 +97,10 @@ TEST(MeasuredWays, WithoutAllWaysThereAreNone) {
   const hydraulics::PhsParams phs = BoBo();
   PhsOutputsOf three = Outputs();
   three.pistons[2] = -1;
-  EXPECT_EQ(MeasuredWays::Of(Record(), three, phs), nullptr);
+  EXPECT_EQ(MeasuredWays::Of(BogieRecord(), three, phs), nullptr);
   PhsOutputsOf ways_alone{{0, 1, 2, 3}, {-1, -1, -1, -1}, {-1, -1, -1, -1}};
-  EXPECT_EQ(MeasuredWays::Of(Record(), ways_alone, phs), nullptr);
-  FitData gap = Record();
+  EXPECT_EQ(MeasuredWays::Of(BogieRecord(), ways_alone, phs), nullptr);
+  FitData gap = BogieRecord();
   for (int i = 100; i < 149; ++i) gap.outputs[1].values[i] = NAN;
   EXPECT_NE(MeasuredWays::Of(gap, Outputs(), phs), nullptr) << "0.98 s are bridged";
   for (int i = 149; i < 152; ++i) gap.outputs[1].values[i] = NAN;

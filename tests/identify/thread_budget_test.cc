@@ -10,6 +10,7 @@
 #include <chrono>
 #include <fstream>
 #include <functional>
+#include <stdexcept>
 #include <thread>
 #include <vector>
 
@@ -111,6 +112,24 @@ TEST(ThreadBudget, WhoBecomesFreeJoinsALoopThatRuns) {
     });
   });
   EXPECT_TRUE(both);
+}
+
+TEST(ThreadBudget, WhatAHelperThrowsIsThrownWhereItIsWaitedFor) {
+  ThreadBudget threads(2);
+  std::atomic<bool> helps = false;
+  const std::thread::id caller = std::this_thread::get_id();
+  const auto work = [&](int) {
+    if (std::this_thread::get_id() == caller) {
+      WaitFor([&] { return helps.load(); });
+      return;
+    }
+    helps = true;
+    throw std::runtime_error("of a helper");
+  };
+  EXPECT_THROW(threads.ForEach(1000, work), std::runtime_error);
+  std::atomic<int> done = 0;
+  threads.ForEach(10, [&](int) { ++done; });
+  EXPECT_EQ(done, 10) << "and the budget is as before";
 }
 
 TEST(ThreadBudget, OneThreadIsTheCallersOwn) {

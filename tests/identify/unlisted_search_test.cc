@@ -28,6 +28,12 @@ hydraulics::PhsParams WithUnlisted(const std::string& formula, const std::string
   return truth;
 }
 
+/// Of the load cell: mean square over its noise, with the wobble of friction about standstill.
+double LeftOnACleanRecord() {
+  static const double left = Find(Declared(), Record(OffDeclared())).after.channel_ms[1];
+  return left;
+}
+
 TEST(UnlistedSearchTest, DescribesAForceThatNoEffectHolds) {
   hydraulics::PhsParams truth = OffDeclared();
   hydraulics::EffectParams cogging{"unlisted", {}, {{"c1_N", 250}}};
@@ -103,6 +109,29 @@ TEST(UnlistedSearchTest, CrosstalkOfAPressureSensorIsItsReadingOverTheOther) {
   EXPECT_THAT(found.formula.text, testing::StartsWith("c1*(q/"));
 }
 
+/// Its axis leans: what it shows of the force changes with the stroke.
+TEST(UnlistedSearchTest, ALoadCellThatStandsAskewShowsAShareOfTheForceOverThePosition) {
+  const FitData data = Record(WithUnlisted("c1*(F/1e5[N])*(x/0.002[m])", "c1_N", 6e3, {}));
+  const Identification found = Find(Declared(), data);
+  ASSERT_EQ(found.effects.size(), 1u) << Said(found);
+  EXPECT_EQ(found.effects[0].candidate.effect, "unlisted");
+  EXPECT_THAT(found.formula.text,
+              testing::MatchesRegex("c1\\*\\(F/.*\\[N\\]\\)\\*\\(x/0.002\\[m\\]\\)"));
+  EXPECT_LT(found.after.channel_ms[1], 1.1 * LeftOnACleanRecord());
+}
+
+/// The amplifier of a load cell gives way beyond a force.
+TEST(UnlistedSearchTest, ALoadCellThatSaturatesIsItsReadingFromAForceOn) {
+  const FitData data = Record(WithUnlisted("c1*(max(F+1.2e4[N],0[N])/1e5[N])^2", "c1_N", -6e4, {}));
+  const Identification found = Find(Declared(), data);
+  ASSERT_EQ(found.effects.size(), 1u) << Said(found);
+  const std::string text = found.formula.text;
+  ASSERT_THAT(text, testing::StartsWith("c1*(max(F+"));
+  EXPECT_NEAR(std::stod(text.substr(text.find("F+") + 2)), 1.2e4, 500);
+  EXPECT_EQ(found.formula.unit, "N");
+  EXPECT_LT(found.after.channel_ms[1], 1.1 * LeftOnACleanRecord());
+}
+
 /// Its coefficient is below zero: on its way a fit passes the law that does nothing.
 TEST(UnlistedSearchTest, ATapOnAThroatReadsLowByTheSquareOfTheSpeed) {
   const FitData data = Record(WithUnlisted("c1*(v/0.005[m/s])^2", "c1_Pa", -1.2e5, {"L1"}));
@@ -139,8 +168,7 @@ TEST(UnlistedSearchTest, ADetentIsABumpOverThePosition) {
   const std::string text = found.formula.text;
   ASSERT_THAT(text, testing::StartsWith("c1*exp(-((x-"));
   EXPECT_NEAR(std::stod(text.substr(text.find("((x-") + 4)), 4e-4, 2e-5);
-  const Identification clean = Find(Declared(), Record(OffDeclared()));
-  EXPECT_LT(found.after.channel_ms[1], 1.1 * clean.after.channel_ms[1]);
+  EXPECT_LT(found.after.channel_ms[1], 1.1 * LeftOnACleanRecord());
 }
 
 /// A rubber bumper is met in the last part of the stroke: no far flank, so no notch.

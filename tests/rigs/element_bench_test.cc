@@ -90,6 +90,34 @@ TEST(ElementBench, GasSpringHardeningAndQuadraticDampingFollowTheirLaws) {
   }
 }
 
+/// A bench answers one channel; the other one is what drives it.
+TEST(ElementBench, ReadingsHangOnTheTrueForceAndTheTrueMotion) {
+  hydraulics::PhsParams p = Part();
+  p.element = {.mass_kg = 2, .stiffness_N_per_m = 300};
+  p.effects.push_back({"unlisted", {}, {{"c1_N", 0.5}}, "c1*(F/1[N])*(x/0.01[m])"});
+  const RigMotion m = Sine(0.01, 1, 1e-3, 2000);
+  const std::vector<double> shown = Force(p, m);
+  p.effects.clear();
+  const std::vector<double> carried = Force(p, m);
+  for (const size_t i : {100, 777, 1900}) {
+    EXPECT_NEAR(shown[i], carried[i] * (1 + 0.5 * m.position_m[0][i] / 0.01), 1e-12);
+  }
+  const auto by_force = [&m](const hydraulics::PhsParams& params) {
+    rigs::RigOptions options;
+    options.driven_by = rigs::Drive::kForce;
+    const auto rig = RigModel::Create(RigKind::kElement, params, options);
+    EXPECT_TRUE(rig.ok());
+    RigPrediction out;
+    EXPECT_TRUE(rig.value().Run(m, &out).ok());
+    return out.channels[0];
+  };
+  const std::vector<double> moved = by_force(p);
+  EXPECT_EQ(by_force(WithEffect(p, "sensor_offset", {{"load_N", 0.1}})), moved)
+      << "the force is given";
+  EXPECT_NEAR(by_force(WithEffect(p, "sensor_offset", {{"piston_m", 2e-3}}))[1500],
+              moved[1500] + 2e-3, 1e-12);
+}
+
 TEST(ElementBench, AGasSpringOfNoLengthIsRefused) {
   hydraulics::PhsParams p = Part();
   p.element = {.gas_force_N = 600, .gas_length_m = 0};
