@@ -31,35 +31,63 @@ class Thrust {
   double area_m2_, exponent_;
 };
 
+/// T dp'/dt = p - p' over h at a constant p.
+void Follow(double h, double p, double late_s, double* behind) {
+  *behind -= std::expm1(-h / late_s) * (p - *behind);
+}
+
 class PressedArea final : public hydraulics::LoadLaw {
  public:
-  explicit PressedArea(const Thrust& thrust) : thrust_(thrust) {}
+  PressedArea(const Thrust& thrust, double late_s) : thrust_(thrust), late_s_(late_s) {}
   void Add(const hydraulics::LoadMotion& motion, std::vector<double>* force) const override {
-    for (size_t i = 0; i < motion.pressure.size(); ++i)
-      (*force)[i] += thrust_.At(motion.pressure[i]);
+    const std::vector<double>& p = motion.pressure;
+    double behind = p.empty() ? 0 : p.front();
+    for (size_t i = 0; i < p.size(); ++i) {
+      if (late_s_ > 0 && i > 0) Follow(motion.step_s, 0.5 * (p[i - 1] + p[i]), late_s_, &behind);
+      (*force)[i] += thrust_.At(late_s_ > 0 ? behind : p[i]);
+    }
   }
 
  private:
   Thrust thrust_;
+  double late_s_;
 };
 
 class PressedChamber final : public hydraulics::ForceLaw {
  public:
-  PressedChamber(const Thrust& thrust, bool bore) : thrust_(thrust), bore_(bore) {}
+  PressedChamber(const Thrust& thrust, bool bore, double late_s)
+      : thrust_(thrust), bore_(bore), late_s_(late_s) {}
   double Force(const hydraulics::ForcePlace& place) const noexcept override {
-    return thrust_.At(bore_ ? place.bore_rise : place.rod_rise);
+    if (late_s_ == 0) return thrust_.At(Rise(place));
+    return thrust_.At(place.state != nullptr ? *place.state : 0);
+  }
+  std::vector<std::string> StateNames() const override {
+    if (late_s_ == 0) return {};
+    return {bore_ ? "pressed_by_bore_Pa" : "pressed_by_rod_Pa"};
+  }
+  void CalcRates(const hydraulics::ForcePlace& place, double* rate) const noexcept override {
+    *rate = (Rise(place) - *place.state) / late_s_;
+  }
+  void Advance(double h, const hydraulics::ForcePlace& place,
+               double* state) const noexcept override {
+    Follow(h, Rise(place), late_s_, state);
   }
 
  private:
+  double Rise(const hydraulics::ForcePlace& place) const {
+    return bore_ ? place.bore_rise : place.rod_rise;
+  }
   Thrust thrust_;
   bool bore_;
+  double late_s_;
 };
 
 Status InstallPressureArea(const EffectParams& effect, Extension* extension) {
   const Thrust thrust(effect);
+  const double late_s = effect.values.at("late_s");
   const auto& params = extension->params();
   if (IsBenchPart(params)) {
-    extension->AddLoad(std::make_unique<PressedArea>(thrust));
+    extension->AddLoad(std::make_unique<PressedArea>(thrust, late_s));
     return {};
   }
   for (const int line : TargetLines(effect, params)) {
@@ -68,7 +96,8 @@ Status InstallPressureArea(const EffectParams& effect, Extension* extension) {
       const auto& cylinder = params.cylinders[i];
       for (const bool bore : {true, false}) {
         if ((bore ? cylinder.bore_line : cylinder.rod_line) != name) continue;
-        extension->AddForce(static_cast<int>(i), std::make_unique<PressedChamber>(thrust, bore));
+        extension->AddForce(static_cast<int>(i),
+                            std::make_unique<PressedChamber>(thrust, bore, late_s));
       }
     }
   }
@@ -84,7 +113,8 @@ const EffectInfo& PressureAreaInfo() {
       "lines",
       "force A p (|p|/10 MPa)^(n-1): of a chamber's rise, on a bench of its channel",
       {{"area_m2", "m2", 1e-4, -10, 10, -0.1, 0.1, "A"},
-       {"exponent", "-", 1, 0.1, 5, 0.4, 2.5, "n"}},
+       {"exponent", "-", 1, 0.1, 5, 0.4, 2.5, "n"},
+       {"late_s", "s", 0, 0, 1e6, 0, 10, "of p behind a narrow gap; 0: at once"}},
       InstallPressureArea,
       {
           .rig = {{.free = {{"area_m2", 0}}, .places = Places::kEach}},
@@ -94,7 +124,7 @@ const EffectInfo& PressureAreaInfo() {
                    .needs = {"p_Pa"},
                    .beside = {"element.pressure_area"}},
               },
-          .options = {{.free = {{"exponent", 0.7, 1.5, 2}}}},
+          .options = {{.free = {{"exponent", 0.7, 1.5, 2}}}, {.free = {{"late_s", 0.03, 0.3, 2}}}},
           .over = {"N", "pq"},
       }};
   return info;

@@ -2,7 +2,8 @@
 // sense of tension. On a bench p is its pressure channel [Pa]. Elsewhere p is the rise above static
 // of each chamber that hangs on a target line: a bore other than declared, a hose that straightens
 // and pushes on its cylinder. A hose thrusts less the straighter it is, a seal's area bears more
-// or less with the pressure: A p (|p|/10 MPa)^(n-1) (exponent). It is a force alone; the oil that
+// or less with the pressure: A p (|p|/10 MPa)^(n-1) (exponent). Pressure that is trapped behind a ring
+// comes late, T dp'/dt = p - p' (late_s). It is a force alone; the oil that
 // moves is that of bore_m and rod_m.
 #pragma once
 

@@ -259,13 +259,15 @@ class PlaceTerms final : public TermLibrary {
     } else if (data_.has_speed) {
       Add(v, "", 1, 0), Add(v + "^2", "", 2, 0);
     }
-    if (data_.has_load) AddLoad(ratio("F", scale_.F, "N"), x, others);
+    if (data_.has_load) AddLoad(ratio("F", scale_.F, "N"), x, v, others);
   }
 
-  void AddLoad(const std::string& F, const std::string& x, const std::vector<std::string>& others) {
+  void AddLoad(const std::string& F, const std::string& x, const std::string& v,
+               const std::vector<std::string>& others) {
     Add(F, "", 1, 0), Add(F + "^2", "", 2, 0), Add(F + "^3", "", 3, 0), Add("abs" + F, "", 2, 0);
     Add(F + "*" + x, "", 2, 0), Add(F + "*" + x + "^2", "", 3, 0);
     for (const std::string& other : others) Add(F + "*" + other, "", 2, 0);
+    if (data_.has_speed) Add(F + "*" + v, "", 2, 0);
   }
 
   void AddWithFriction(const std::string& x, const std::string& v, const std::string& signed_v,

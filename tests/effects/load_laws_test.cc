@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "rigs/rig_model.h"
 #include "tests/effects/driven_cylinder.h"
 
 namespace phs::effects {
@@ -45,6 +46,57 @@ TEST(LoadFlexibility, RingsAsAMassBehindASpring) {
       }
     }
   }
+}
+
+// Behind a ramp of r, T dp'/dt = p - p' stays r (t - T (1 - exp(-t/T))).
+TEST(PressureArea, OnABenchTrappedPressureThrustsLate) {
+  PhsParams bench;
+  bench.cylinders.push_back({});
+  bench.cylinders[0].name = "1";
+  bench.friction.model = FrictionModel::kNone;
+  const PhsSystem system =
+      Compile(With(bench, "pressure_area", {{"area_m2", 2e-4}, {"late_s", 0.3}}));
+  std::vector<double> pressure, force(400, 0.0);
+  for (int i = 0; i < 400; ++i) pressure.push_back(1e6 * 0.005 * i);
+  const std::vector<double> still(400, 0.0);
+  ASSERT_EQ(system.loads().size(), 1u);
+  system.loads()[0]->Add({0.005, still, pressure, still, still, 0, nullptr}, &force);
+  for (const int i : {20, 60, 399}) {
+    const double t = 0.005 * i, behind = 1e6 * (t - 0.3 * (1 - std::exp(-t / 0.3)));
+    EXPECT_NEAR(force[i], 2e-4 * behind, 5e-3);
+  }
+}
+
+/// Of a chamber, against the same equation in steps fifty times finer. In a rig's step the pressure
+/// is that of its begin, so the thrust is half a step late.
+TEST(PressureArea, OfAChamberTrappedPressureThrustsLate) {
+  const auto shown = [](const PhsParams& params) {
+    rigs::RigMotion motion;
+    motion.step_s = 0.001;
+    motion.position_m.resize(1);
+    for (int i = 0; i < 4000; ++i) motion.position_m[0].push_back(1e-3 * std::sin(0.004 * i));
+    const auto rig = rigs::RigModel::Create(rigs::RigKind::kQuarter, params);
+    EXPECT_TRUE(rig.ok());
+    rigs::RigPrediction out;
+    EXPECT_TRUE(rig.value().Run(motion, &out).ok());
+    return out.channels;
+  };
+  const PhsParams p = Quarter();
+  PhsParams with = With(p, "pressure_area", {{"area_m2", 3e-4}, {"late_s", 0.1}});
+  with.effects.back().targets = {p.cylinders[0].bore_line};
+  const auto plain = shown(p), late = shown(with);
+  double behind = 0, most = 0;
+  for (size_t i = 0; i + 1 < plain[2].size(); ++i) {
+    const double before = behind;
+    for (int k = 0; k < 50; ++k) {
+      const double now = plain[2][i] + (plain[2][i + 1] - plain[2][i]) * (k + 0.5) / 50;
+      behind += 0.001 / 50 / 0.1 * (now - plain[2][0] - behind);
+    }
+    EXPECT_NEAR(late[1][i + 1] - plain[1][i + 1], 1.5e-4 * (before + behind), 0.05) << i;
+    most = std::max(most, std::abs(3e-4 * behind));
+  }
+  EXPECT_GT(most, 100) << "so 0.05 N is small";
+  EXPECT_EQ(late[2], plain[2]) << "a force alone";
 }
 
 }  // namespace
