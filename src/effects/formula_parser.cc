@@ -189,13 +189,19 @@ class Parser {
     }
     return Named(Word());
   }
+  /// A name of the law's own goes before a variable: it may be called F.
+  bool IsOwn(const std::string& name) const {
+    const auto is_it = [&](const auto& named) { return named.first == name; };
+    return names_.numbers.contains(name) ||
+           std::any_of(names_.states.begin(), names_.states.end(), is_it) ||
+           std::any_of(names_.extra.begin(), names_.extra.end(), is_it);
+  }
   Dimension Named(const std::string& name) {
     if (name == "pi") {
       Push({Code::kNumber, M_PI});
       return kPlain;
     }
-    const auto number = names_.numbers.find(name);  // a number of the law's own may be called F
-    for (size_t i = 0; number == names_.numbers.end() && i < std::size(kVariables); ++i) {
+    for (size_t i = 0; !IsOwn(name) && i < std::size(kVariables); ++i) {
       if (name != kVariables[i].name) continue;
       Push({Code::kVariable, 0, static_cast<int>(i)});
       return kVariables[i].dimension;
@@ -215,11 +221,12 @@ class Parser {
     for (const auto& [list, first] :
          {std::pair{&names_.states, kFirstState}, {&names_.extra, kFirstExtra}}) {
       for (size_t i = 0; i < list->size(); ++i) {
-        if (name != (*list)[i].first) continue;
+        if (name.empty() || name != (*list)[i].first) continue;
         Push({Code::kVariable, 0, first + static_cast<int>(i)});
         return (*list)[i].second;
       }
     }
+    const auto number = names_.numbers.find(name);
     if (number == names_.numbers.end()) {
       Fail(name.empty() ? "a value is missing" : "unknown name " + name);
       return kPlain;

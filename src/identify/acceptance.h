@@ -1,6 +1,7 @@
-// The numbers of the rule of acceptance (accept.h). Beside them decide: plausible ranges and starts of the
-// effects, what a formula's single term must bring (formula_selection.h), and for the word of the
-// verdict those of verdict.cc and motion_share.cc.
+// The numbers of the rule of acceptance (accept.h). Beside them decide: plausible ranges and starts
+// of the effects, the half of its evidence that one must keep beside a bent law (bent_form.h),
+// what a formula's single term must bring (formula_selection.h), and for the word of the verdict
+// those of verdict.cc and motion_share.cc.
 #pragma once
 
 #include <span>

@@ -10,17 +10,22 @@
 namespace phs::effects {
 namespace {
 
-/// Force of the load on a bench whose end is accelerated by 1 m/s2 from t = 0 on, sample by sample.
-std::vector<double> ForceUnderAcceleration(double mass, double frequency, double damping,
-                                           double step, int samples) {
+/// A part without friction.
+PhsParams Bench() {
   PhsParams bench;
   bench.name = "part";
   bench.cylinders.push_back({});
   bench.cylinders[0].name = "1";
   bench.friction.model = FrictionModel::kNone;
-  bench = With(bench, "load_flexibility",
-               {{"mass_kg", mass}, {"frequency_Hz", frequency}, {"damping_ratio", damping}});
-  const PhsSystem system = Compile(bench);
+  return bench;
+}
+
+/// Force of the load on a bench whose end is accelerated by 1 m/s2 from t = 0 on, sample by sample.
+std::vector<double> ForceUnderAcceleration(double mass, double frequency, double damping,
+                                           double step, int samples) {
+  const PhsSystem system =
+      Compile(With(Bench(), "load_flexibility",
+                   {{"mass_kg", mass}, {"frequency_Hz", frequency}, {"damping_ratio", damping}}));
   const auto n = static_cast<size_t>(samples);
   const std::vector<double> acceleration(n, 1.0), none, still(n, 0.0);
   std::vector<double> force(n, 0.0);
@@ -50,12 +55,8 @@ TEST(LoadFlexibility, RingsAsAMassBehindASpring) {
 
 // Behind a ramp of r, T dp'/dt = p - p' stays r (t - T (1 - exp(-t/T))).
 TEST(PressureArea, OnABenchTrappedPressureThrustsLate) {
-  PhsParams bench;
-  bench.cylinders.push_back({});
-  bench.cylinders[0].name = "1";
-  bench.friction.model = FrictionModel::kNone;
   const PhsSystem system =
-      Compile(With(bench, "pressure_area", {{"area_m2", 2e-4}, {"late_s", 0.3}}));
+      Compile(With(Bench(), "pressure_area", {{"area_m2", 2e-4}, {"late_s", 0.3}}));
   std::vector<double> pressure, force(400, 0.0);
   for (int i = 0; i < 400; ++i) pressure.push_back(1e6 * 0.005 * i);
   const std::vector<double> still(400, 0.0);

@@ -230,6 +230,10 @@ TEST(OwnLaw, IsRefusedInOneLineThatSaysWhy) {
   EXPECT_THAT(refused("reading_N = k*s", {{"k_N", 1}}), HasSubstr("s is not known at"));
   EXPECT_THAT(refused("reading_N = k*z; dz_m/dt = x/1[s]", {{"k_N_per_m", 1}}),
               HasSubstr("states at reading_N"));
+  EXPECT_EQ(refused("piston = F*x/1[m]", {{"F_N", 1}}), "") << "a number of its own, no variable";
+  EXPECT_EQ(refused("piston = F; dF_N/dt = k*v", {{"k_N_per_m", 1}}), "") << "a state of its own";
+  EXPECT_THAT(refused("piston = k*F", {{"k", 1}}), HasSubstr("F is not known at piston"));
+  EXPECT_EQ(refused("reading_N = k*F", {{"k", 1}}), "");
   EXPECT_THAT(refused("k*x", {{"k_N_per_m", 1}}), HasSubstr("is no part of a law"));
   EXPECT_THAT(refused("dz_m/dt = v", {}), HasSubstr("does not say where it acts"));
   EXPECT_THAT(refused("flow = g*p", {{"g_m3_per_Pas", 1}}), HasSubstr("without targets"));
