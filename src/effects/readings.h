@@ -13,14 +13,15 @@ struct SensorKey {
   const char* key;  ///< of the parameter
 };
 
-/// Law(value) at every sensor whose parameter is not `neutral`.
-template <typename Law>
+/// Law(value, further…) at every sensor whose parameter is not `neutral`.
+template <typename Law, typename... Further>
 void AddReadings(const hydraulics::EffectParams& effect, std::initializer_list<SensorKey> keys,
-                 double neutral, hydraulics::Extension* extension) {
+                 double neutral, hydraulics::Extension* extension, Further... further) {
   for (int i : TargetCylinders(effect, extension->params())) {
     for (const SensorKey& key : keys) {
       const double value = effect.values.at(key.key);
-      if (value != neutral) extension->AddReading(i, key.sensor, std::make_unique<Law>(value));
+      if (value == neutral) continue;
+      extension->AddReading(i, key.sensor, std::make_unique<Law>(value, further...));
     }
   }
 }

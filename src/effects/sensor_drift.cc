@@ -123,6 +123,7 @@ const EffectInfo& SensorDriftInfo() {
               {
                   {.free = {{"load_N_per_s", 0, 0, 1, Walk::kEach, -1000, 1000}}},
               },
+          .contains = {"sensor_offset"},
       }};
   return info;
 }

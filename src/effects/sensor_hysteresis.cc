@@ -77,6 +77,8 @@ const EffectInfo& SensorHysteresisInfo() {
           .rig =
               {
                   {.free = {{"load", 0.01}, {"width_N", 3e3, 3e4, 2}}},
+                  {.free = {{"p_bore", 0.03}, {"width_Pa", 3e5, 3e6, 2}}},
+                  {.free = {{"p_rod", 0.03}, {"width_Pa", 3e5, 3e6, 2}}},
                   {.free = {{"width_Pa", 3e4, 3e5, 2}}, .held = {{"p_bore", 1}}},
                   {.free = {{"width_Pa", 3e4, 3e5, 2}}, .held = {{"p_rod", 1}}},
               },

@@ -1,5 +1,5 @@
 // Surroundings and oil get warmer or colder during the run:
-//   T(t) = T_static + min(|r t|, limit) sgn(r) + A sin(2 pi t/period),
+//   T(t) = T_static + min(|r t|, limit) sgn(r) + A sin(2 pi t/period) + B (cos(2 pi t/period) - 1),
 // or r T_s (1 - exp(-t/T_s)) for r t where the warming settles: dT/dt = r - (T - T_static)/T_s, a
 // source of heat against what goes to the surroundings (Newton's law of cooling). Where the source
 // ends at stop_s, r = 0 from there on: the same T_s takes the warmth away again.

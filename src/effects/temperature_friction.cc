@@ -1,7 +1,9 @@
 #include "effects/temperature_friction.h"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
+#include <string>
 
 #include "effects/targets.h"
 
@@ -15,9 +17,10 @@ using hydraulics::LevelParts;
 using hydraulics::LevelPlace;
 using hydraulics::Walk;
 
+/// By what surrounds it.
 class WarmLevel final : public hydraulics::LevelLaw {
  public:
-  explicit WarmLevel(const EffectParams& effect) : slope_(effect.values.at("slope_1_per_K")) {}
+  explicit WarmLevel(double slope) : slope_(slope) {}
   void Add(const LevelPlace& place, LevelParts* level) const noexcept override {
     level->of_all *= std::max(1 - slope_ * place.at.warmer, 0.0);
   }
@@ -26,9 +29,32 @@ class WarmLevel final : public hydraulics::LevelLaw {
   double slope_;
 };
 
+/// By its own sliding. Memory: h.
+class SlidWarm final : public hydraulics::LevelLaw {
+ public:
+  SlidWarm(double share, double cooling_s) : share_(share), cooling_s_(cooling_s) {}
+  void Add(const LevelPlace& place, LevelParts* level) const noexcept override {
+    level->of_all *= std::exp(-share_ * place.memory);
+  }
+  std::string MemoryName() const override { return "slid_warm"; }
+  double MemoryRate(double v, double memory) const noexcept override {
+    return std::abs(v) - memory / cooling_s_;
+  }
+  double AdvanceMemory(double h, double v, double memory) const noexcept override {
+    const double settled = std::abs(v) * cooling_s_;
+    return settled + (memory - settled) * std::exp(-h / cooling_s_);
+  }
+
+ private:
+  double share_, cooling_s_;
+};
+
 Status InstallTemperatureFriction(const EffectParams& effect, Extension* extension) {
+  const double slope = effect.values.at("slope_1_per_K"), share = effect.values.at("slid_1_per_m");
   for (int i : TargetCylinders(effect, extension->params())) {
-    extension->AddLevel(i, std::make_unique<WarmLevel>(effect));
+    if (slope != 0) extension->AddLevel(i, std::make_unique<WarmLevel>(slope));
+    if (share == 0) continue;
+    extension->AddLevel(i, std::make_unique<SlidWarm>(share, effect.values.at("cooling_s")));
   }
   return {};
 }
@@ -40,10 +66,19 @@ const EffectInfo& TemperatureFrictionInfo() {
       "temperature_friction",
       "friction",
       "cylinders",
-      "level (1 - slope (T - T_static))",
-      {{"slope_1_per_K", "1/K", 0.01, -1, 1, -0.1, 0.1, "slope"}},
+      "level (1 - slope (T - T_static)) exp(-w h), h: the way slid whose heat is still there",
+      {
+          {"slope_1_per_K", "1/K", 0.01, -1, 1, -0.1, 0.1, "slope"},
+          {"slid_1_per_m", "1/m", 0, -1e3, 1e3, -50, 50, "w: warmed by its own sliding"},
+          {"cooling_s", "s", 20, 1e-3, 1e9, 2, 1e3, "t_c"},
+      },
       InstallTemperatureFriction,
       {
+          .rig =
+              {
+                  {.free = {{"slid_1_per_m", 0}, {"cooling_s", 3, 30, 2}},
+                   .held = {{"slope_1_per_K", 0}}},
+              },
           .bench =
               {
                   {.free = {{"slope_1_per_K", 0, 0, 1, Walk::kEach, -2, 2}},

@@ -13,7 +13,6 @@ namespace phs::identify::search {
 
 inline constexpr const char* kAccepted = "accepted";
 inline constexpr const char* kBeaten = "another explains more";
-inline constexpr const char* kNotApart = "others explain as much of what is left";
 inline constexpr const char* kNotTold = "its amount is not told by the record, or not plausible";
 
 /// True if a gain of the criterion [-2 ln L] is more than the best of `tried` structures would gain

@@ -17,8 +17,6 @@ constexpr RulePart kParts[] = {
     {"plain_first", &SearchRule::plain_first,
      "a physical cause goes before a fault of an instrument, a special case before what contains "
      "it, where they explain as much"},
-    {"told_apart", &SearchRule::told_apart,
-     "beside effects that are told nothing is taken that others explain as well"},
     {"options", &SearchRule::options, "optional numbers of an effect are tried"},
     {"elsewhere", &SearchRule::elsewhere,
      "candidates are tried about a robust fit and with moved numbers held, too"},

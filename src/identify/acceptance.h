@@ -31,7 +31,6 @@ struct SearchRule {
   bool cross_validation = true;
   bool beyond_zero = true;
   bool plain_first = true;
-  bool told_apart = true;
   bool options = true;
   bool elsewhere = true;
   bool superfluous = true;

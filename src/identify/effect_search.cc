@@ -195,13 +195,6 @@ class Search {
     CandidateRecord& record = out_.candidates[first + static_cast<size_t>(best)];
     const FullTrial& trial = trials[static_cast<size_t>(best)];
     AcceptedEffect effect = BesideRivals(trial, record.evidence, passed);
-    if (problem_.rule().told_apart && !out_.effects.empty() && !effect.rivals.empty()) {
-      record.verdict = kNotApart;
-      out_.untold = std::move(effect.rivals);
-      out_.untold.insert(out_.untold.begin(), Numbers(trial));
-      out_.untold_fit = trial.fit;
-      return false;
-    }
     record.verdict = kAccepted;
     out_.corrected = WithCandidate(out_.corrected, trial.form);
     out_.after = trial.fit;

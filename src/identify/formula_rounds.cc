@@ -50,7 +50,7 @@ void ChallengeByFormula(const FitProblem& problem, const FitProblem& coarse, con
   for (const AcceptedEffect& effect : found->effects) {
     Withdraw(effect.candidate.effect, "a formula on no list explains more", &found->candidates);
   }
-  found->effects.clear(), found->untold.clear();
+  found->effects.clear();
   const auto name =
       FindListedName(problem, coarse, found->declared, found->base, trial, effort, go_on);
   name ? Take(found->declared, *name, trial, found) : Take(trial, found);
@@ -70,11 +70,6 @@ bool AddFormula(const FitProblem& problem, const FitProblem& coarse, const Effor
     limits.max_terms = static_cast<int>(trial.found.terms.size()) - 1;
   } while (no == kNotTold && limits.max_terms > 0);
   if (!no.empty()) return false;
-  // Where several effects explain the rest alike a formula is one more, unless it says more.
-  if (!found->untold.empty() && !SaysMore(problem, found->untold_fit, trial)) {
-    Record(trial, kNotApart, found);
-    return false;
-  }
   const auto name =
       FindListedName(problem, coarse, found->corrected, found->after, trial, effort, go_on);
   Identification with = *found;
@@ -84,7 +79,6 @@ bool AddFormula(const FitProblem& problem, const FitProblem& coarse, const Effor
     Record(trial, "drives where it must dissipate", found);
     return false;
   }
-  with.untold.clear();
   *found = std::move(with);
   return true;
 }

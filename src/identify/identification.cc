@@ -71,16 +71,4 @@ std::string NameBesideRivals(const AcceptedEffect& effect) {
   return elsewhere ? name + " on " + JoinWords(effect.candidate.params.targets) : name;
 }
 
-std::vector<std::string> UntoldNames(const Identification& found) {
-  std::vector<std::string> out;
-  for (const Rival& rival : found.untold) {
-    std::string name = rival.form.effect;
-    for (const Rival& other : found.untold) {
-      if (IsElsewhere(rival.form, other.form)) name = NameBeside(rival.form, other.form);
-    }
-    if (std::find(out.begin(), out.end(), name) == out.end()) out.push_back(name);
-  }
-  return out;
-}
-
 }  // namespace phs::identify::search

@@ -42,10 +42,7 @@ struct Identification {
   FitResult base;    ///< declared, by likelihood: what evidence is counted from
   FitResult after;
   std::vector<AcceptedEffect> effects;  ///< strongest first
-  /// Of what these leave: effects that explain it alike, so that none is taken; the best first.
-  std::vector<Rival> untold;
-  FitResult untold_fit;  ///< with the best of them
-  FoundFormula formula;  ///< of the effect `unlisted`, if accepted
+  FoundFormula formula;                 ///< of the effect `unlisted`, if accepted
   std::vector<CandidateRecord> candidates;
   bool cancelled = false;
 };
@@ -63,8 +60,5 @@ bool TakeOutEdges(Identification* found);
 
 /// The effect, with its part where the same on another part explains the record, too.
 std::string NameBesideRivals(const AcceptedEffect& effect);
-
-/// Effects of `untold`, each once.
-std::vector<std::string> UntoldNames(const Identification& found);
 
 }  // namespace phs::identify::search

@@ -167,9 +167,6 @@ Status PutNextTest(const FitProblem& problem, const Identification& found, const
     tests.push_back(NameBesideRivals(effect) + " against " + JoinWords(effect.confusable_with) +
                     none);
   }
-  if (!test && !found.untold.empty()) {
-    tests.push_back("what is left, between " + JoinWords(UntoldNames(found)) + none);
-  }
   (*result)["next_test"] = tests;
   return {};
 }

@@ -31,7 +31,8 @@ bool IsOverNoMoreThan(const FoundFormula& formula, const std::string& variables)
 }
 
 /// A force acts on the one piston of a rig that has formulas of force; other formulas act on
-/// cylinders or on lines as the effect does, and on none that it does not.
+/// cylinders or on lines as the effect does, and on none that it does not. What surrounds the rig
+/// acts everywhere.
 bool ActsThere(const FoundFormula& formula, const EffectInfo& info, const Candidate& effect,
                const hydraulics::PhsParams& params) {
   if (formula.unit == effects::UnitSuffix(FormulaUnit::kForce)) return true;
@@ -39,7 +40,8 @@ bool ActsThere(const FoundFormula& formula, const EffectInfo& info, const Candid
   const bool cylinders = std::all_of(on.begin(), on.end(), [&](const std::string& name) {
     return params.FindCylinder(name) >= 0 && params.FindLine(name) < 0;
   });
-  if (on.empty() || info.targets != (cylinders ? "cylinders" : "lines")) return false;
+  if (on.empty()) return false;
+  if (!info.targets.empty() && info.targets != (cylinders ? "cylinders" : "lines")) return false;
   const std::vector<std::string>& all = effect.params.targets;
   return all.empty() || std::all_of(on.begin(), on.end(), [&](const std::string& name) {
            return std::find(all.begin(), all.end(), name) != all.end();

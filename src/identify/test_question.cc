@@ -44,16 +44,6 @@ FittedModel Exchanged(const FitProblem& problem, const Identification& found, si
   return out;
 }
 
-/// An effect added that was not taken.
-FittedModel Added(const FitProblem& problem, const Identification& found, const Rival& rival) {
-  FittedModel out{rival.form.effect, WithCandidate(found.corrected, rival.form),
-                  found.after.values};
-  out.values.insert(out.values.end(), rival.values.begin(), rival.values.end());
-  const FitResult fit = FitNear(problem, out.model, out.values, {}, {.max_steps = 8});
-  if (fit.ok) out.values = fit.values;
-  return out;
-}
-
 /// The model as found without the effects `names`, fitted anew where one of them was there.
 FitResult FitWithout(const FitProblem& problem, const Identification& found,
                      const std::vector<std::string>& names, FreeModel* model) {
@@ -188,13 +178,6 @@ std::vector<Question> OpenQuestions(const FitProblem& problem, const Identificat
       });
       if (!known && out.size() < kMostQuestions) out.push_back(std::move(q));
     }
-  }
-  std::set<std::string> asked;
-  for (size_t k = 1; k < found.untold.size() && out.size() < kMostQuestions; ++k) {
-    const Candidate &one = found.untold[0].form, &other = found.untold[k].form;
-    if (!asked.insert(NameBeside(other, one)).second) continue;
-    out.push_back({Added(problem, found, found.untold[0]), Added(problem, found, found.untold[k])});
-    out.back().one.name = NameBeside(one, other), out.back().other.name = NameBeside(other, one);
   }
   for (size_t i = 0; i < found.declared.free.size(); ++i) {
     const FreeParameter& p = found.corrected.free[i];

@@ -97,7 +97,6 @@ Verdict Judge(const VerdictFacts& facts) {
     if (!noise) reasons.push_back(Left(*worst));
     return Undescribed(facts, std::move(reasons));
   }
-  bool little = false;  // is taken by the effects that are told
   if (!noise) {
     reasons.push_back(Left(*worst));
     AddComing(*worst, &reasons);
@@ -110,8 +109,7 @@ Verdict Judge(const VerdictFacts& facts) {
     }
     reasons.push_back(fmt::format("the effects take {:.0f} % of what it showed beyond its noise",
                                   100 * std::max(0.0, removed)));
-    if (removed <= kMost && facts.untold.empty()) return Undescribed(facts, std::move(reasons));
-    little = removed <= kMost;
+    if (removed <= kMost) return Undescribed(facts, std::move(reasons));
   }
   for (const NamedEffect& effect : facts.effects) {
     if (!effect.special_case_of.empty()) {
@@ -133,13 +131,9 @@ Verdict Judge(const VerdictFacts& facts) {
   }
   const bool rivals = std::any_of(facts.effects.begin(), facts.effects.end(),
                                   [](const NamedEffect& e) { return !e.rivals.empty(); });
-  if (!facts.untold.empty()) {
-    reasons.push_back("what is left beside is explained alike by " + JoinWords(facts.untold) +
-                      ": none of them is taken");
-  }
   AddNumbers(facts, false, &reasons);
   AddColoured(facts, &reasons);
-  if (rivals || little) return {"undecidable", std::move(reasons)};
+  if (rivals) return {"undecidable", std::move(reasons)};
   if (!facts.effects.empty()) return {"explained", std::move(reasons)};
   const auto most = std::max_element(
       facts.channels.begin(), facts.channels.end(),
@@ -151,13 +145,16 @@ Verdict Judge(const VerdictFacts& facts) {
 }
 
 std::string VerdictSentence(const Verdict& verdict, const VerdictFacts& facts) {
-  std::vector<std::string> names;
-  for (const NamedEffect& effect : facts.effects) names.push_back(effect.name);
+  std::vector<std::string> told, open;
+  for (const NamedEffect& effect : facts.effects) {
+    const bool rivals = verdict.word == "undecidable" && !effect.rivals.empty();
+    (rivals ? open : told).push_back(effect.name);
+  }
   if (verdict.word == "sufficient") return "the declared model suffices";
-  if (verdict.word == "explained") return "explained by " + JoinWords(names);
+  if (verdict.word == "explained") return "explained by " + JoinWords(told);
   if (verdict.word == "not_described") return "not described by this model";
-  if (!facts.untold.empty()) names.push_back(facts.untold.front());
-  return "cannot be told from this record: " + JoinWords(names) + " or another";
+  const std::string cannot = "cannot be told from this record: " + JoinWords(open) + " or another";
+  return told.empty() ? cannot : "explained by " + JoinWords(told) + "; beside it " + cannot;
 }
 
 }  // namespace phs::identify

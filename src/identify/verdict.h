@@ -3,8 +3,7 @@
 //   sufficient      nothing is missing: what the declared model leaves is its noise
 //   explained       the accepted effects take most of what it leaves
 //   not_described   something is there that neither has; also data that contradict themselves
-//   undecidable     two effects explain as much: the record does not tell which. Where others that
-//                   are told take most already, those two are no more than a reason
+//   undecidable     two effects explain as much: the record does not tell which
 // "Noise": of the mean square of the worst channel over that of sensor noise and uncertain input,
 // no more than 1 is beyond the noise and follows what the rig did (motion_share.h), so that
 // whatever the model lacks is no larger than the noise itself. What does not follow is noise with a
@@ -58,8 +57,6 @@ struct FittedNumber {
 struct VerdictFacts {
   std::vector<ChannelLeft> channels;
   std::vector<NamedEffect> effects;
-  /// Of what these leave: effects that explain it alike, so that none is taken.
-  std::vector<std::string> untold;
   std::vector<FittedNumber> numbers;
   /// Of the data, not mended: a turned sign, swapped columns; of the model found: a formula that
   /// drives where it must dissipate.

@@ -46,6 +46,28 @@ TEST(Stribeck, AFilmThatLagsKeepsFrictionHighWhereSlidingBegins) {
   EXPECT_NEAR(extra, 500 * std::exp(-film / 2e-3), 0.5);
 }
 
+// h' = |v| - h/t_c: v t_c (1 - exp(-t/t_c)) when sliding from rest, and exp(-t/t_c) of it after a
+// rest of t; friction exp(-w h) times what it is cold.
+TEST(TemperatureFriction, ASealThatSlidesGetsWarmAndCoolsAtRest) {
+  PhsParams p = Quarter();
+  p.friction.model = FrictionModel::kStatic;
+  const PhsSystem plain = Compile(p);
+  const double w = 20, cooling = 0.5, v = 4e-3, h = 1e-4;
+  const PhsSystem warm =
+      Compile(With(p, "temperature_friction",
+                   {{"slope_1_per_K", 0}, {"slid_1_per_m", w}, {"cooling_s", cooling}}));
+  const auto ratio = [&](double t, const auto& way) {
+    return Drive(warm, t, h, way).friction / Drive(plain, t, h, way).friction;
+  };
+  const auto slides = [&](double t) { return v * t; };
+  for (const double t : {0.1, 0.5, 2.0}) {
+    EXPECT_NEAR(ratio(t, slides), std::exp(-w * v * cooling * (1 - std::exp(-t / cooling))), 1e-5);
+  }
+  const auto rests = [&](double t) { return v * std::min(t, 1.0) - v * std::max(0.0, t - 1.3); };
+  const double left = v * cooling * (1 - std::exp(-1 / cooling)) * std::exp(-0.3 / cooling);
+  EXPECT_NEAR(ratio(1.301, rests), std::exp(-w * left), 1e-4) << "the way back, at once";
+}
+
 TEST(Presliding, TurnsALookUpIntoASpringBeforeSliding) {
   PhsParams p = Quarter();
   p.friction.model = FrictionModel::kStatic;

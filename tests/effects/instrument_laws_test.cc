@@ -45,6 +45,20 @@ TEST(Instruments, GainOffsetDriftDelayOnPredictedChannels) {
   EXPECT_NEAR(delay[1][200], 0.5 * (plain[1][197] + plain[1][198]), 1e-6);
 }
 
+TEST(Instruments, AnOffsetMayComeInTheRecord) {
+  const PhsParams p = Quarter();
+  const auto plain = Shown(p);
+  const auto knocked = Shown(With(p, "sensor_offset", {{"p_bore_Pa", 5e4}, {"start_s", 1.5}}));
+  EXPECT_DOUBLE_EQ(knocked[2][149], plain[2][149]);
+  EXPECT_DOUBLE_EQ(knocked[2][151], plain[2][151] + 5e4);
+  const auto slides =
+      Shown(With(p, "sensor_offset", {{"load_N", 100}, {"start_s", 1.5}, {"within_s", 0.4}}));
+  for (const size_t i : {0u, 150u, 160u, 300u}) {
+    const double t = 0.01 * static_cast<double>(i);
+    EXPECT_NEAR(slides[1][i] - plain[1][i], 50 * (1 + std::tanh(2 * (t - 1.5) / 0.4)), 1e-6) << t;
+  }
+}
+
 TEST(Instruments, ALoadCellMayHaveAnotherGainInCompression) {
   const PhsParams p = Quarter();
   const auto plain = Shown(p);

@@ -112,6 +112,48 @@ TEST(EffectSearchTest, FindsADriftThatBeginsInTheRecord) {
   EXPECT_NEAR(ValueOf(found, "effects.sensor_drift.start_s"), 22, 0.3);
 }
 
+/// The one effect that is found where this is hidden.
+Identification FindAlone(const hydraulics::EffectParams& hidden) {
+  hydraulics::PhsParams truth = OffDeclared();
+  truth.effects.push_back(hidden);
+  const Identification found = Find(Declared(), Record(truth));
+  EXPECT_EQ(found.effects.size(), 1u) << Said(found);
+  if (!found.effects.empty()) EXPECT_EQ(found.effects[0].candidate.effect, hidden.name);
+  return found;
+}
+
+TEST(EffectSearchTest, FindsAGaugeThatIsKnockedInTheRecord) {
+  const Identification found =
+      FindAlone({"sensor_offset", {}, {{"p_rod_Pa", 9e4}, {"start_s", 17.3}}});
+  EXPECT_NEAR(ValueOf(found, "effects.sensor_offset.p_rod_Pa"), 9e4, 2e3);
+  EXPECT_NEAR(ValueOf(found, "effects.sensor_offset.start_s"), 17.3, 0.3);
+}
+
+TEST(EffectSearchTest, FindsAGaugeWhoseMembraneRubs) {
+  const Identification found =
+      FindAlone({"sensor_hysteresis", {}, {{"p_rod", 0.03}, {"width_Pa", 2e6}}});
+  EXPECT_NEAR(ValueOf(found, "effects.sensor_hysteresis.p_rod"), 0.03, 3e-3);
+  EXPECT_NEAR(ValueOf(found, "effects.sensor_hysteresis.width_Pa"), 2e6, 3e5);
+}
+
+TEST(EffectSearchTest, FindsASealThatItsOwnSlidingWarms) {
+  const Identification found =
+      FindAlone({"temperature_friction",
+                 {},
+                 {{"slope_1_per_K", 0}, {"slid_1_per_m", 10}, {"cooling_s", 16}}});
+  EXPECT_NEAR(ValueOf(found, "effects.temperature_friction.slid_1_per_m"), 10, 1);
+  EXPECT_NEAR(ValueOf(found, "effects.temperature_friction.cooling_s"), 16, 3);
+}
+
+TEST(EffectSearchTest, FindsAHeaterThatCycles) {
+  const Identification found = FindAlone(
+      {"temperature_drift",
+       {},
+       {{"rate_K_per_s", 0}, {"amplitude_K", 0.2}, {"cosine_K", -0.4}, {"period_s", 33}}});
+  EXPECT_NEAR(ValueOf(found, "effects.temperature_drift.period_s"), 33, 1);
+  EXPECT_NEAR(ValueOf(found, "effects.temperature_drift.cosine_K"), -0.4, 0.04);
+}
+
 TEST(EffectSearchTest, FindsThatBothPressuresReadLow) {
   // Gauge sensors at altitude: both lack as much of the atmosphere, 88 kPa here.
   hydraulics::PhsParams truth = OffDeclared();

@@ -19,7 +19,7 @@ from blind_sets import read
 
 NUMBERS = {"false_alarms": 0.01, "least_share": 0.33, "noise_known": 0.1}
 FACTORS = {"quartered": 0.25, "halved": 0.5, "doubled": 2, "quadrupled": 4}
-PARTS = ("cross_validation", "beyond_zero", "structures", "plain_first", "told_apart", "superfluous", "bends", "elsewhere",
+PARTS = ("cross_validation", "beyond_zero", "structures", "plain_first", "superfluous", "bends", "elsewhere",
          "challenge", "names", "formula", "options")
 FIELDS = ("suite", "set", "kind", "hidden", "variant", "accepted", "verdict", "processor_s")
 

@@ -1,4 +1,5 @@
-// What is left beside an effect that is told, where two laws explain it alike: neither is taken.
+// What is left beside an effect that is told, where two laws explain it alike: one is taken, the
+// other said.
 #include "effects/own_law.h"
 #include "identify/effect_search.h"
 #include "identify/test_question.h"
@@ -30,9 +31,8 @@ measurement::FitData BrakedRecord(const std::vector<std::string>& names) {
   return data;
 }
 
-Identification Search(const measurement::FitData& data, bool told_apart = true) {
+Identification Search(const measurement::FitData& data) {
   SearchOptions options;
-  options.rule.told_apart = told_apart;
   options.formula = false;
   auto rig = RigForward::Create(data, Declared());
   auto problem = FitProblem::Create(rig.value(), Declared(), options.rule);
@@ -47,15 +47,15 @@ std::vector<std::string> AcceptedNames(const Identification& found) {
   return out;
 }
 
-TEST(ToldApart, ALawWithoutARivalIsTakenBesideAnother) {
+TEST(Rivals, ALawWithoutARivalIsTakenBesideAnother) {
   const measurement::FitData data = BrakedRecord({"brake"});
   const Identification found = Search(data);
   EXPECT_EQ(found.effects.size(), 2u) << Said(found);
-  EXPECT_TRUE(found.untold.empty());
+  EXPECT_TRUE(found.effects.back().confusable_with.empty());
 }
 
 /// A rival that the rule would refuse itself: it wants more than is plausible of it.
-TEST(ToldApart, ALawAtTheEndOfItsRangeStandsAgainstNone) {
+TEST(Rivals, ALawAtTheEndOfItsRangeStandsAgainstNone) {
   const double fitted = Search(BrakedRecord({"brake"})).after.values.back();
   measurement::FitData data = BrakedRecord({"brake", "other_brake"});
   data.own.back().numbers.front().high = 1.001 * fitted;
@@ -64,18 +64,23 @@ TEST(ToldApart, ALawAtTheEndOfItsRangeStandsAgainstNone) {
       << Said(found);
 }
 
-TEST(ToldApart, OfTwoLawsThatExplainAlikeNeitherIsTakenBesideAnother) {
+TEST(Rivals, OfTwoLawsThatExplainAlikeOneIsTakenAndTheOtherSaid) {
   const measurement::FitData data = BrakedRecord({"brake", "other_brake"});
   const Identification found = Search(data);
-  EXPECT_EQ(AcceptedNames(found), std::vector<std::string>{"external_leakage"}) << Said(found);
-  EXPECT_EQ(UntoldNames(found).size(), 2u);
-  // The question stays: which test would tell them?
+  ASSERT_EQ(found.effects.size(), 2u) << Said(found);
+  const AcceptedEffect &leak = found.effects[0], &brake = found.effects[1];
+  EXPECT_EQ(leak.candidate.effect, "external_leakage");
+  EXPECT_TRUE(leak.confusable_with.empty());
+  EXPECT_NE(brake.candidate.effect.find("brake"), std::string::npos);
+  ASSERT_EQ(brake.confusable_with.size(), 1u);
+  EXPECT_NE(brake.confusable_with[0].find("brake"), std::string::npos);
+  EXPECT_NE(brake.confusable_with[0], brake.candidate.effect);
+  // Which test would tell them?
   auto problem = ProblemOf(data, Declared());
   const std::vector<Question> questions = OpenQuestions(problem.value(), found);
   ASSERT_EQ(questions.size(), 1u);
   EXPECT_NE(questions[0].one.name, questions[0].other.name);
   EXPECT_NE(questions[0].one.name.find("brake"), std::string::npos);
-  EXPECT_EQ(Search(data, false).effects.size(), 2u) << "without the rule one of them is taken";
 }
 
 }  // namespace
