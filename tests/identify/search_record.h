@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <memory>
 #include <random>
 
@@ -80,6 +81,13 @@ inline Identification Find(const hydraulics::PhsParams& declared,
   auto found = Identify(&problem.value(), declared, {}, nullptr);
   EXPECT_TRUE(found.ok());
   return found.value();
+}
+
+/// The same, with these effects offered; with PHS_LONG_TESTS set, the whole catalogue.
+inline Identification FindAmong(std::vector<std::string> offered, measurement::FitData data) {
+  const hydraulics::PhsParams declared = phs_model::FindPhsParams("quarter_setup2").value();
+  if (std::getenv("PHS_LONG_TESTS") == nullptr) data.candidates = std::move(offered);
+  return Find(declared, data);
 }
 
 /// What was found, for messages.
