@@ -73,6 +73,7 @@ TEST_F(BogieIndependentTest, NothingIsNamedInACleanRecord) {
 // vehicle, friction came out 0.92 and gas 1.2 times as it is there; forces and pressures at the
 // measured ways do not know of it.
 TEST_F(BogieIndependentTest, NumbersOfThePhsDoNotFollowWhereTheAxlesStand) {
+  if (std::getenv("PHS_LONG_TESTS") == nullptr) GTEST_SKIP() << "PHS_LONG_TESTS is not set";
   bogie_curve::Truth truth = bogie_curve::DeclaredTruth("r250");
   const auto result = Found(Run(truth), ScenarioOfR250(), "[0.2, 16]", "[16, 30.8]", "", 0);
   const auto value = [&](const char* name) {

@@ -99,7 +99,8 @@ TEST(EffectSearchTest, FindsALeakThatOpensInTheRecord) {
   hydraulics::PhsParams truth = OffDeclared();
   truth.effects.push_back(
       {"external_leakage", {"L1"}, {{"conductance_m3_per_Pas", 2e-15}, {"start_s", 22}}});
-  const Identification found = Find(Declared(), Record(truth));
+  const Identification found = FindAmong(
+      {"external_leakage", "piston_leakage", "temperature_drift", "gas_thermal"}, Record(truth));
   ASSERT_EQ(found.effects.size(), 1u);
   EXPECT_EQ(found.effects[0].candidate.effect, "external_leakage");
   EXPECT_NEAR(ValueOf(found, "effects.external_leakage.start_s"), 22, 1);
@@ -115,11 +116,12 @@ TEST(EffectSearchTest, FindsADriftThatBeginsInTheRecord) {
   EXPECT_NEAR(ValueOf(found, "effects.sensor_drift.start_s"), 22, 0.3);
 }
 
-/// The one effect that is found where this is hidden.
-Identification FindAlone(const hydraulics::EffectParams& hidden) {
+/// What is found where this one is hidden, which is to be found alone, and these are offered too.
+Identification FindAlone(const hydraulics::EffectParams& hidden, std::vector<std::string> offered) {
   hydraulics::PhsParams truth = OffDeclared();
   truth.effects.push_back(hidden);
-  const Identification found = Find(Declared(), Record(truth));
+  offered.push_back(hidden.name);
+  const Identification found = FindAmong(std::move(offered), Record(truth));
   EXPECT_EQ(found.effects.size(), 1u) << Said(found);
   if (!found.effects.empty()) EXPECT_EQ(found.effects[0].candidate.effect, hidden.name);
   return found;
@@ -127,32 +129,34 @@ Identification FindAlone(const hydraulics::EffectParams& hidden) {
 
 TEST(EffectSearchTest, FindsAGaugeThatIsKnockedInTheRecord) {
   const Identification found =
-      FindAlone({"sensor_offset", {}, {{"p_rod_Pa", 9e4}, {"start_s", 17.3}}});
+      FindAlone({"sensor_offset", {}, {{"p_rod_Pa", 9e4}, {"start_s", 17.3}}},
+                {"sensor_drift", "sensor_gain", "sensor_creep"});
   EXPECT_NEAR(ValueOf(found, "effects.sensor_offset.p_rod_Pa"), 9e4, 2e3);
   EXPECT_NEAR(ValueOf(found, "effects.sensor_offset.start_s"), 17.3, 0.3);
 }
 
 TEST(EffectSearchTest, FindsAGaugeWhoseMembraneRubs) {
   const Identification found =
-      FindAlone({"sensor_hysteresis", {}, {{"p_rod", 0.03}, {"width_Pa", 2e6}}});
+      FindAlone({"sensor_hysteresis", {}, {{"p_rod", 0.03}, {"width_Pa", 2e6}}},
+                {"sensor_creep", "sensor_gain", "sensor_delay"});
   EXPECT_NEAR(ValueOf(found, "effects.sensor_hysteresis.p_rod"), 0.03, 3e-3);
   EXPECT_NEAR(ValueOf(found, "effects.sensor_hysteresis.width_Pa"), 2e6, 3e5);
 }
 
 TEST(EffectSearchTest, FindsASealThatItsOwnSlidingWarms) {
-  const Identification found =
-      FindAlone({"temperature_friction",
-                 {},
-                 {{"slope_1_per_K", 0}, {"slid_1_per_m", 10}, {"cooling_s", 16}}});
+  const Identification found = FindAlone(
+      {"temperature_friction", {}, {{"slope_1_per_K", 0}, {"slid_1_per_m", 10}, {"cooling_s", 16}}},
+      {"viscous_friction", "stribeck", "dwell_friction"});
   EXPECT_NEAR(ValueOf(found, "effects.temperature_friction.slid_1_per_m"), 10, 1);
   EXPECT_NEAR(ValueOf(found, "effects.temperature_friction.cooling_s"), 16, 3);
 }
 
 TEST(EffectSearchTest, FindsAHeaterThatCycles) {
-  const Identification found = FindAlone(
-      {"temperature_drift",
-       {},
-       {{"rate_K_per_s", 0}, {"amplitude_K", 0.2}, {"cosine_K", -0.4}, {"period_s", 33}}});
+  const Identification found =
+      FindAlone({"temperature_drift",
+                 {},
+                 {{"rate_K_per_s", 0}, {"amplitude_K", 0.2}, {"cosine_K", -0.4}, {"period_s", 33}}},
+                {"external_leakage", "gas_thermal", "sensor_drift"});
   EXPECT_NEAR(ValueOf(found, "effects.temperature_drift.period_s"), 33, 1);
   EXPECT_NEAR(ValueOf(found, "effects.temperature_drift.cosine_K"), -0.4, 0.04);
 }
@@ -234,7 +238,8 @@ TEST(EffectSearchTest, FindsAWarmingThatComesBack) {
   hydraulics::PhsParams truth = OffDeclared();
   truth.effects.push_back(
       {"temperature_drift", {}, {{"rate_K_per_s", 0.04}, {"settling_s", 11}, {"stop_s", 26}}});
-  const Identification found = Find(Declared(), Record(truth));
+  const Identification found = FindAmong(
+      {"temperature_drift", "external_leakage", "gas_thermal", "sensor_drift"}, Record(truth));
   ASSERT_EQ(found.effects.size(), 1u);
   EXPECT_EQ(found.effects[0].candidate.effect, "temperature_drift");
   EXPECT_NEAR(ValueOf(found, "effects.temperature_drift.stop_s"), 26, 0.5);

@@ -4,7 +4,7 @@
 set -eu
 generator=$1 phs=$2 folder=$3
 failed=0
-for effect in none stribeck sensor_delay accumulator_precharge; do
+for effect in none stribeck accumulator_precharge; do
   set_folder=$folder/$effect
   [ -e "$set_folder/MANIFEST.yaml" ] || "$generator" --effect "$effect" --seed 77 --out "$set_folder"
   found=$("$phs" identify "$set_folder/MANIFEST.yaml" --out "$set_folder/result" --force --quiet |
