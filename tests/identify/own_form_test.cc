@@ -70,6 +70,16 @@ TEST(OwnForm, AFormulaOfOilActsWhereItsEffectDoes) {
   EXPECT_FALSE(HasOwnForm(With({EffectOf("external_leakage", 300)}, past)));
 }
 
+/// What surrounds the rig acts on every line: a heater that is switched on and off is no sine.
+TEST(OwnForm, AFlowOverTimeBesideAWarmingIsItsForm) {
+  const auto over = [](const std::string& text, const std::string& unit) {
+    return HasOwnForm(With({EffectOf("temperature_drift", 300)}, FormulaOver(text, unit, {"L1"})));
+  };
+  EXPECT_EQ(over("c1*sin(2*pi*t/11[s])", "m3_per_s"), 0u);
+  EXPECT_FALSE(over("c1*(p/1e7[Pa])", "m3_per_s")) << "a leak beside it";
+  EXPECT_FALSE(over("c1*sin(2*pi*t/11[s])", "Pa")) << "a gauge beside it";
+}
+
 TEST(OwnForm, IsSaidInsideItsEffect) {
   Identification found = With({EffectOf("stribeck", 300)}, FormulaOver("c1*(v/0.02[m/s])", "N"));
   const auto number = [&](size_t effect, const std::string& name, double value) {
