@@ -48,8 +48,8 @@ const EffectInfo& SealFrictionInfo() {
       {{"factor", "-", 2, 0, 100, 0.2, 8, "f", true}},
       InstallSealFriction,
       {
-          .rig = {{.free = {{"factor", 0.6, 1.6, 2}}, .places = Places::kAlone}},
-          .bogie = {{.free = {{"factor", 0.6, 1.6, 2}}, .places = Places::kAlone}},
+          .rig = {{.free = {{"factor", 0.6, 1.6, 3}}, .places = Places::kAlone}},
+          .bogie = {{.free = {{"factor", 0.6, 1.6, 3}}, .places = Places::kAlone}},
           .declared = SealAsTheOthers,
       }};
   return info;

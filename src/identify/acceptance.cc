@@ -30,6 +30,14 @@ constexpr RulePart kParts[] = {
 
 }  // namespace
 
+int LeastPeriods(const Acceptance& accept) {
+  constexpr int kMost = 1000;
+  double harmonic = 1;
+  int k = 1;
+  while (k < kMost && harmonic / k >= accept.least_share) harmonic += 1.0 / ++k;
+  return k;
+}
+
 std::span<const AcceptanceNumber> AcceptanceNumbers() { return kNumbers; }
 std::span<const RulePart> RuleParts() { return kParts; }
 

@@ -23,6 +23,12 @@ struct Acceptance {
   double noise_known = 0.1;
 };
 
+/// Periods that a wave over time must show. What is slow and has no period lies in a few lines: of k
+/// lines as strong on average the strongest holds H_k/k of their power, H_k = 1 + 1/2 + ... + 1/k
+/// (mean of the largest of k exponential powers over their sum). In the octave from k periods on that
+/// is below `least_share` from this k on: 9 for a third.
+int LeastPeriods(const Acceptance& accept);
+
 /// The rule of a search: its numbers, and its parts, each of which can be left out to see what it
 /// is worth (docs/identify_rule.md).
 struct SearchRule {

@@ -155,7 +155,7 @@ class Search {
 
   bool AddOne(int round) {
     std::vector<Candidate> list = problem_.forward().Candidates(out_.corrected.params);
-    KeepWorstPlace(problem_, out_.after, out_.corrected.params, &list);
+    KeepWorstPlace(problem_, out_.corrected, out_.after, &list);
     // The least that one more number and so many structures cost: what is left must be worth it.
     const double most =
         problem_.likelihood().MostGain(out_.after.powers) - std::log(problem_.likelihood().Count());

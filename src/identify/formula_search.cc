@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "effects/formula.h"
+#include "identify/acceptance.h"
 #include "measurement/time_wave.h"
 
 namespace phs::identify {
@@ -194,8 +195,8 @@ class PlaceTerms final : public TermLibrary {
     if (weight_.size() == 0) weight_ = data_.column({std::vector<double>(run.size(), 1.0)});
     const Eigen::VectorXd here = residual.segment(data_.first_row, count)
                                      .cwiseProduct(weight_.segment(data_.first_row, count));
-    const TimeWave wave =
-        FindTimeWave({here.data(), here.data() + count}, run[1].time - run[0].time);
+    const TimeWave wave = FindTimeWave({here.data(), here.data() + count},
+                                       run[1].time - run[0].time, LeastPeriods({}));
     if (!(wave.frequency_Hz > 0)) return;
     const std::string period = fmt::format("{:.8g}[s]", 1 / wave.frequency_Hz);
     Add("sin(2*pi*t/" + period + ")", "cos(2*pi*t/" + period + ")", 2, std::log(wave.looked_at));

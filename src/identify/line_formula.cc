@@ -8,6 +8,7 @@
 
 #include "effects/formula.h"
 #include "effects/unlisted.h"
+#include "identify/acceptance.h"
 #include "identify/fit_intervals.h"
 #include "measurement/time_wave.h"
 
@@ -77,8 +78,8 @@ class LineTerms final : public TermLibrary {
         place_.wave_channel, {std::vector<double>(static_cast<size_t>(rows.count), 1.0)});
     const Eigen::VectorXd here = residual.segment(rows.begin, rows.count)
                                      .cwiseProduct(weight.segment(rows.begin, rows.count));
-    const auto wave =
-        measurement::FindTimeWave({here.data(), here.data() + here.size()}, place_.wave_step_s);
+    const auto wave = measurement::FindTimeWave({here.data(), here.data() + here.size()},
+                                                place_.wave_step_s, LeastPeriods({}));
     if (!(wave.frequency_Hz > 0)) return;
     const std::string angle = fmt::format("(2*pi*t/{:.8g}[s])", 1 / wave.frequency_Hz);
     Eigen::MatrixXd columns(model_.residual.size(), 2);

@@ -140,9 +140,6 @@ Status MeasuredWays::PutUncertainty(const hydraulics::PhsParams& phs, ForwardMod
                                     Channels* deviation) const {
   Channels of_phs;
   if (Status s = rig_->UncertaintySpan(phs, span, &of_phs); !s.ok()) return s;
-  for (std::vector<double>& row : of_phs) {
-    for (double& x : row) x = std::abs(x);
-  }
   PutInto(std::move(of_phs), deviation);
   return {};
 }

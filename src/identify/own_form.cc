@@ -48,6 +48,16 @@ bool ActsThere(const FoundFormula& formula, const EffectInfo& info, const Candid
          });
 }
 
+/// True if one law of the catalogue alone is over the formula's variables.
+bool IsOfOneLawAlone(const FoundFormula& formula) {
+  int laws = 0;
+  for (const EffectInfo& info : effects::Catalogue().effects()) {
+    if (formula.unit != info.search.over.unit) continue;
+    laws += IsOverNoMoreThan(formula, info.search.over.variables) ? 1 : 0;
+  }
+  return laws == 1;
+}
+
 }  // namespace
 
 bool IsFormula(const AcceptedEffect& effect) {
@@ -57,11 +67,12 @@ bool IsFormula(const AcceptedEffect& effect) {
 std::optional<size_t> HasOwnForm(const Identification& found) {
   const auto own = std::find_if(found.effects.begin(), found.effects.end(), IsFormula);
   if (own == found.effects.end() || found.formula.empty()) return {};
+  const double least = IsOfOneLawAlone(found.formula) ? 0 : own->evidence.delta_bic;
   std::optional<size_t> host;
   for (size_t i = 0; i < found.effects.size(); ++i) {
     const AcceptedEffect& effect = found.effects[i];
     const EffectInfo* info = effects::Catalogue().Find(effect.candidate.effect);
-    if (info == nullptr || effect.evidence.delta_bic <= own->evidence.delta_bic) continue;
+    if (info == nullptr || effect.evidence.delta_bic <= least) continue;
     if (host && effect.evidence.delta_bic <= found.effects[*host].evidence.delta_bic) continue;
     if (found.formula.unit != info->search.over.unit) continue;
     if (!ActsThere(found.formula, *info, effect.candidate, found.corrected.params)) continue;

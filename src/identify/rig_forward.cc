@@ -5,6 +5,7 @@
 
 #include "identify/effect_variants.h"
 #include "identify/own_candidates.h"
+#include "identify/speed_spread.h"
 
 namespace phs::identify::search {
 
@@ -126,27 +127,20 @@ Status RigForward::RunSpan(const PhsParams& params, Span span, Channels* out) co
 }
 
 Status RigForward::UncertaintySpan(const PhsParams& params, Span span, Channels* deviation) const {
-  Channels fast, slow;
   const RigMotion& motion = span == Span::kWhole ? full_ : short_;
   const int stride = span == Span::kWhole ? 1 : stride_;
-  RigMotion shifted = motion;
-  for (const double sign : {1.0, -1.0}) {
+  const auto run = [&](double deviations, Channels* out) {
+    RigMotion shifted = motion;
     for (size_t a = 0; a < shifted.speed_m_s.size(); ++a) {
       for (size_t i = 0; i < shifted.speed_m_s[a].size(); ++i) {
-        shifted.speed_m_s[a][i] =
-            motion.speed_m_s[a][i] + sign * data_.motion[a].speed_deviation[i * stride];
+        shifted.speed_m_s[a][i] += deviations * data_.motion[a].speed_deviation[i * stride];
       }
     }
     std::shared_ptr<const rigs::RigPressures> pressures;
-    const Status done = RunMotion(params, shifted, &pressures, sign > 0 ? &fast : &slow);
-    if (!done.ok()) return done;
-  }
-  *deviation = std::move(fast);
-  for (size_t c = 0; c < deviation->size(); ++c) {
-    for (size_t i = 0; i < (*deviation)[c].size(); ++i) {
-      (*deviation)[c][i] = 0.5 * ((*deviation)[c][i] - slow[c][i]);
-    }
-  }
+    return RunMotion(params, shifted, &pressures, out);
+  };
+  const Status done = SpreadOverSpeed(run, deviation);
+  if (!done.ok()) return done;
   return HasStates(params) ? AddDraws(params, span, deviation) : Status();
 }
 
@@ -187,7 +181,7 @@ Status RigForward::AddDraws(const PhsParams& params, Span span, Channels* deviat
     const std::vector<double> none((*deviation)[c].size(), 0.0);
     const std::vector<double> drawn = DeviationOfDraws(errors, none, step, kReach);
     for (size_t i = 0; i < drawn.size(); ++i) {
-      (*deviation)[c][i] = std::max(std::abs((*deviation)[c][i]), drawn[i]);
+      (*deviation)[c][i] = std::max((*deviation)[c][i], drawn[i]);
     }
   }
   return {};

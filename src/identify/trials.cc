@@ -117,6 +117,7 @@ std::vector<FullTrial> TryEffects(const FitProblem& problem, const FitProblem& c
   problem.ForEach(static_cast<int>(chosen.size()), [&](int k) {
     if (!go_on(kScreening + kForms * done++ / static_cast<double>(chosen.size()))) return;
     FullTrial& trial = trials[chosen[static_cast<size_t>(k)]];
+    if (!(trial.coarse.score < points.front().score)) return;  // nothing that could have a form
     trial.coarse = AddOptions(coarse, model, std::move(trial.coarse), &trial.form);
     trial.promise = Criterion(coarse, trial.coarse.score, trial.coarse.values.size());
   });

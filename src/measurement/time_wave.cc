@@ -19,8 +19,8 @@ double Power(const std::vector<double>& y, double cycles_per_sample) {
 
 }  // namespace
 
-TimeWave FindTimeWave(const std::vector<double>& weighted, double step_s) {
-  constexpr double kLeastPeriods = 1.5, kMost = 0.45;
+TimeWave FindTimeWave(const std::vector<double>& weighted, double step_s, double least_periods) {
+  constexpr double kMost = 0.45;
   const auto n = static_cast<double>(weighted.size());
   TimeWave out;
   if (n < 32) return out;
@@ -31,8 +31,9 @@ TimeWave FindTimeWave(const std::vector<double>& weighted, double step_s) {
   std::vector<std::complex<double>> lines;
   transform.fwd(lines, padded);
   const double width = 1 / static_cast<double>(padded.size());  // between lines, cycles per sample
-  const auto first = static_cast<size_t>(std::ceil(kLeastPeriods / n / width));
+  const auto first = static_cast<size_t>(std::ceil(least_periods / n / width));
   const auto last = static_cast<size_t>(kMost / width);
+  if (first > last) return out;
   size_t highest = first;
   for (size_t k = first; k <= last; ++k) {
     if (std::norm(lines[k]) > std::norm(lines[highest])) highest = k;

@@ -12,7 +12,8 @@ struct TimeWave {
 };
 
 /// `weighted`: value times weight, 0 where nothing was measured; `step_s` between samples. Looked
-/// for between one and a half periods in the record and 0.45 of the sampling frequency.
-TimeWave FindTimeWave(const std::vector<double>& weighted, double step_s);
+/// for between `least_periods` in the record and 0.45 of the sampling frequency.
+TimeWave FindTimeWave(const std::vector<double>& weighted, double step_s,
+                      double least_periods = 1.5);
 
 }  // namespace phs::measurement

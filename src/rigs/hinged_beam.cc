@@ -50,9 +50,11 @@ double HingedBeam::Imbalance(double h, double move, double* v) {
 
 void HingedBeam::Step(double h, double x1, double x2) {
   double v[4] = {(x1 - x_[0]) / h, (x2 - x_[1]) / h, 0, 0};
-  const double move = FindMove(speed_ * h, params_.inertia_kg_m2 / (h * h), &guess_,
+  const double start = (2 * speed_ - last_speed_) * h;  // as if it went on to change as it did
+  const double move = FindMove(start, params_.inertia_kg_m2 / (h * h), &guess_,
                                [&](double trial) { return Imbalance(h, trial, v); });
   state_ = next_;
+  last_speed_ = speed_;
   speed_ = move / h;
   std::copy(v, v + 4, before_);
   angle_ += move;

@@ -33,7 +33,7 @@ class HingedBeam {
   BeamParams params_;
   double x_[4];            ///< of the cylinders [m]
   double before_[4] = {};  ///< mean speeds of the cylinders over the last step [m/s]
-  double angle_ = 0, speed_ = 0;
+  double angle_ = 0, speed_ = 0, last_speed_ = 0;  ///< now, and speed one step before
   MoveGuess guess_;
   std::vector<double> state_, rate_, next_;
   hydraulics::Instant instants_[2];  ///< now, and at the end of the step that is tried

@@ -56,8 +56,17 @@ TEST(OwnForm, AFormulaOverAnotherVariableIsACauseOfItsOwn) {
   EXPECT_FALSE(HasOwnForm(With({EffectOf("backlash", 300)}, FormulaOver("c1*(x/0.005[m])", "N"))));
 }
 
-TEST(OwnForm, AFormulaThatWeighsMoreIsACauseOfItsOwn) {
+TEST(OwnForm, AFormulaThatWeighsMoreIsACauseOfItsOwnWhereSeveralLawsAreOverIt) {
   EXPECT_FALSE(HasOwnForm(With({EffectOf("stribeck", 99)}, FormulaOver("c1*(v/0.02[m/s])", "N"))));
+  EXPECT_FALSE(HasOwnForm(
+      With({EffectOf("hose_expansion", 99)}, FormulaOver("c1*(p/1e7[Pa])^2", "m3", {"L2"}))));
+}
+
+/// Friction in waves over the position, and of a slope that weighs less: one law is over both.
+TEST(OwnForm, AFormulaThatWeighsMoreIsTheFormOfTheOneLawThatIsOverIt) {
+  EXPECT_EQ(HasOwnForm(With({EffectOf("position_friction", 99)},
+                            FormulaOver("c1*s*sin(2*pi*x/0.001[m])", "N"))),
+            0u);
 }
 
 TEST(OwnForm, AFormulaOfOilActsWhereItsEffectDoes) {

@@ -9,7 +9,6 @@
 #include "identify/driven_run.h"
 #include "identify/next_test.h"
 #include "identify/result_json.h"
-#include "identify/worst_place.h"
 #include "phs_model/phs_model.h"
 #include "tests/identify/search_record.h"
 
@@ -273,42 +272,6 @@ TEST(CandidatesTest, ALeakMayBeInOneCylinderOfFour) {
     alone += c.effect == "piston_leakage" && !c.params.targets.empty();
   }
   EXPECT_EQ(alone, 0) << "one cylinder is all of them";
-}
-
-TEST(CandidatesTest, OnTheFullRigTheWorstLoadCellSaysWhereACylinderIsTriedAlone) {
-  const auto four = phs_model::FindPhsParams("bo_bo").value();
-  FitData data;
-  data.kind = rigs::RigKind::kFull;
-  data.step_s = 0.01, data.estimation = {0, 1}, data.validation = {1, 2};
-  rigs::RigMotion motion{0, data.step_s, {{}, {}}, {}, {}, {}, {}};
-  for (int i = 0; i < 200; ++i) {
-    data.time_s.push_back(i * data.step_s);
-    for (auto& x : motion.position_m) x.push_back(1e-3 * std::sin(2 * M_PI * i * data.step_s));
-  }
-  for (const auto& x : motion.position_m) {
-    data.inputs.push_back({"actuator_m", x, 5e-7});
-    data.motion.push_back(SmoothPosition(x, {}, data.step_s, 5e-7));
-  }
-  for (int c = 1; c <= 4; ++c) {
-    data.outputs.push_back({"load" + std::to_string(c) + "_N", std::vector<double>(200, 0.0), 40});
-  }
-  const auto problem = ProblemOf(data, four);
-  ASSERT_TRUE(problem.ok()) << problem.error().Line();
-  const auto alone = [&](std::vector<double> channel_ms) {
-    FitResult fit;
-    fit.channel_ms = std::move(channel_ms);
-    auto list = ListCandidates(four, rigs::RigKind::kFull);
-    KeepWorstPlace(problem.value(), fit, four, &list);
-    std::set<std::string> places;
-    for (const Candidate& c : list) {
-      if (c.effect == "viscous_friction") {
-        places.insert(c.params.targets.empty() ? "all" : c.params.targets[0]);
-      }
-    }
-    return places;
-  };
-  EXPECT_EQ(alone({1, 2, 5, 1}), (std::set<std::string>{"all", "3"}));
-  EXPECT_EQ(alone({1, 1, 1.05, 1}), std::set<std::string>{"all"});
 }
 
 TEST(Unexplained, SaysWhatTheValidationWindowAloneExcites) {
