@@ -48,8 +48,10 @@ const EffectInfo& SealFrictionInfo() {
       {{"factor", "-", 2, 0, 100, 0.2, 8, "f", true}},
       InstallSealFriction,
       {
+          // From none as well: a step from far off says little of a beam that sticks and slides. On a
+          // bogie, which trembles, the slope at none drowns.
           .rig = {{.free = {{"factor", 0.6, 1.6, 3}}, .places = Places::kAlone}},
-          .bogie = {{.free = {{"factor", 0.6, 1.6, 3}}, .places = Places::kAlone}},
+          .bogie = {{.free = {{"factor", 0.6, 1.6, 2}}, .places = Places::kAlone}},
           .declared = SealAsTheOthers,
       }};
   return info;

@@ -131,6 +131,37 @@ TEST(Accept, ChanceIsPaidForByTheNumberTried) {
 }
 
 // Each part alone refuses, and no longer does where it is left out; the others go on.
+/// Mean share that the strongest of k lines has of the power of noise without a period: 20 000 draws.
+double StrongestOf(int lines) {
+  std::mt19937 random(5);
+  std::exponential_distribution<double> power;
+  double mean = 0;
+  constexpr int kDraws = 20000;
+  for (int draw = 0; draw < kDraws; ++draw) {
+    double sum = 0, most = 0;
+    for (int k = 0; k < lines; ++k) {
+      const double p = power(random);
+      sum += p, most = std::max(most, p);
+    }
+    mean += most / sum / kDraws;
+  }
+  return mean;
+}
+
+TEST(Accept, AWaveShowsSoManyPeriodsThatNoiseWithoutOneWouldTakeTooLittle) {
+  EXPECT_EQ(LeastPeriods({}), 9);
+  for (const double least_share : {0.33, 0.2}) {
+    Acceptance accept;
+    accept.least_share = least_share;
+    const int k = LeastPeriods(accept);
+    EXPECT_LT(StrongestOf(k), least_share);
+    EXPECT_GT(StrongestOf(k - 1), least_share - 0.003);
+  }
+  Acceptance none;
+  none.least_share = 0;
+  EXPECT_GT(LeastPeriods(none), 100) << "an end, though no share is below none";
+}
+
 TEST(Accept, APartOfTheRuleThatIsLeftOutRefusesNothing) {
   Candidate offset;
   offset.effect = offset.params.name = "sensor_offset";

@@ -260,6 +260,25 @@ TEST(CandidatesTest, NoNumberIsFreedTwiceWhateverOptionsAreTaken) {
   }
 }
 
+/// The zero of a gauge that wanders for seconds has no period.
+TEST(UnlistedSearchTest, ASensorThatWandersIsNoWaveOverTime) {
+  for (const unsigned seed : {4u, 5u}) {
+    FitData data = Record(OffDeclared());
+    std::mt19937 random(seed);
+    std::normal_distribution<double> normal;
+    constexpr double kWander_s = 3, kWander_Pa = 3e4;
+    const double share = data.step_s / kWander_s;
+    double at = 0;
+    for (double& p : data.outputs[3].values) {
+      at += -share * at + std::sqrt(2 * share) * normal(random);
+      p += kWander_Pa * at;
+    }
+    data.candidates = {"unlisted"};
+    const Identification found = Find(Declared(), data);
+    EXPECT_EQ(found.formula.text.find("2*pi*t"), std::string::npos) << found.formula.text;
+  }
+}
+
 TEST(CandidatesTest, ALeakMayBeInOneCylinderOfFour) {
   const auto four = phs_model::FindPhsParams("bo_bo").value();
   std::vector<std::vector<std::string>> places;
