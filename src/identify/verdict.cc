@@ -27,6 +27,13 @@ const ChannelLeft* Worst(const VerdictFacts& facts) {
 }
 
 std::string Left(const ChannelLeft& c) {
+  constexpr double kRunsAway = 1000;
+  if (!(c.after < kRunsAway)) {
+    return fmt::format(
+        "{} runs away in the {} window, beyond {:g} times its noise: the corrected model does not "
+        "hold where it was not fitted",
+        c.channel, c.window, kRunsAway);
+  }
   return fmt::format(
       "{}{} is left with {:.1f} times its noise and uncertainty, {:.1f} % of its standard "
       "deviation",

@@ -17,6 +17,17 @@ VerdictFacts Facts(double before, double after) {
   return {{{"load_cell_N", before, after, 0.02}}, {}, {}, {}};
 }
 
+TEST(Verdict, AModelThatRunsAwayWhereItWasNotFittedIsSaidSo) {
+  VerdictFacts facts;
+  facts.channels = {{"load_cell_N", 8, 2e9, 1e7}};
+  facts.effects.push_back({.name = "hose_expansion", .rivals = {}});
+  const Verdict verdict = Judge(facts);
+  EXPECT_EQ(verdict.word, "not_described");
+  EXPECT_THAT(verdict.reasons,
+              Contains(HasSubstr("load_cell_N runs away in the validation window")));
+  EXPECT_THAT(verdict.reasons, Not(Contains(HasSubstr("2000000000"))));
+}
+
 TEST(Verdict, SufficientWhereNothingIsLeftButNoise) {
   EXPECT_EQ(Judge(Facts(1.05, 1.05)).word, "sufficient");
   EXPECT_EQ(Judge(Facts(1.4, 1.4)).word, "sufficient") << "what it lacks is no larger than noise";
