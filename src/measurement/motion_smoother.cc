@@ -239,7 +239,6 @@ SmoothMotion Blend(const std::vector<Part>& parts) {
   const size_t n = first.position.size();
   for (size_t i = 0; i < n; ++i) {
     const size_t before = i > 0 ? i - 1 : i, after = i + 1 < n ? i + 1 : i;
-    double position_square = 0, speed_square = 0;  // about the first
     for (const Part& part : parts) {
       const SmoothMotion& m = part.motion;
       const double share = part.share[i];
@@ -251,12 +250,16 @@ SmoothMotion Blend(const std::vector<Part>& parts) {
       out.speed[i] += share * faster + rate * apart;
       out.acceleration[i] +=
           share * (m.acceleration[i] - first.acceleration[i]) + 2 * rate * faster;
-      position_square += share * (std::pow(m.position_deviation[i], 2) + apart * apart);
-      speed_square += share * (std::pow(m.speed_deviation[i], 2) + faster * faster);
     }
-    const double by = out.position[i] - first.position[i], faster = out.speed[i] - first.speed[i];
-    out.position_deviation[i] = std::sqrt(std::max(0.0, position_square - by * by));
-    out.speed_deviation[i] = std::sqrt(std::max(0.0, speed_square - faster * faster));
+    double position_square = 0, speed_square = 0;  // about the blend
+    for (const Part& part : parts) {
+      const SmoothMotion& m = part.motion;
+      const double off = m.position[i] - out.position[i], faster = m.speed[i] - out.speed[i];
+      position_square += part.share[i] * (std::pow(m.position_deviation[i], 2) + off * off);
+      speed_square += part.share[i] * (std::pow(m.speed_deviation[i], 2) + faster * faster);
+    }
+    out.position_deviation[i] = std::sqrt(position_square);
+    out.speed_deviation[i] = std::sqrt(speed_square);
   }
   return out;
 }

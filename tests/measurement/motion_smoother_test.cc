@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <random>
@@ -85,6 +86,36 @@ TEST(MotionSmootherTest, TheDeviationsSayWhatTheErrorsAre) {
   const double speed = Rms([&](int i) { return smooth.speed_deviation[i]; });
   EXPECT_NEAR(PositionError(smooth, motion) / position, 1, 0.15);
   EXPECT_NEAR(SpeedError(smooth, motion) / speed, 1, 0.3);
+}
+
+/// Starts and stops within 20 ms, creeps, and rests: kinds of motion take turns, and where one gives
+/// way to another their difference is uncertain, too.
+double StartsAndStops(double t) {
+  const double phase = std::fmod(t, 1.5);
+  const double rise = std::clamp((phase - 0.4) / 0.02, 0.0, 1.0);
+  const double fall = std::clamp((phase - 1.1) / 0.02, 0.0, 1.0);
+  const auto smooth = [](double u) { return u * u * (3 - 2 * u); };
+  const double creep = std::clamp(phase - 0.6, 0.0, 0.3) - 10 * std::clamp(phase - 1.25, 0.0, 0.03);
+  return 4e-5 * (smooth(rise) - smooth(fall)) + 1e-5 * creep;
+}
+
+TEST(MotionSmootherTest, TheSpeedIsUncertainWhereKindsOfMotionTakeTurns) {
+  double square = 0, surest = 1;
+  constexpr int kSeeds = 5;
+  for (int seed = 1; seed <= kSeeds; ++seed) {
+    const SmoothMotion smooth = SmoothPosition(Measure(StartsAndStops, seed), {}, kStep, kNoise);
+    square += std::pow(Rms([&](int i) {
+                         const double t = i * kStep, d = 1e-5;
+                         const double v = (StartsAndStops(t + d) - StartsAndStops(t - d)) / (2 * d);
+                         // Of a hundredth of a percent of the quickest speed nobody asks.
+                         return (smooth.speed[i] - v) / std::hypot(smooth.speed_deviation[i], 3e-7);
+                       }),
+                       2) /
+              kSeeds;
+    for (const double deviation : smooth.speed_deviation) surest = std::min(surest, deviation);
+  }
+  EXPECT_GT(surest, 1e-8) << "never without doubt";
+  EXPECT_LT(square, 3) << "mean square of the error over what is said of it";
 }
 
 TEST(MotionSmootherTest, NothingIsRoundedOffWhereTheMotionTurnsWithinASample) {
