@@ -141,12 +141,7 @@ Status RigForward::UncertaintySpan(const PhsParams& params, Span span, Channels*
   };
   const Status done = SpreadOverSpeed(run, deviation);
   if (!done.ok()) return done;
-  return HasStates(params) ? AddDraws(params, span, deviation) : Status();
-}
-
-bool RigForward::HasStates(const PhsParams& params) const {
-  const Result<RigModel> rig = RigModel::Create(data_.kind, params, options_);
-  return rig.ok() && rig.value().system().num_friction_states() > 0;
+  return AddDraws(params, span, deviation);
 }
 
 Status RigForward::DrawnErrors(const PhsParams& params, Span span,

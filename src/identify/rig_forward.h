@@ -46,8 +46,8 @@ class RigForward final : public RecordForward {
   std::shared_ptr<const ForwardModel> Coarse(double step_s) const override;
   Status RunSpan(const hydraulics::PhsParams& params, Span span, Channels* out) const override;
   /// Through what remains uncertain of the driving speed: where friction is steep (near standstill)
-  /// a sample says little. Of a model whose friction or mounting has states, through what
-  /// remains uncertain of the way too (redrawn_motion.h), the larger of the two.
+  /// a sample says little; and through what remains uncertain of the way (redrawn_motion.h), which
+  /// presses oil and bends bristles: the larger of the two.
   Status UncertaintySpan(const hydraulics::PhsParams& params, Span span,
                          Channels* deviation) const override;
   /// What each motion with fresh sensor noise changes (redrawn_motion.h): [draw], over the span.
@@ -60,7 +60,6 @@ class RigForward final : public RecordForward {
   /// Samples of the whole record -> those of `short_`.
   std::vector<double> Thin(const std::vector<double>& y) const;
   rigs::RigMotion MotionOf(const std::vector<measurement::SmoothMotion>& motion, Span span) const;
-  bool HasStates(const hydraulics::PhsParams& params) const;
   Status AddDraws(const hydraulics::PhsParams& params, Span span, Channels* deviation) const;
   Status RunMotion(const hydraulics::PhsParams& params, const rigs::RigMotion& motion,
                    std::shared_ptr<const rigs::RigPressures>* pressures, Channels* out) const;
