@@ -121,7 +121,7 @@ Status RigForward::RunSpan(const PhsParams& params, Span span, Channels* out) co
   const PhsParams hydraulics = rigs::HydraulicsOf(params);
   pressures = memory_.Find(hydraulics);
   const bool known = pressures != nullptr;
-  const Status done = RunMotion(params, short_, &pressures, out);
+  Status done = RunMotion(params, short_, &pressures, out);
   if (!known && pressures != nullptr) memory_.Keep(hydraulics, std::move(pressures));
   return done;
 }
@@ -139,7 +139,7 @@ Status RigForward::UncertaintySpan(const PhsParams& params, Span span, Channels*
     std::shared_ptr<const rigs::RigPressures> pressures;
     return RunMotion(params, shifted, &pressures, out);
   };
-  const Status done = SpreadOverSpeed(run, deviation);
+  Status done = SpreadOverSpeed(run, deviation);
   if (!done.ok()) return done;
   return AddDraws(params, span, deviation);
 }
@@ -152,7 +152,7 @@ Status RigForward::DrawnErrors(const PhsParams& params, Span span,
   for (const std::vector<SmoothMotion>& draw : redrawn_->Draws()) {
     std::shared_ptr<const rigs::RigPressures> pressures;
     Channels& error = draws->emplace_back();
-    const Status s = RunMotion(params, MotionOf(draw, span), &pressures, &error);
+    Status s = RunMotion(params, MotionOf(draw, span), &pressures, &error);
     if (!s.ok()) return s;
     for (size_t c = 0; c < error.size(); ++c) {
       for (size_t i = 0; i < error[c].size(); ++i) error[c][i] -= plain[c][i];
@@ -172,6 +172,7 @@ Status RigForward::AddDraws(const PhsParams& params, Span span, Channels* deviat
   const double step = span == Span::kWhole ? full_.step_s : short_.step_s;
   for (size_t c = 0; c < deviation->size(); ++c) {
     std::vector<std::vector<double>> errors;
+    errors.reserve(draws.size());
     for (Channels& draw : draws) errors.push_back(std::move(draw[c]));
     const std::vector<double> none((*deviation)[c].size(), 0.0);
     const std::vector<double> drawn = DeviationOfDraws(errors, none, step, kReach);

@@ -15,7 +15,6 @@
 namespace phs::identify::search {
 
 using measurement::FitData;
-using measurement::SmoothPosition;
 namespace {
 
 hydraulics::PhsParams WithUnlisted(const std::string& formula, const std::string& coefficient,

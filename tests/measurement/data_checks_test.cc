@@ -228,8 +228,7 @@ TEST(TimeWaveTest, FindsAFrequencyBetweenTheLinesOfTheRecord) {
   // 20 (1974) 591).
   EXPECT_NEAR(FindTimeWave(y, kStep).frequency_Hz, 7.6391, 4 * 2.4e-4);
   EXPECT_EQ(FindTimeWave({1, 2, 3}, kStep).frequency_Hz, 0);
-  for (double& value : y) value *= 1e-3;
-  for (size_t i = 0; i < y.size(); ++i) y[i] += std::sin(2 * M_PI * 4 * i / y.size());
+  for (size_t i = 0; i < y.size(); ++i) y[i] += 3 * std::sin(2 * M_PI * 4 * i / y.size());
   EXPECT_NEAR(FindTimeWave(y, kStep).frequency_Hz * y.size() * kStep, 4, 0.1) << "periods";
   EXPECT_NEAR(FindTimeWave(y, kStep, 9).frequency_Hz, 7.6391, 0.1) << "of those with nine or more";
 }
