@@ -6,8 +6,9 @@ namespace phs::identify::search {
 
 Status SpreadOverSpeed(const std::function<Status(double deviations, Channels* out)>& run,
                        Channels* u) {
-  // He_5 = x (x^4 - 10 x^2 + 15); weights of the nodes off the middle (3 -+ ... ) by moments:
-  // 2 w1 x1^2 + 2 w2 x2^2 = 1, 2 w1 x1^4 + 2 w2 x2^4 = 3.
+  // Nodes: roots of He_5 = x (x^4 - 10 x^2 + 15). Weights off the middle, each twice, from the second
+  // and the fourth moment of a standard normal number: 2 (w1 x1^2 + w2 x2^2) = 1, 2 (w1 x1^4 +
+  // w2 x2^4) = 3.
   const double root = std::sqrt(10.0), near2 = 5 - root, far2 = 5 + root;
   const double near_weight = (far2 - 3) / (2 * near2 * (far2 - near2));
   const double far_weight = (3 - near2) / (2 * far2 * (far2 - near2));
