@@ -130,7 +130,6 @@ TEST(Accept, ChanceIsPaidForByTheNumberTried) {
   EXPECT_FALSE(IsBeyondChance({}, alone + 0.1, 20));
 }
 
-// Each part alone refuses, and no longer does where it is left out; the others go on.
 /// Mean share that the strongest of k lines has of the power of noise without a period: 20 000 draws.
 double StrongestOf(int lines) {
   std::mt19937 random(5);
@@ -162,6 +161,7 @@ TEST(Accept, AWaveShowsSoManyPeriodsThatNoiseWithoutOneWouldTakeTooLittle) {
   EXPECT_GT(LeastPeriods(none), 100) << "an end, though no share is below none";
 }
 
+// Each part alone refuses, and no longer does where it is left out; the others go on.
 TEST(Accept, APartOfTheRuleThatIsLeftOutRefusesNothing) {
   Candidate offset;
   offset.effect = offset.params.name = "sensor_offset";

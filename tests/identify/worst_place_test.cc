@@ -8,7 +8,6 @@
 #include <string>
 
 #include "identify/near_fit.h"
-#include "identify/points.h"
 #include "identify/screening.h"
 #include "tests/identify/search_record.h"
 
