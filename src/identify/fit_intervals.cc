@@ -57,26 +57,41 @@ std::vector<double> EvenHalfWidths(const Likelihood& likelihood, const BandPower
   return half;
 }
 
-Eigen::VectorXd ClusteredDeviation(const Eigen::MatrixXd& jacobian, const Eigen::VectorXd& residual,
-                                   const std::vector<int>& block_of_row, int blocks,
-                                   double* quantile) {
+std::vector<double> JackknifeHalfWidths(const Eigen::MatrixXd& jacobian,
+                                        const Eigen::VectorXd& residual,
+                                        const std::vector<int>& block_of_row, int blocks) {
   const auto count = jacobian.cols();
-  const double freedom = static_cast<double>(blocks - count);
-  if (freedom < 3) return {};
+  if (blocks - count < 3) return {};
   // Columns of one length, so that the small numbers of one do not drown in the others'.
   const Eigen::VectorXd scale = jacobian.colwise().norm().transpose().cwiseMax(1e-300);
-  Eigen::MatrixXd scores = Eigen::MatrixXd::Zero(blocks, count);
+  const Eigen::MatrixXd columns = jacobian * scale.cwiseInverse().asDiagonal();
+  std::vector<Eigen::MatrixXd> normals(static_cast<size_t>(blocks),
+                                       Eigen::MatrixXd::Zero(count, count));
+  Eigen::MatrixXd scores = Eigen::MatrixXd::Zero(count, blocks);
   for (Eigen::Index i = 0; i < residual.size(); ++i) {
-    scores.row(block_of_row[static_cast<size_t>(i)]) += residual[i] * jacobian.row(i);
+    const int b = block_of_row[static_cast<size_t>(i)];
+    scores.col(b) += residual[i] * columns.row(i).transpose();
+    normals[static_cast<size_t>(b)] += columns.row(i).transpose() * columns.row(i);
   }
-  scores *= scale.cwiseInverse().asDiagonal();
-  Eigen::MatrixXd normal = scale.cwiseInverse().asDiagonal() * (jacobian.transpose() * jacobian) *
-                           scale.cwiseInverse().asDiagonal();
+  Eigen::MatrixXd normal = columns.transpose() * columns;
   normal.diagonal().array() += 1e-12;
-  const Eigen::MatrixXd half = normal.ldlt().solve(scores.transpose());
-  *quantile = StudentQuantile(freedom);
-  const double finite = std::sqrt(blocks / freedom);
-  return finite * half.rowwise().norm().cwiseQuotient(scale);
+  const Eigen::MatrixXd inverse = normal.ldlt().solve(Eigen::MatrixXd::Identity(count, count));
+  Eigen::VectorXd variance = Eigen::VectorXd::Zero(count);
+  Eigen::VectorXd shares = variance, squares = variance;
+  for (int b = 0; b < blocks; ++b) {
+    const Eigen::MatrixXd& own = normals[static_cast<size_t>(b)];
+    variance += (normal - own).ldlt().solve(scores.col(b)).cwiseAbs2();
+    const Eigen::VectorXd share = (inverse * own * inverse).diagonal();
+    shares += share, squares += share.cwiseAbs2();
+  }
+  std::vector<double> half(static_cast<size_t>(count), 0.0);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const double freedom = shares[i] * shares[i] / squares[i] - 1;
+    if (!(freedom >= 3)) continue;
+    half[static_cast<size_t>(i)] =
+        StudentQuantile(freedom) * std::sqrt(variance[i] * (blocks - 1) / blocks) / scale[i];
+  }
+  return half;
 }
 
 void SetIntervals(const FitProblem& problem, FitResult* result) {
@@ -90,13 +105,11 @@ void SetIntervals(const FitProblem& problem, FitResult* result) {
   const Eigen::VectorXd weight = likelihood.Weights(result->powers);
   const Eigen::VectorXd r = weight.cwiseProduct(likelihood.Transform(result->residual));
   const Eigen::MatrixXd slopes = weight.asDiagonal() * result->slopes;
-  double quantile = 0;
-  const Eigen::VectorXd clustered =
-      ClusteredDeviation(slopes, r, likelihood.Parts(kBlocks), kBlocks, &quantile);
   result->half_95 = EvenHalfWidths(likelihood, result->powers, slopes);
-  for (Eigen::Index i = 0; i < clustered.size(); ++i) {
-    double& half = result->half_95[static_cast<size_t>(i)];
-    half = std::max(half, quantile * clustered[i]);
+  const std::vector<double> apart =
+      JackknifeHalfWidths(slopes, r, likelihood.Parts(kBlocks), kBlocks);
+  for (size_t i = 0; i < apart.size(); ++i) {
+    result->half_95[i] = std::max(result->half_95[i], apart[i]);
   }
 }
 

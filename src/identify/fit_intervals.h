@@ -10,7 +10,7 @@ namespace phs::identify::search {
 
 /// Mean squares per channel and half widths of the 95 % intervals from residual, slopes and powers
 /// of a fit: the larger of two, that of the likelihood (EvenHalfWidths), and that of blocks of the
-/// record that disagree (ClusteredDeviation).
+/// record that disagree (JackknifeHalfWidths).
 void SetIntervals(const FitProblem& problem, FitResult* result);
 
 /// Half widths of the 95 % intervals if the likelihood's powers are right. A band's power is told by
@@ -24,14 +24,20 @@ void SetIntervals(const FitProblem& problem, FitResult* result);
 std::vector<double> EvenHalfWidths(const Likelihood& likelihood, const BandPowers& powers,
                                    const Eigen::MatrixXd& slopes);
 
-/// Standard deviations of least-squares estimates whose residuals are correlated and whose model is
-/// not quite right: (J'J)^-1 [sum_b g_b g_b'] (J'J)^-1 with g_b = J_b' r_b the score of block b,
-/// blocks far longer than the residual remembers (Liang and Zeger 1986, Biometrika 73, 13), times
-/// the root of B/(B - k). `block_of_row`: 0 … blocks-1. Times `*quantile`: half width of the 95 %
-/// interval (Student, B - k degrees of freedom). Empty if there are too few blocks.
-Eigen::VectorXd ClusteredDeviation(const Eigen::MatrixXd& jacobian, const Eigen::VectorXd& residual,
-                                   const std::vector<int>& block_of_row, int blocks,
-                                   double* quantile);
+/// Half widths of the 95 % intervals of least-squares estimates whose residuals are correlated, over
+/// channels too, and whose model is not quite right: by how much the estimates move when one of the
+/// blocks, far longer than the residual remembers, is left out in turn (the jackknife; Tukey 1958,
+/// Annals of Mathematical Statistics 29, 614):
+///   variance = (B - 1)/B sum_b (N - N_b)^-1 g_b g_b' (N - N_b)^-1
+/// N = J'J, N_b and g_b = J_b' r_b of block b. (N alone in the place of N - N_b says too little where
+/// few blocks tell a number: the fit has followed these. MacKinnon, Nielsen and Webb 2023,
+/// arXiv 2301.04527.) Student's quantile with (sum v_b)^2 / sum v_b^2 - 1 degrees of freedom, v_b
+/// the share of block b in the variance if residuals were even (Bell and McCaffrey 2002, Survey
+/// Methodology 28, 169). 0 for a number that so few blocks tell that these are below 3: blocks cannot
+/// disagree about it. `block_of_row`: 0 … blocks-1. Empty if there are too few blocks.
+std::vector<double> JackknifeHalfWidths(const Eigen::MatrixXd& jacobian,
+                                        const Eigen::VectorXd& residual,
+                                        const std::vector<int>& block_of_row, int blocks);
 
 /// Independent samples in a correlated residual of N samples: N / (1 + 2 sum rho_k), over the lags
 /// until rho falls below 0.05 (Bayley and Hammersley 1946).

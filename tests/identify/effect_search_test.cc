@@ -11,7 +11,6 @@
 #include <utility>
 #include <vector>
 
-#include "identify/fit_intervals.h"
 #include "identify/input_unit.h"
 #include "measurement/data_checks.h"
 #include "phs_model/phs_model.h"
@@ -257,23 +256,6 @@ TEST(EffectSearchTest, AResistanceAlikeInBothDirectionsIsNoCheckValveBesideAWarm
   for (const AcceptedEffect& effect : found.effects) names.insert(effect.candidate.effect);
   EXPECT_EQ(names, (std::set<std::string>{"line_resistance", "temperature_drift"}));
   EXPECT_NEAR(ValueOf(found, "effects.line_resistance.laminar_Pas_per_m3"), 8e9, 0.03 * 8e9);
-}
-
-TEST(ClusteredDeviation, IsThatOfTheBlocksWhereAResidualIsEvenInEach) {
-  // A mean over B blocks of even residuals r_b: deviation sqrt(sum r_b²)/B sqrt(B/(B-1)).
-  constexpr int kBlocks = 20, kRows = 50;
-  const Eigen::MatrixXd one = Eigen::MatrixXd::Ones(kBlocks * kRows, 1);
-  Eigen::VectorXd r(kBlocks * kRows);
-  std::vector<int> block;
-  for (int i = 0; i < kBlocks * kRows; ++i) {
-    block.push_back(i / kRows);
-    r[i] = i / kRows % 2 == 0 ? 3 : -3;
-  }
-  double quantile = 0;
-  const Eigen::VectorXd deviation = ClusteredDeviation(one, r, block, kBlocks, &quantile);
-  ASSERT_EQ(deviation.size(), 1);
-  EXPECT_NEAR(deviation[0], 3 / std::sqrt(20.0) * std::sqrt(20.0 / 19), 1e-9);
-  EXPECT_NEAR(quantile, 2.093, 0.01);  // Student, 19 degrees of freedom
 }
 
 TEST(EffectSearchTest, NamesAChannelOfSwappedSign) {
