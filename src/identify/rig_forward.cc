@@ -79,50 +79,47 @@ RigMotion RigForward::MotionOf(const std::vector<SmoothMotion>& motion, Span spa
   return out;
 }
 
-std::shared_ptr<const rigs::RigPressures> PressureMemory::Find(const PhsParams& hydraulics) {
+std::shared_ptr<const rigs::KeptRun> RunMemory::Find(const PhsParams& of) {
   const std::lock_guard<std::mutex> lock(mutex_);
   for (auto entry = entries_.begin(); entry != entries_.end(); ++entry) {
-    if (entry->hydraulics != hydraulics) continue;
+    if (entry->of != of) continue;
     entries_.splice(entries_.begin(), entries_, entry);
-    return entry->pressures;
+    return entry->run;
   }
   return nullptr;
 }
 
-void PressureMemory::Keep(const PhsParams& hydraulics,
-                          std::shared_ptr<const rigs::RigPressures> pressures) {
-  constexpr size_t kMost = 16, kMostNumbers = 1 << 23;  // 64 MB each for bore and rod
+void RunMemory::Keep(const PhsParams& of, std::shared_ptr<const rigs::KeptRun> run) {
+  constexpr size_t kMost = 16, kMostNumbers = 1 << 24;  // 128 MB
   const std::lock_guard<std::mutex> lock(mutex_);
-  const bool known = std::any_of(entries_.begin(), entries_.end(), [&](const Entry& entry) {
-    return entry.hydraulics == hydraulics;
-  });
+  const bool known = std::any_of(entries_.begin(), entries_.end(),
+                                 [&](const Entry& entry) { return entry.of == of; });
   if (known) return;
-  const size_t most = std::min(kMost, kMostNumbers / std::max<size_t>(pressures->bore.size(), 1));
+  const size_t most = std::min(kMost, kMostNumbers / std::max<size_t>(run->num_numbers(), 1));
   if (most == 0) return;
-  entries_.push_front({hydraulics, std::move(pressures)});
+  entries_.push_front({of, std::move(run)});
   while (entries_.size() > most) entries_.pop_back();
 }
 
 Status RigForward::RunMotion(const PhsParams& params, const RigMotion& motion,
-                             std::shared_ptr<const rigs::RigPressures>* pressures,
-                             Channels* out) const {
+                             std::shared_ptr<const rigs::KeptRun>* kept, Channels* out) const {
   Result<RigModel> rig = RigModel::Create(data_.kind, params, options_);
   if (!rig.ok()) return rig.status();
   RigPrediction prediction;
-  if (Status s = rig.value().Run(motion, &prediction, pressures); !s.ok()) return s;
+  if (Status s = rig.value().Run(motion, &prediction, kept); !s.ok()) return s;
   out->clear();
   for (const int index : output_index_) out->push_back(std::move(prediction.channels[index]));
   return {};
 }
 
 Status RigForward::RunSpan(const PhsParams& params, Span span, Channels* out) const {
-  std::shared_ptr<const rigs::RigPressures> pressures;
-  if (span == Span::kWhole) return RunMotion(params, full_, &pressures, out);
-  const PhsParams hydraulics = rigs::HydraulicsOf(params);
-  pressures = memory_.Find(hydraulics);
-  const bool known = pressures != nullptr;
-  Status done = RunMotion(params, short_, &pressures, out);
-  if (!known && pressures != nullptr) memory_.Keep(hydraulics, std::move(pressures));
+  std::shared_ptr<const rigs::KeptRun> kept;
+  if (span == Span::kWhole) return RunMotion(params, full_, &kept, out);
+  const PhsParams of = rigs::KeptOf(data_.kind, params);
+  kept = memory_.Find(of);
+  const bool known = kept != nullptr;
+  Status done = RunMotion(params, short_, &kept, out);
+  if (!known && kept != nullptr) memory_.Keep(of, std::move(kept));
   return done;
 }
 
@@ -136,8 +133,8 @@ Status RigForward::UncertaintySpan(const PhsParams& params, Span span, Channels*
         shifted.speed_m_s[a][i] += deviations * data_.motion[a].speed_deviation[i * stride];
       }
     }
-    std::shared_ptr<const rigs::RigPressures> pressures;
-    return RunMotion(params, shifted, &pressures, out);
+    std::shared_ptr<const rigs::KeptRun> kept;
+    return RunMotion(params, shifted, &kept, out);
   };
   Status done = SpreadOverSpeed(run, deviation);
   if (!done.ok()) return done;
@@ -150,9 +147,9 @@ Status RigForward::DrawnErrors(const PhsParams& params, Span span,
   Channels plain;
   if (Status s = RunSpan(params, span, &plain); !s.ok()) return s;
   for (const std::vector<SmoothMotion>& draw : redrawn_->Draws()) {
-    std::shared_ptr<const rigs::RigPressures> pressures;
+    std::shared_ptr<const rigs::KeptRun> kept;
     Channels& error = draws->emplace_back();
-    Status s = RunMotion(params, MotionOf(draw, span), &pressures, &error);
+    Status s = RunMotion(params, MotionOf(draw, span), &kept, &error);
     if (!s.ok()) return s;
     for (size_t c = 0; c < error.size(); ++c) {
       for (size_t i = 0; i < error[c].size(); ++i) error[c][i] -= plain[c][i];

@@ -11,19 +11,18 @@
 
 namespace phs::identify::search {
 
-/// Pressures of the last runs by what they depend on: most candidates of a search change friction
+/// What was kept of the last runs, by what it depends on: most candidates of a search change friction
 /// or instruments alone. Thread-safe.
-class PressureMemory {
+class RunMemory {
  public:
   /// Null if there is none.
-  std::shared_ptr<const rigs::RigPressures> Find(const hydraulics::PhsParams& hydraulics);
-  void Keep(const hydraulics::PhsParams& hydraulics,
-            std::shared_ptr<const rigs::RigPressures> pressures);
+  std::shared_ptr<const rigs::KeptRun> Find(const hydraulics::PhsParams& of);
+  void Keep(const hydraulics::PhsParams& of, std::shared_ptr<const rigs::KeptRun> run);
 
  private:
   struct Entry {
-    hydraulics::PhsParams hydraulics;
-    std::shared_ptr<const rigs::RigPressures> pressures;
+    hydraulics::PhsParams of;  ///< rigs::KeptOf
+    std::shared_ptr<const rigs::KeptRun> run;
   };
   std::mutex mutex_;
   std::list<Entry> entries_;  ///< last used first
@@ -62,7 +61,7 @@ class RigForward final : public RecordForward {
   rigs::RigMotion MotionOf(const std::vector<measurement::SmoothMotion>& motion, Span span) const;
   Status AddDraws(const hydraulics::PhsParams& params, Span span, Channels* deviation) const;
   Status RunMotion(const hydraulics::PhsParams& params, const rigs::RigMotion& motion,
-                   std::shared_ptr<const rigs::RigPressures>* pressures, Channels* out) const;
+                   std::shared_ptr<const rigs::KeptRun>* kept, Channels* out) const;
 
   const measurement::FitData& data_;
   rigs::RigOptions options_;
@@ -71,7 +70,7 @@ class RigForward final : public RecordForward {
   rigs::RigMotion short_;  ///< to the end of the estimation window, in strides
   std::shared_ptr<measurement::RedrawnMotion> redrawn_;  ///< shared with the thinned
   std::vector<int> output_index_;  ///< of each measured channel in the model's outputs
-  mutable PressureMemory memory_;  ///< of runs on `short_`
+  mutable RunMemory memory_;       ///< of runs on `short_`
 };
 
 }  // namespace phs::identify::search

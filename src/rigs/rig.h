@@ -60,10 +60,16 @@ struct RigPrediction {
   std::vector<std::vector<double>> channels;
 };
 
-/// Chamber pressures of a driven cylinder [Pa], at the start of every step of its integration.
-/// With rigid mountings they follow from motion and oil alone; see HydraulicsOf.
-struct RigPressures {
+/// What runs of models that differ in the rest alone have in common; see KeptOf.
+struct KeptRun {
+  /// Chamber pressures of a cylinder on rigid mountings [Pa], at the start of every step of its
+  /// integration: they follow from motion and oil alone.
   std::vector<double> bore, rod;
+  /// Where friction acts back on the pressures: all channels as they are before the instruments.
+  std::vector<std::vector<double>> channels;
+  size_t num_numbers() const {
+    return bore.size() + rod.size() + (channels.empty() ? 0 : channels.size() * channels[0].size());
+  }
 };
 
 /// Speeds by central differences (one-sided at the ends).

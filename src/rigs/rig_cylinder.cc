@@ -100,12 +100,12 @@ PhsOutputs AtSample(int sample, RigPrediction* out) {
   return at;
 }
 
-RigPressures CalcPressures(const PhsSystem& system, const RigMotion& motion,
-                           const std::vector<double>& speed, int substeps) {
+KeptRun CalcPressures(const PhsSystem& system, const RigMotion& motion,
+                      const std::vector<double>& speed, int substeps) {
   const int states = system.num_states();
   std::vector<double> state(states, 0.0), rate(states, 0.0);
   hydraulics::Instant instant;
-  RigPressures out;
+  KeptRun out;
   const auto steps = static_cast<size_t>(motion.num_samples()) * static_cast<size_t>(substeps);
   out.bore.reserve(steps), out.rod.reserve(steps);
   WalkSteps(motion, speed, substeps, [&](const RigStep& at) {
@@ -122,7 +122,7 @@ RigPressures CalcPressures(const PhsSystem& system, const RigMotion& motion,
 // bristle turns where the motion turns: a step in which it does is taken in two, or the way beyond
 // the samples were lost (some micrometres, as much as a stiff bristle takes to turn).
 void RunRigid(const PhsSystem& system, int substeps, const RigMotion& motion,
-              const std::vector<double>& speed, const RigPressures& pressures, RigPrediction* out) {
+              const std::vector<double>& speed, const KeptRun& pressures, RigPrediction* out) {
   const int friction_states = system.num_friction_states();
   std::vector<double> state(system.num_states(), 0.0), rate(state);
   const double* bore = pressures.bore.data();
@@ -253,7 +253,7 @@ void RunMounted(const PhsSystem& system, const RigMotion& motion, const std::vec
 }  // namespace
 
 void RunCylinder(const PhsSystem& system, const RigOptions& options, const RigMotion& motion,
-                 const std::vector<double>& speed, std::shared_ptr<const RigPressures>* pressures,
+                 const std::vector<double>& speed, std::shared_ptr<const KeptRun>* pressures,
                  RigPrediction* out) {
   const int finer = Substeps(system, options, motion.step_s);
   if (system.has_mounts()) {
@@ -261,13 +261,13 @@ void RunCylinder(const PhsSystem& system, const RigOptions& options, const RigMo
                                  : RunStepped(system, finer, motion, speed, out);
   }
   if (*pressures == nullptr) {
-    *pressures = std::make_shared<const RigPressures>(CalcPressures(system, motion, speed, finer));
+    *pressures = std::make_shared<const KeptRun>(CalcPressures(system, motion, speed, finer));
   }
   RunRigid(system, finer, motion, speed, **pressures, out);
 }
 
 void RunAtPressures(const PhsSystem& system, const RigMotion& motion,
-                    const std::vector<double>& speed, const RigPressures& pressures,
+                    const std::vector<double>& speed, const KeptRun& pressures,
                     RigPrediction* out) {
   RunRigid(system, 1, motion, speed, pressures, out);
 }

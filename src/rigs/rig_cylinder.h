@@ -16,11 +16,10 @@ namespace phs::rigs {
 /// yielding ones friction acts back on them and `pressures` stays as it is.
 void RunCylinder(const hydraulics::PhsSystem& system, const RigOptions& options,
                  const RigMotion& motion, const std::vector<double>& speed,
-                 std::shared_ptr<const RigPressures>* pressures, RigPrediction* out);
+                 std::shared_ptr<const KeptRun>* pressures, RigPrediction* out);
 
 /// The same where the pressures of the samples are given [Pa]: forces alone; rigid mountings.
 void RunAtPressures(const hydraulics::PhsSystem& system, const RigMotion& motion,
-                    const std::vector<double>& speed, const RigPressures& pressures,
-                    RigPrediction* out);
+                    const std::vector<double>& speed, const KeptRun& pressures, RigPrediction* out);
 
 }  // namespace phs::rigs

@@ -139,8 +139,28 @@ Status CheckMotion(size_t need, const RigMotion& motion) {
 
 }  // namespace
 
-PhsParams HydraulicsOf(const PhsParams& params) {
+namespace {
+
+bool IsOf(const hydraulics::EffectParams& effect, const char* family) {
+  const hydraulics::EffectInfo* info = effects::Catalogue().FindFor(effect);
+  return info != nullptr && info->family == family;
+}
+
+/// True if friction moves what makes the pressures.
+bool ActsBack(RigKind kind, const PhsParams& params) {
+  return kind == RigKind::kFull ||
+         std::any_of(params.effects.begin(), params.effects.end(),
+                     [](const auto& effect) { return IsOf(effect, "mounting"); });
+}
+
+}  // namespace
+
+PhsParams KeptOf(RigKind kind, const PhsParams& params) {
   PhsParams out = params;
+  if (ActsBack(kind, params)) {
+    std::erase_if(out.effects, [](const auto& effect) { return IsOf(effect, "instrument"); });
+    return out;
+  }
   out.friction = {};
   out.element = {};
   std::erase_if(out.effects, [](const hydraulics::EffectParams& effect) {
@@ -163,7 +183,10 @@ struct RigModel::Impl {
   void RunFull(const RigMotion& motion, const std::vector<std::vector<double>>& speed,
                RigPrediction* out) const;
   void RunOne(const RigMotion& motion, const std::vector<double>& speed,
-              std::shared_ptr<const RigPressures>* pressures, RigPrediction* out) const;
+              std::shared_ptr<const KeptRun>* kept, RigPrediction* out) const;
+  /// Full rigs and rigs of one cylinder, without their instruments.
+  void RunBare(const RigMotion& motion, const std::vector<std::vector<double>>& speed,
+               std::shared_ptr<const KeptRun>* kept, RigPrediction* out) const;
 };
 
 RigModel::RigModel(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -234,25 +257,42 @@ void AddLoads(const PhsSystem& system, const std::vector<double>& speed, const R
 
 /// A rig with one cylinder.
 void RigModel::Impl::RunOne(const RigMotion& motion, const std::vector<double>& speed,
-                            std::shared_ptr<const RigPressures>* pressures,
-                            RigPrediction* out) const {
+                            std::shared_ptr<const KeptRun>* kept, RigPrediction* out) const {
   if (options.driven_by == Drive::kForce) return RunForce(system, options, motion, out);
   if (options.driven_by == Drive::kPressure) {
     out->channels.resize(4, std::vector<double>(speed.size()));
     RunAtPressures(system, motion, speed, {motion.position_m[1], motion.position_m[2]}, out);
   } else {
-    RunCylinder(system, options, motion, speed, pressures, out);
+    RunCylinder(system, options, motion, speed, kept, out);
   }
   AddLoads(system, speed, motion, &out->channels[1]);
 }
 
+void RigModel::Impl::RunBare(const RigMotion& motion, const std::vector<std::vector<double>>& speed,
+                             std::shared_ptr<const KeptRun>* kept, RigPrediction* out) const {
+  if (*kept != nullptr && !(*kept)->channels.empty()) {
+    out->channels = (*kept)->channels;
+    return;
+  }
+  if (kind != RigKind::kFull) {
+    RunOne(motion, speed[0], kept, out);
+  } else if (options.actuators == 4) {
+    RunPistons(system, options, motion, speed, out);
+  } else {
+    RunFull(motion, speed, out);
+  }
+  if (options.driven_by == Drive::kPosition && ActsBack(kind, params)) {
+    *kept = std::make_shared<const KeptRun>(KeptRun{{}, {}, out->channels});
+  }
+}
+
 Status RigModel::Run(const RigMotion& motion, RigPrediction* prediction) const {
-  std::shared_ptr<const RigPressures> pressures;
-  return Run(motion, prediction, &pressures);
+  std::shared_ptr<const KeptRun> kept;
+  return Run(motion, prediction, &kept);
 }
 
 Status RigModel::Run(const RigMotion& motion, RigPrediction* prediction,
-                     std::shared_ptr<const RigPressures>* pressures) const {
+                     std::shared_ptr<const KeptRun>* kept) const {
   if (Status s = CheckMotion(impl_->inputs.size(), motion); !s.ok()) return s;
   const size_t n = static_cast<size_t>(motion.num_samples());
   prediction->channels.resize(impl_->outputs.size());
@@ -264,31 +304,18 @@ Status RigModel::Run(const RigMotion& motion, RigPrediction* prediction,
     }
   }
   const auto& speed = motion.speed_m_s.empty() ? derived : motion.speed_m_s;
-  switch (impl_->kind) {
-    case RigKind::kFull:
-      if (impl_->options.actuators == 4) {
-        RunPistons(impl_->system, impl_->options, motion, speed, prediction);
-      } else {
-        impl_->RunFull(motion, speed, prediction);
-      }
-      break;
-    case RigKind::kElement:
-      if (impl_->options.driven_by == Drive::kForce) {
-        Status done = RunElementByForce(impl_->system, motion, {}, impl_->options.substeps,
-                                        &prediction->channels[0]);
-        if (!done.ok()) return done;
-        break;
-      }
-      RunElementBench(impl_->system, motion, speed[0], &prediction->channels[0], nullptr);
-      break;
-    default:
-      impl_->RunOne(motion, speed[0], pressures, prediction);
-      break;
-  }
   if (impl_->kind == RigKind::kElement) {
+    if (impl_->options.driven_by == Drive::kForce) {
+      Status done = RunElementByForce(impl_->system, motion, {}, impl_->options.substeps,
+                                      &prediction->channels[0]);
+      if (!done.ok()) return done;
+    } else {
+      RunElementBench(impl_->system, motion, speed[0], &prediction->channels[0], nullptr);
+    }
     ApplyBenchInstruments(impl_->system, motion, impl_->options.driven_by, prediction);
     return {};
   }
+  impl_->RunBare(motion, speed, kept, prediction);
   ApplyInstruments(impl_->kind, impl_->system, motion.t0_s, motion.step_s, prediction);
   prediction->channels.resize(impl_->outputs.size());  // given pressures are no prediction
   return {};

@@ -47,11 +47,11 @@ class RigModel {
   /// Simulates the whole motion. Deterministic, thread-safe. Errors: shapes that do not match,
   /// numbers that are not finite.
   Status Run(const RigMotion& motion, RigPrediction* prediction) const;
-  /// The same from pressures of an earlier run on this motion by a model with the same
-  /// HydraulicsOf; null: computed, and kept in `pressures`. Stays null where friction acts back on
-  /// the pressures (yielding mountings, several cylinders).
+  /// The same from what was kept of an earlier run on this motion by a model with the same KeptOf;
+  /// null: computed, and kept in `kept` (stays null for a bench and for a cylinder driven by force or
+  /// pressures).
   Status Run(const RigMotion& motion, RigPrediction* prediction,
-             std::shared_ptr<const RigPressures>* pressures) const;
+             std::shared_ptr<const KeptRun>* kept) const;
 
  private:
   struct Impl;
@@ -59,8 +59,9 @@ class RigModel {
   std::unique_ptr<Impl> impl_;
 };
 
-/// What the pressures depend on as long as mountings are rigid: the model without friction,
-/// instruments and what else acts on forces alone.
-hydraulics::PhsParams HydraulicsOf(const hydraulics::PhsParams& params);
+/// The part of a model that what is kept of a run depends on. One cylinder on rigid mountings: all
+/// but friction, instruments and what else acts on forces alone. With several cylinders, or
+/// mountings that yield, friction acts back on the pressures: all but the instruments.
+hydraulics::PhsParams KeptOf(RigKind kind, const hydraulics::PhsParams& params);
 
 }  // namespace phs::rigs

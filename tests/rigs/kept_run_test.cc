@@ -13,13 +13,13 @@ namespace phs::effects {
 using phs_model::CreatePhsSystem;
 using phs_model::FindPhsParams;
 using rigs::DifferentiateMotion;
-using rigs::HydraulicsOf;
+using rigs::KeptOf;
+using rigs::KeptRun;
 using rigs::RigKind;
 using rigs::RigModel;
 using rigs::RigMotion;
 using rigs::RigOptions;
 using rigs::RigPrediction;
-using rigs::RigPressures;
 namespace {
 
 RigMotion TwoSines() {
@@ -46,9 +46,11 @@ double TurnOf(double x0, double x1, double v0, double v1, double h) {
   return low;
 }
 
+hydraulics::PhsParams Of(const PhsParams& params) { return KeptOf(RigKind::kQuarter, params); }
+
 PhsParams Quarter2() { return FindPhsParams("quarter_setup2").value(); }
 
-RigPrediction RunRig(const PhsParams& params, std::shared_ptr<const RigPressures>* pressures) {
+RigPrediction RunRig(const PhsParams& params, std::shared_ptr<const KeptRun>* pressures) {
   const auto rig = RigModel::Create(RigKind::kQuarter, params);
   EXPECT_TRUE(rig.ok());
   RigPrediction out;
@@ -56,7 +58,7 @@ RigPrediction RunRig(const PhsParams& params, std::shared_ptr<const RigPressures
   return out;
 }
 
-TEST(RigPressures, OfAnotherFrictionGiveTheSameRunToTheBit) {
+TEST(KeptRun, OfAnotherFrictionGiveTheSameRunToTheBit) {
   PhsParams first = With(Quarter2(), "entrained_air", {{"air_fraction", 0.01}});
   first = With(first, "line_inertance", {{"inertance_kg_per_m4", 1e8}});
   PhsParams second = With(first, "pressure_friction", {{"bore_N_per_Pa", 5e-5}});
@@ -64,21 +66,21 @@ TEST(RigPressures, OfAnotherFrictionGiveTheSameRunToTheBit) {
   second = With(second, "dwell_friction", {{"extra_N", 300}});
   second = With(second, "sensor_gain", {{"load", 1.1}, {"p_bore", 0.9}});
   second.friction.scale = 1.3;
-  ASSERT_EQ(HydraulicsOf(first), HydraulicsOf(second));
-  std::shared_ptr<const RigPressures> kept, none;
+  ASSERT_EQ(Of(first), Of(second));
+  std::shared_ptr<const KeptRun> kept, none;
   RunRig(first, &kept);
   ASSERT_NE(kept, nullptr);
   const RigPrediction alone = RunRig(second, &none), from_kept = RunRig(second, &kept);
   EXPECT_EQ(alone.channels, from_kept.channels);
 }
 
-TEST(RigPressures, AndForcesAreThoseOfTheSystemStepByStep) {
+TEST(KeptRun, AndForcesAreThoseOfTheSystemStepByStep) {
   PhsParams params = With(Quarter2(), "entrained_air", {{"air_fraction", 0.01}});
   params = With(params, "pressure_friction", {{"bore_N_per_Pa", 5e-5}, {"rod_N_per_Pa", 2e-5}});
   params = With(params, "presliding", {{"stiffness_N_per_m", 1e7}});
   params = With(params, "line_resistance", {{"laminar_Pas_per_m3", 2e9}});
   params = With(params, "dwell_friction", {{"extra_N", 300}, {"time_s", 0.5}});
-  std::shared_ptr<const RigPressures> none;
+  std::shared_ptr<const KeptRun> none;
   const RigMotion motion = TwoSines();
   const RigPrediction run = RunRig(params, &none);
   const PhsSystem system = CreatePhsSystem(params).value();
@@ -143,25 +145,44 @@ TEST(RigModel, ABristleTurnsWhereTheMotionTurns) {
   EXPECT_LT(worst, 60) << "of a level of 1600 N";
 }
 
-TEST(RigPressures, BelongToOneHydraulics) {
+TEST(KeptRun, BelongToOneHydraulics) {
   const PhsParams plain = Quarter2();
   PhsParams volume = plain;
   volume.lines[1].oil_volume_m3 *= 1.01;
-  EXPECT_NE(HydraulicsOf(plain), HydraulicsOf(volume));
-  EXPECT_NE(HydraulicsOf(plain), HydraulicsOf(With(plain, "piston_leakage", {})));
-  EXPECT_NE(HydraulicsOf(plain), HydraulicsOf(With(plain, "temperature_drift", {})));
+  EXPECT_NE(Of(plain), Of(volume));
+  EXPECT_NE(Of(plain), Of(With(plain, "piston_leakage", {})));
+  EXPECT_NE(Of(plain), Of(With(plain, "temperature_drift", {})));
   PhsParams valve = plain;
   valve.effects.push_back({"unlisted", {"L2"}, {{"c1_m3_per_s", 1e-9}}, "c1*(p/1e6[Pa])"});
-  EXPECT_NE(HydraulicsOf(plain), HydraulicsOf(valve));
+  EXPECT_NE(Of(plain), Of(valve));
   PhsParams force = plain;
   force.effects.push_back({"unlisted", {}, {{"c1_N", 10}}, "c1*(x/0.001[m])"});
-  EXPECT_EQ(HydraulicsOf(plain), HydraulicsOf(force));
+  EXPECT_EQ(Of(plain), Of(force));
 }
 
-TEST(RigPressures, AreNotKeptWhereFrictionActsBack) {
-  std::shared_ptr<const RigPressures> kept;
-  RunRig(With(Quarter2(), "mount_compliance", {}), &kept);
-  EXPECT_EQ(kept, nullptr);
+/// Behind a mounting that yields friction acts back on the pressures, on the full rig through the
+/// beam: what another instrument shows of such a run is the same to the bit, another friction's is
+/// a run of its own.
+TEST(KeptRun, OfAnotherInstrumentGivesTheSameWhereFrictionActsBack) {
+  const PhsParams plain = With(Quarter2(), "mount_compliance", {});
+  PhsParams shown = With(plain, "sensor_gain", {{"load", 1.1}, {"p_bore", 0.9}});
+  shown = With(shown, "sensor_delay", {{"load_s", 0.02}});
+  PhsParams other = plain;
+  other.friction.scale = 1.3;
+  EXPECT_EQ(Of(plain), Of(shown));
+  EXPECT_NE(Of(plain), Of(other));
+  std::shared_ptr<const KeptRun> kept, none;
+  RunRig(plain, &kept);
+  ASSERT_NE(kept, nullptr);
+  const RigPrediction alone = RunRig(shown, &none), from_kept = RunRig(shown, &kept);
+  EXPECT_EQ(alone.channels, from_kept.channels);
+
+  const PhsParams four = FindPhsParams("bo_bo").value();
+  PhsParams held = four;
+  held.friction.scale = 1.3;
+  EXPECT_NE(KeptOf(RigKind::kFull, four), KeptOf(RigKind::kFull, held));
+  EXPECT_EQ(KeptOf(RigKind::kFull, four),
+            KeptOf(RigKind::kFull, With(four, "sensor_drift", {{"load_N_per_s", 3}})));
 }
 
 }  // namespace
