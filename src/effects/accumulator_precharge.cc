@@ -55,7 +55,7 @@ const EffectInfo& AccumulatorPrechargeInfo() {
               },
           .steps = {{"accumulator_precharge_Pa", true}},
           .declared = LargestPrecharge,
-          .over = {"m3", "p"},
+          .over = {"m3", "p", true},
       }};
   return info;
 }

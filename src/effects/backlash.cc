@@ -56,6 +56,11 @@ const EffectInfo& BacklashInfo() {
               {
                   {.free = {{"gap_m", 4e-6, 4e-4, 4}, {"contact_N_per_m", 5e8, 1.5e10, 2}},
                    .places = Places::kEach},
+                  // A pin that rests at one end of its play.
+                  {.free = {{"gap_m", 4e-6, 4e-4, 4}, {"contact_N_per_m", 3e9}},
+                   .held = {{"tension_share", 0}}},
+                  {.free = {{"gap_m", 4e-6, 4e-4, 4}, {"contact_N_per_m", 3e9}},
+                   .held = {{"tension_share", 1}}},
               },
           .bench =
               {

@@ -45,7 +45,7 @@ const EffectInfo& DiaphragmStopInfo() {
                   {.free = {{"spread", 0.1, 0.4, 2}}},
               },
           .steps = {{"reservoir.min_gas_volume_m3", false, 0.03}},
-          .over = {"m3", "p"},
+          .over = {"m3", "p", true},
       }};
   return info;
 }

@@ -104,6 +104,8 @@ const EffectInfo& PositionFrictionInfo() {
               {
                   {.free = {{"slope_1_per_m", 0}}},
               },
+          // A tight spot wider than the stroke, or a slope where hardly anything moves.
+          .contains = {"seal_friction"},
           .over = {"N", "sx"},
       }};
   return info;

@@ -92,13 +92,17 @@ const EffectInfo& SensorGainInfo() {
                   {.free = {{"p_bore", 1}, {"p_rod", 1}}},
                   {.free = {{"p_bore", 1}}, .held = {{"zeroed_at_rest", 1}}},
                   {.free = {{"p_rod", 1}}, .held = {{"zeroed_at_rest", 1}}},
+                  {.free = {{"p_bore", 1}, {"from_Pa", 2e6, 8e6, 3}}},
+                  {.free = {{"p_rod", 1}, {"from_Pa", 2e6, 8e6, 3}}},
               },
           .options =
               {
-                  {.free = {{"p_bore", 1}}},
-                  {.free = {{"p_rod", 1}}},
+                  // Beside free gas and oil two gauges that err from a pressure on stand for a bumper.
+                  {.free = {{"p_bore", 1}}, .without = "from_Pa"},
+                  {.free = {{"p_rod", 1}}, .without = "from_Pa"},
                   {.free = {{"load_compression", 1}}, .with = "load"},
               },
+          .over = {"Pa", "pq", true},
       }};
   return info;
 }

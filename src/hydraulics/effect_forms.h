@@ -80,6 +80,7 @@ struct SettledNumber {
 struct LawOver {
   const char* unit = "";
   const char* variables = "";
+  bool begins = false;  ///< the law itself begins at a value: so may a formula that stands for it
 };
 
 /// All that a search needs to know of an effect. No forms: it is not looked for there.

@@ -24,7 +24,7 @@ std::string ForceChannel(const FitProblem& problem) {
 /// A formula for what one channel shows beyond the model: as a force, or as its sensor's reading.
 FoundFormula SearchChannelFormula(const FitProblem& problem, const FreeModel& model,
                                   const FitResult& fit, const std::string& name,
-                                  const FormulaLimits& limits, bool reading) {
+                                  const FormulaLimits& limits, bool reading, char own = 0) {
   const int channel = problem.FindOutput(name);
   if (channel < 0) return {};
   Result<FormulaFrame> framed = problem.forward().Frame(problem.Params(model, fit.values), name);
@@ -41,7 +41,7 @@ FoundFormula SearchChannelFormula(const FitProblem& problem, const FreeModel& mo
   data.has_pressure = frame.has_pressure, data.has_rod_pressure = frame.has_rod_pressure;
   data.has_temperature = frame.has_temperature;
   data.has_friction = frame.has_friction, data.has_speed = frame.has_speed;
-  if (reading) data.has_friction = false, data.has_load = frame.has_load;
+  if (reading) data.has_friction = false, data.has_load = frame.has_load, data.own = own;
   data.has_time_waves = frame.has_time_waves;
   data.first_row = problem.block(static_cast<size_t>(channel)).begin;
   return SearchFormula(data, limits);
@@ -62,16 +62,18 @@ FoundFormula SearchReadingFormula(const FitProblem& problem, const FreeModel& mo
     const char *channel, *unit;
     std::vector<std::string> targets;
     bool is_load = false;
+    char own = 0;
   };
   const Sensor sensors[] = {{"piston_m", "m", {}},
                             {"load_cell_N", "N", {}, true},
-                            {"p_bore_Pa", "Pa", {cylinder.bore_line}},
-                            {"p_rod_Pa", "Pa", {cylinder.rod_line}}};
+                            {"p_bore_Pa", "Pa", {cylinder.bore_line}, false, 'p'},
+                            {"p_rod_Pa", "Pa", {cylinder.rod_line}, false, 'q'}};
   FoundFormula found[std::size(sensors)];
   problem.ForEach(static_cast<int>(std::size(sensors)), [&](int k) {
     const int channel = problem.FindOutput(sensors[k].channel);
     if (channel < 0 || fit.channel_ms[static_cast<size_t>(channel)] < noise) return;
-    found[k] = SearchChannelFormula(problem, model, fit, sensors[k].channel, limits, true);
+    found[k] =
+        SearchChannelFormula(problem, model, fit, sensors[k].channel, limits, true, sensors[k].own);
     // What does not hang on the force that a load cell carries is a force itself.
     if (sensors[k].is_load && found[k].text.find('F') == std::string::npos) found[k] = {};
     found[k].unit = sensors[k].unit, found[k].targets = sensors[k].targets;

@@ -2,10 +2,13 @@
 
 #include <cmath>
 
+#include "effects/catalogue.h"
 #include "effects/unlisted.h"
 #include "identify/accept.h"
 #include "identify/driven_formula.h"
 #include "identify/listed_name.h"
+#include "identify/near_fit.h"
+#include "identify/own_form.h"
 #include "identify/passivity.h"
 
 namespace phs::identify::search {
@@ -37,6 +40,41 @@ double Threshold(const FitProblem& problem) {
   return -2 * std::log(problem.rule().accept.false_alarms);
 }
 
+/// The effect of which the formula is another form: beside it, it would say what it says more. What
+/// begins at a value (a valve that opens) is no form of a law that does not (a leak).
+std::optional<size_t> FormOf(const FitProblem& problem, const FormulaTrial& trial,
+                             const Identification& found) {
+  Identification with = found;
+  with.formula = trial.found;
+  with.effects.push_back({trial.candidate, trial.evidence, {}});
+  with.effects.back().evidence.delta_bic =
+      Criterion(problem, found.after.score, found.after.values.size()) -
+      Criterion(problem, trial.fit.score, trial.fit.values.size());
+  const std::optional<size_t> host = HasOwnForm(with);
+  if (!host || trial.found.text.find("max(") == std::string::npos) return host;
+  const hydraulics::EffectInfo* info =
+      effects::Catalogue().Find(found.effects[*host].candidate.effect);
+  return info->search.over.begins ? host : std::nullopt;
+}
+
+/// `found` with effect `kept` alone, and what a formula says beside it.
+Identification FormBeside(const FitProblem& problem, const FitProblem& coarse, const Effort& effort,
+                          const std::function<bool(double)>& go_on, size_t kept,
+                          Identification found) {
+  for (size_t i = found.effects.size(); i-- > 0;) {
+    if (i == kept) continue;
+    FreeModel model;
+    found.after.values = ValuesWithout(found, i, &model);
+    found.corrected = std::move(model);
+    Withdraw(found.effects[i].candidate.effect, "a formula says more", &found.candidates);
+    found.effects.erase(found.effects.begin() + static_cast<long>(i));
+  }
+  found.after = FitNear(problem, found.corrected, found.after.values, {},
+                        {.max_steps = 8, .final_slopes = true});
+  if (found.after.ok) AddFormula(problem, coarse, effort, go_on, &found);
+  return found;
+}
+
 }  // namespace
 
 void ChallengeByFormula(const FitProblem& problem, const FitProblem& coarse, const Effort& effort,
@@ -47,6 +85,12 @@ void ChallengeByFormula(const FitProblem& problem, const FitProblem& coarse, con
   if (!trial.fit.ok) return;
   const bool alone = Refusal(problem.rule(), trial.evidence, trial.candidate, trial.fit).empty();
   if (!alone || !SaysMore(problem, found->after, trial)) return Record(trial, kBeaten, found);
+  if (const std::optional<size_t> host = FormOf(problem, trial, *found)) {
+    Record(trial, "another form of " + found->effects[*host].candidate.effect, found);
+    Identification beside = FormBeside(problem, coarse, effort, go_on, *host, *found);
+    if (beside.after.ok && !SaysMore(problem, beside.after, trial)) *found = std::move(beside);
+    return;
+  }
   for (const AcceptedEffect& effect : found->effects) {
     Withdraw(effect.candidate.effect, "a formula on no list explains more", &found->candidates);
   }

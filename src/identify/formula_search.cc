@@ -74,6 +74,8 @@ class PlaceTerms final : public TermLibrary {
     if (data_.has_friction) AddRamp(residual, {"x", "m", scale_.x, row_x_}), AddNotch(residual);
     for (const bool squared : {false, true}) {
       if (data_.has_load) AddRamp(residual, {"F", "N", scale_.F, row_F_}, squared);
+      if (data_.own == 'p') AddRamp(residual, {"p", "Pa", scale_.p, row_own_}, squared);
+      if (data_.own == 'q') AddRamp(residual, {"q", "Pa", scale_.q, row_own_}, squared);
     }
     if (data_.has_time_waves) AddTimeWave(residual);
   }
@@ -315,25 +317,27 @@ class PlaceTerms final : public TermLibrary {
     return best;
   }
 
-  /// x, s, F and weight on (at most 6000 of) the rows, read off through the caller's own columns.
+  /// x, s, F, a gauge's own pressure and weight on (at most 6000 of) the rows, read off through the caller's own columns.
   void CollectRows() {
     places_known_ = true;
-    std::vector<std::vector<double>> x, s, load, one;
+    std::vector<std::vector<double>> x, s, load, own, one;
     for (const auto& run : data_.places) {
-      x.emplace_back(), s.emplace_back(), load.emplace_back(), one.emplace_back(run.size(), 1.0);
+      x.emplace_back(), s.emplace_back(), load.emplace_back(), own.emplace_back();
+      one.emplace_back(run.size(), 1.0);
       for (const ForcePlace& at : run) {
         x.back().push_back(at.piston), s.back().push_back(at.direction);
         load.back().push_back(at.force);
+        own.back().push_back(data_.own == 'q' ? at.rod_rise : at.bore_rise);
       }
     }
     const Eigen::VectorXd w = data_.column(one), wx = data_.column(x), ws = data_.column(s),
-                          wF = data_.column(load);
+                          wF = data_.column(load), wp = data_.column(own);
     const Eigen::Index stride = std::max<Eigen::Index>(1, w.size() / 6000);
     for (Eigen::Index i = 0; i < w.size(); i += stride) {
       if (!(w[i] > 0)) continue;
       row_.push_back(static_cast<size_t>(i)), row_weight_.push_back(w[i]);
       row_x_.push_back(wx[i] / w[i]), row_s_.push_back(std::clamp(ws[i] / w[i], -1.0, 1.0));
-      row_F_.push_back(wF[i] / w[i]);
+      row_F_.push_back(wF[i] / w[i]), row_own_.push_back(wp[i] / w[i]);
       x_low_ = std::min(x_low_, row_x_.back()), x_high_ = std::max(x_high_, row_x_.back());
     }
   }
@@ -343,7 +347,7 @@ class PlaceTerms final : public TermLibrary {
   Eigen::VectorXd weight_;  ///< of a sample, for waves over time
   bool places_known_ = false;
   std::vector<size_t> row_;
-  std::vector<double> row_x_, row_s_, row_F_, row_weight_;
+  std::vector<double> row_x_, row_s_, row_F_, row_own_, row_weight_;
   double x_low_ = INFINITY, x_high_ = -INFINITY, waves_ = 1;
 };
 

@@ -7,7 +7,7 @@
 // forces also what begins at a position, max(x - x1, 0), and a notch, exp(-((x - x1)/w)²) and its
 // slope, both flanks of which are seen. Each coefficient has the unit of what the formula gives.
 // What a sensor shows has the force F that the load cell carries beside them, also from a force
-// on, max(F - F1, 0), and |v| and v² in place of terms with s: a flow past its port. Odd ones are
+// on, max(F - F1, 0), a gauge also from a pressure of its own on, and |v| and v² in place of terms with s: a flow past its port. Odd ones are
 // left out: a resistance between chamber and line does that, and a reading would take its place.
 #pragma once
 
@@ -32,6 +32,7 @@ struct FormulaData : SelectionData {
   bool has_friction = true;  ///< terms with speed and direction
   bool has_speed = false;    ///< without friction: terms with speed alone
   bool has_load = false;     ///< without friction: terms with what the load cell carries
+  char own = 0;              ///< of a gauge: symbol of the pressure that it shows
   /// Waves over time: one run, evenly sampled, whose places are the rows from `first_row` on.
   bool has_time_waves = false;
   Eigen::Index first_row = 0;

@@ -79,6 +79,22 @@ TEST(OwnForm, AFormulaOfOilActsWhereItsEffectDoes) {
   EXPECT_FALSE(HasOwnForm(With({EffectOf("external_leakage", 300)}, past)));
 }
 
+/// A gauge errs over its own pressure: its gain in another form. Of another gauge it is not.
+TEST(OwnForm, AReadingOverItsPressureIsTheFormOfItsGain) {
+  const FoundFormula reading = FormulaOver("c1*(max(p-1e6[Pa],0[Pa])/1e7[Pa])^2", "Pa", {"L2"});
+  Identification found = With({EffectOf("sensor_gain", 50)}, reading);
+  EXPECT_EQ(HasOwnForm(found), 0u);
+  found.effects[0].evidence.best_channel = "p_rod_Pa";
+  EXPECT_FALSE(HasOwnForm(found));
+}
+
+/// Oil that leaves a line by its pressure, or passes the piston: each is of one law alone.
+TEST(OwnForm, AFlowThatWeighsMoreIsTheFormOfTheLeakWhereItFlows) {
+  const FoundFormula out = FormulaOver("c1*(p/1e7[Pa])^2", "m3_per_s", {"L2"});
+  EXPECT_EQ(HasOwnForm(With({EffectOf("external_leakage", 50, {"L2"})}, out)), 0u);
+  EXPECT_FALSE(HasOwnForm(With({EffectOf("piston_leakage", 50)}, out)));
+}
+
 /// What surrounds the rig acts on every line: a heater that is switched on and off is no sine.
 TEST(OwnForm, AFlowOverTimeBesideAWarmingIsItsForm) {
   const auto over = [](const std::string& text, const std::string& unit) {

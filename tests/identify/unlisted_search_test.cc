@@ -210,6 +210,41 @@ TEST(UnlistedSearchTest, AValveThatOpensLowIsToldFromALeakThatWidens) {
   EXPECT_NEAR(std::stod(text.substr(text.find("max(p-") + 6)), 2e6, 0.15 * 2e6);
 }
 
+/// A gauge of two ranges: another gain above the static pressure. It is its gain that errs, not a load
+/// cell over the force.
+TEST(UnlistedSearchTest, AGaugeThatErrsFromAPressureOnIsItsGain) {
+  hydraulics::PhsParams truth = OffDeclared();
+  truth.effects.push_back({"sensor_gain", {}, {{"p_bore", 1.06}, {"from_Pa", 1.8e6}}});
+  const Identification found =
+      FindAmong({"sensor_gain", "sensor_offset", "sensor_creep", "pressure_area"}, Record(truth));
+  ASSERT_EQ(found.effects.size(), 1u) << Said(found);
+  EXPECT_EQ(found.effects[0].candidate.effect, "sensor_gain");
+  EXPECT_NEAR(ValueOf(found, "effects.sensor_gain.p_bore"), 1.06, 0.003);
+  EXPECT_NEAR(ValueOf(found, "effects.sensor_gain.from_Pa"), 1.8e6, 1e5);
+}
+
+/// One that bows from a pressure on, which no gain does: sought over its own pressure.
+TEST(UnlistedSearchTest, AGaugeThatBowsIsItsReadingOverItsOwnPressure) {
+  const FitData data =
+      Record(WithUnlisted("c1*(max(p-2e6[Pa],0[Pa])/1e7[Pa])^2", "c1_Pa", 8e5, {"L2"}));
+  const Identification found = FindAmong({"sensor_offset", "sensor_creep", "pressure_area"}, data);
+  ASSERT_EQ(found.effects.size(), 1u) << Said(found);
+  EXPECT_EQ(found.effects[0].candidate.effect, "unlisted");
+  EXPECT_EQ(found.formula.unit, "Pa");
+  EXPECT_THAT(found.formula.text, testing::HasSubstr("max(p")) << Said(found);
+  EXPECT_LT(found.after.channel_ms[2], 1.1) << Said(found);
+}
+
+/// A thrust that grows with the square of its line's pressure, above the static one and below: the
+/// catalogue's changes sign. A formula alone says more, and is the thrust's form all the same.
+TEST(UnlistedSearchTest, AThrustOfAnotherShapeKeepsItsName) {
+  const FitData data = Record(WithUnlisted("c1*(p/5e6[Pa])^2", "c1_N", 2500, {}));
+  const Identification found = FindAmong({"pressure_area", "sensor_offset", "sensor_gain"}, data);
+  ASSERT_FALSE(found.effects.empty());
+  EXPECT_EQ(found.effects[0].candidate.effect, "pressure_area") << Said(found);
+  EXPECT_LT(found.after.channel_ms[1], 1.1 * LeftOnACleanRecord());
+}
+
 TEST(UnlistedSearchTest, AGradualStopIsTheFormOfAListedEffect) {
   hydraulics::PhsParams truth = OffDeclared();
   truth.effects.push_back(
