@@ -137,7 +137,8 @@ Probes Probed(const FitProblem& problem, const FreeModel& model, const std::vect
   return best;
 }
 
-/// Two steps really taken from each of the best starts, and two more from where they led best.
+/// Steps really taken from each of the best starts, and from where they led best. A law that begins at
+/// a value (a diaphragm's stop) says less than none at first, for two or three steps from most starts.
 Trial TakeSteps(const FitProblem& problem, const FreeModel& model, const std::vector<Point>& points,
                 const Candidate& candidate, const Probes& best, size_t starts) {
   Trial trial;
@@ -146,18 +147,18 @@ Trial TakeSteps(const FitProblem& problem, const FreeModel& model, const std::ve
   std::vector<Probe> probes = best.promised;
   if (probes.size() > starts) probes.resize(starts);
   probes.push_back(best.moved), probes.push_back(best.present);
-  const NearFitOptions two{.first_own = static_cast<int>(points[0].values.size()), .max_steps = 2};
+  const NearFitOptions few{.first_own = static_cast<int>(points[0].values.size()), .max_steps = 6};
   for (const Probe& probe : probes) {
     if (probe.values.empty()) continue;
     const bool as_it_stands = &probe == &probes.back();
     if (as_it_stands && best.one && trial.coarse.ok && trial.coarse.score < best.present.score)
       break;
-    FitResult fit = FitNear(problem, whole, probe.values, points[probe.point].slopes, two);
+    FitResult fit = FitNear(problem, whole, probe.values, points[probe.point].slopes, few);
     if (fit.ok && (!trial.coarse.ok || fit.score < trial.coarse.score))
       trial.coarse = std::move(fit);
   }
   if (!trial.coarse.ok) return trial;
-  FitResult on = FitNear(problem, whole, trial.coarse.values, trial.coarse.slopes, two);
+  FitResult on = FitNear(problem, whole, trial.coarse.values, trial.coarse.slopes, few);
   if (on.ok && on.score < trial.coarse.score) trial.coarse = std::move(on);
   trial.promise = Criterion(problem, trial.coarse.score, trial.coarse.values.size());
   return trial;

@@ -3,9 +3,10 @@
 // Every variant of every effect, from each of its starts, about each point, is judged by one
 // predicted Gauss–Newton step of all numbers together. Amounts that are far off by the share of
 // what they do that the record asks for are moved there before, so that the shape of what an effect
-// does decides, not its start. The best starts by that promise and the best as it stands take two
-// steps really: below its onset a stop or a valve is silent, and no slope leads to it; the best of
-// them two more. The most promising variants are then fitted to the coarse record.
+// does decides, not its start. The best starts by that promise and the best as it stands take up to
+// six steps really, and the best of them six more: below its onset a stop or a valve is silent, and no
+// slope leads to it; beyond, it says less than nothing until the model's numbers have come back. The
+// most promising variants are then fitted to the coarse record.
 #pragma once
 
 #include <functional>

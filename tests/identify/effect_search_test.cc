@@ -232,6 +232,25 @@ TEST(EffectSearchTest, FindsARestrictionInOneChamberAlone) {
   EXPECT_LT(found.after.channel_ms[3], 1.1);
 }
 
+// A diaphragm that lands in a few strokes of many. Without it the oil of that line ends at the edge
+// of its range, and from most starts a stop says less than nothing for some steps.
+TEST(EffectSearchTest, FindsAStopThatIsMetSeldom) {
+  hydraulics::PhsParams truth = OffDeclared();
+  truth.lines[1].oil_volume_m3 *= 0.72;
+  truth.effects.push_back(
+      {"diaphragm_stop", {"L2"}, {{"min_gas_volume_m3", 4.5e-6}, {"spread", 0.07}}});
+  const FitData data = RecordOf(truth, [](double t) {
+    const double phase = std::fmod(t, 20.0);
+    const double amplitude = phase > 12 && phase < 16 ? 2.1e-3 : 8e-4;
+    return amplitude * std::sin(2 * M_PI * t / 4) + 2e-4 * std::sin(2 * M_PI * t);
+  });
+  const Identification found =
+      FindAmong({"diaphragm_stop", "entrained_air", "external_leakage", "hose_expansion"}, data);
+  ASSERT_EQ(found.effects.size(), 1u) << Said(found);
+  EXPECT_EQ(found.effects[0].candidate.effect, "diaphragm_stop");
+  EXPECT_NEAR(ValueOf(found, "effects.diaphragm_stop.min_gas_volume_m3"), 4.5e-6, 0.05e-6);
+}
+
 // A hall door that opens: what is warm cools again, and does not run away beyond the window.
 TEST(EffectSearchTest, FindsAWarmingThatComesBack) {
   hydraulics::PhsParams truth = OffDeclared();

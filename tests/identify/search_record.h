@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <functional>
 #include <memory>
 #include <random>
 
@@ -14,9 +15,9 @@
 
 namespace phs::identify::search {
 
-/// 60 s at 100 Hz: sines of two speeds, holds at rest (or not: they begin at once, from full
-/// speed); white sensor noise.
-inline measurement::FitData Record(const hydraulics::PhsParams& truth, bool holds = true) {
+/// 60 s at 100 Hz of the motion x(t); white sensor noise.
+inline measurement::FitData RecordOf(const hydraulics::PhsParams& truth,
+                                     const std::function<double(double t)>& x) {
   measurement::FitData data;
   data.step_s = 0.01;
   data.estimation = {0, 40};
@@ -27,11 +28,7 @@ inline measurement::FitData Record(const hydraulics::PhsParams& truth, bool hold
   for (int i = 0; i < 6000; ++i) {
     const double t = i * data.step_s;
     data.time_s.push_back(t);
-    const double phase = std::fmod(t, 20.0);
-    const double x = phase < 16 || !holds
-                         ? 2e-3 * std::sin(2 * M_PI * phase / 4) + 4e-4 * std::sin(2 * M_PI * phase)
-                         : 0;
-    motion.position_m[0].push_back(x);
+    motion.position_m[0].push_back(x(t));
   }
   const auto rig = rigs::RigModel::Create(rigs::RigKind::kQuarter, truth);
   rigs::RigPrediction clean;
@@ -45,6 +42,16 @@ inline measurement::FitData Record(const hydraulics::PhsParams& truth, bool hold
     for (double& y : data.outputs.back().values) y += noise[c] * normal(random);
   }
   return data;
+}
+
+/// Sines of two speeds, holds at rest (or not: they begin at once, from full speed).
+inline measurement::FitData Record(const hydraulics::PhsParams& truth, bool holds = true) {
+  return RecordOf(truth, [holds](double t) {
+    const double phase = std::fmod(t, 20.0);
+    return phase < 16 || !holds
+               ? 2e-3 * std::sin(2 * M_PI * phase / 4) + 4e-4 * std::sin(2 * M_PI * phase)
+               : 0;
+  });
 }
 
 /// What the search without formulas finds for the quarter rig of setup 2.
