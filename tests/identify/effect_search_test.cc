@@ -241,7 +241,7 @@ TEST(EffectSearchTest, FindsAStopThatIsMetSeldom) {
       {"diaphragm_stop", {"L2"}, {{"min_gas_volume_m3", 4.5e-6}, {"spread", 0.07}}});
   const FitData data = RecordOf(truth, [](double t) {
     const double phase = std::fmod(t, 20.0);
-    const double amplitude = phase > 12 && phase < 16 ? 2.1e-3 : 8e-4;
+    const double amplitude = phase > 12 && phase < 16 ? 2.3e-3 : 8e-4;
     return amplitude * std::sin(2 * M_PI * t / 4) + 2e-4 * std::sin(2 * M_PI * t);
   });
   const Identification found =
