@@ -11,6 +11,7 @@
 #include "identify/result_json.h"
 #include "identify/thread_budget.h"
 #include "measurement/data_checks.h"
+#include "measurement/standstill.h"
 
 namespace phs::identify::search {
 
@@ -68,6 +69,21 @@ void AddRms(const std::vector<Channels>& differences, Channels* deviation) {
   }
 }
 
+/// Rows from `begin` to `end` where every driving part stands still.
+std::vector<char> StandsStill(const FitData& data, size_t begin, size_t end) {
+  std::vector<char> out(end - begin, data.inputs.empty() ? 0 : 1);
+  for (const MeasuredChannel& input : data.inputs) {
+    std::vector<char> bad;
+    for (const double x : input.values) bad.push_back(!std::isfinite(x));
+    const std::vector<char> still =
+        measurement::FindStandstill(input.values, bad, data.step_s, input.noise);
+    for (size_t i = begin; i < end; ++i) {
+      out[i - begin] = out[i - begin] && i < still.size() && still[i];
+    }
+  }
+  return out;
+}
+
 }  // namespace
 
 Result<Channels> KnownErrors(const ForwardModel& forward, const PhsParams& params) {
@@ -92,6 +108,7 @@ std::vector<LeftOver> OverNoise(const FitData& data, const Channels& uncertain,
   };
   const size_t begin = row(window[0]), end = row(window[1]);
   const Channels signals = Signals(data, predicted, begin, end);
+  const std::vector<char> still = StandsStill(data, begin, end);
   std::vector<LeftOver> out;
   for (size_t c = 0; c < data.outputs.size(); ++c) {
     const MeasuredChannel& channel = data.outputs[c];
@@ -102,8 +119,9 @@ std::vector<LeftOver> OverNoise(const FitData& data, const Channels& uncertain,
                          std::hypot(channel.noise, uncertain[c][i]));
       if (std::isfinite(residual.back())) sum += residual.back() * residual.back(), ++count;
     }
+    const bool quiet = IsQuietAtRest(residual, still);
     out.push_back({std::sqrt(sum / std::max(count, 1.0)), MeanSquareThatFollows(residual, signals),
-                   ComesAndGoes(residual)});
+                   quiet || ComesAndGoes(residual), quiet});
   }
   return out;
 }
@@ -154,7 +172,8 @@ struct WindowLeft {
     std::vector<ChannelLeft> out;
     for (size_t c = 0; c < scores.size(); ++c) {
       out.push_back({scores[c].channel, before[c].over_noise, after[c].over_noise,
-                     scores[c].after.nrmse, after[c].following, after[c].comes_and_goes});
+                     scores[c].after.nrmse, after[c].following, after[c].comes_and_goes,
+                     after[c].quiet_at_rest});
     }
     return out;
   }

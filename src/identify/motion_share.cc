@@ -115,6 +115,26 @@ double MeanSquareThatFollows(const std::vector<double>& residual,
   return std::max(0.0, sum / present);
 }
 
+bool IsQuietAtRest(const std::vector<double>& residual, const std::vector<char>& still) {
+  struct Sum {
+    double square = 0, count = 0;
+    double Beyond() const { return square / std::max(count, 1.0) - 1; }
+  };
+  std::vector<Sum> rests;
+  Sum moving;
+  for (size_t i = 0; i < residual.size(); ++i) {
+    if (still[i] && (i == 0 || !still[i - 1])) rests.emplace_back();
+    if (!std::isfinite(residual[i])) continue;
+    Sum& sum = still[i] ? rests.back() : moving;
+    sum.square += residual[i] * residual[i], ++sum.count;
+  }
+  std::erase_if(rests, [](const Sum& rest) { return rest.count < kLeastRows; });
+  if (rests.size() < 2 || !(moving.Beyond() > 0)) return false;
+  double loudest = kAsLargeAsNoise;
+  for (const Sum& rest : rests) loudest = std::max(loudest, rest.Beyond());
+  return std::pow(loudest / moving.Beyond(), rests.size()) < Acceptance{}.false_alarms;
+}
+
 bool ComesAndGoes(const std::vector<double>& residual) {
   constexpr size_t kParts = 8, kQuiet = 2, kWays = 28;  // to choose two of eight
   const size_t n = residual.size();

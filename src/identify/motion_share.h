@@ -23,6 +23,10 @@
 // Blows (a press next door) may come in every part. Noise of a colour has normal values; where
 // three quarters of the mean square are beyond what their median magnitude tells, it is no noise. Of
 // 40 independent values the root of that share scatters by some 0.15, so that chance stays away.
+//
+// Nor does a sensor know whether the rig moves. A seal that squeals follows no function of the motion,
+// but it is silent at rest. With quiet stretches at rest in the place of parts, the loudest of k of
+// which leaves e of what the rest of the window leaves, chance makes all k so quiet with e^k.
 #pragma once
 
 #include <vector>
@@ -33,7 +37,8 @@ namespace phs::identify {
 struct LeftOver {
   double over_noise = 0;        ///< rms over noise and the model's own uncertainty
   double following = 0;         ///< mean square of it that follows what the rig did
-  bool comes_and_goes = false;  ///< for a part of the window it is as quiet as its noise
+  bool comes_and_goes = false;  ///< for a part of the window, or at rest, it is as good as quiet
+  bool quiet_at_rest = false;   ///< IsQuietAtRest
 };
 
 /// Mean square of the part of `residual` (over its noise) that follows `signals`.
@@ -46,5 +51,9 @@ double MeanSquareThatFollows(const std::vector<double>& residual,
 /// True if `residual` (over its noise, even in time, NaN where nothing was measured) is louder in
 /// some parts than noise that is always there. False with fewer than 64 rows.
 bool ComesAndGoes(const std::vector<double>& residual);
+
+/// True if `residual`, as above, is far quieter in each of at least two stretches where the rig stands
+/// `still` (a flag for each row) than elsewhere.
+bool IsQuietAtRest(const std::vector<double>& residual, const std::vector<char>& still);
 
 }  // namespace phs::identify

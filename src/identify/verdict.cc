@@ -55,6 +55,13 @@ void AddColoured(const VerdictFacts& facts, std::vector<std::string>* reasons) {
 /// What shakes the rig from beside it: what follows the rig, or drifts, is loud in some parts, too.
 void AddComing(const ChannelLeft& c, std::vector<std::string>* reasons) {
   if (!c.comes_and_goes || c.following > kAsLargeAsNoise) return;
+  if (c.quiet_at_rest) {
+    reasons->push_back(
+        "what " + c.channel +
+        " is left with is quiet where the rig stands still: its motion makes it; look "
+        "for what squeals or rattles");
+    return;
+  }
   reasons->push_back(
       "what " + c.channel + " is left with comes and goes: for parts of the " + c.window +
       " window it is as good as quiet; look for what runs or strikes beside the rig");

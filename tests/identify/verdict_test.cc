@@ -59,6 +59,9 @@ TEST(Verdict, WhatComesAndGoesIsNoNoiseOfTheSensor) {
   facts.channels[0].comes_and_goes = true;
   EXPECT_EQ(Judge(facts).word, "not_described");
   EXPECT_THAT(Judge(facts).reasons, Contains(HasSubstr("comes and goes")));
+  facts.channels[0].quiet_at_rest = true;
+  EXPECT_EQ(Judge(facts).word, "not_described");
+  EXPECT_THAT(Judge(facts).reasons, Contains(HasSubstr("quiet where the rig stands still")));
   facts.channels[0].following = 40;
   EXPECT_EQ(Judge(facts).word, "not_described");
   EXPECT_THAT(Judge(facts).reasons, Not(Contains(HasSubstr("comes and goes"))));
