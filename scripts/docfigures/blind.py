@@ -9,7 +9,8 @@ COLUMNS = {"holdout": "`holdout`", "first_hand": "first hand", "second_hand": "s
            "eighth_hand": "eighth hand, after mends", "ninth_hand": "ninth hand, after mends",
            "tenth_hand": "tenth hand, after mends", "eleventh_hand": "eleventh hand, after mends",
            "twelfth_hand": "twelfth hand, after mends", "thirteenth_hand": "thirteenth hand, after mends",
-           "fourteenth_hand": "fourteenth hand, after mends", "sixteenth_hand": "sixteenth hand, after mends"}
+           "fourteenth_hand": "fourteenth hand, after mends", "sixteenth_hand": "sixteenth hand, after mends",
+           "seventeenth_hand": "seventeenth hand, after mends"}
 VERDICTS = ("sufficient", "explained", "not_described", "undecidable")
 
 
