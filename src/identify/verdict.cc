@@ -118,7 +118,9 @@ Verdict Judge(const VerdictFacts& facts) {
     const double removed =
         excess > 0 ? (worst->before * worst->before - worst->after * worst->after) / excess : 0;
     if (facts.effects.empty()) {
-      reasons.push_back(facts.tried ? "nothing that was tried explains it" : "no effect was tried");
+      reasons.push_back(
+          facts.tried ? "nothing that was tried explains it"
+                      : "no effect was tried: none promised to explain it, or none was asked for");
       return Undescribed(facts, std::move(reasons));
     }
     reasons.push_back(fmt::format("the effects take {:.0f} % of what it showed beyond its noise",
