@@ -140,14 +140,16 @@ Probes Probed(const FitProblem& problem, const FreeModel& model, const std::vect
 /// Steps really taken from each of the best starts, and from where they led best. A law that begins at
 /// a value (a diaphragm's stop) says less than none at first, for two or three steps from most starts.
 Trial TakeSteps(const FitProblem& problem, const FreeModel& model, const std::vector<Point>& points,
-                const Candidate& candidate, const Probes& best, size_t starts) {
+                const Candidate& candidate, const Probes& best, const Effort& effort) {
   Trial trial;
   trial.candidate = &candidate;
   const FreeModel whole = WithCandidate(model, candidate);
   std::vector<Probe> probes = best.promised;
+  const auto starts = static_cast<size_t>(effort.starts);
   if (probes.size() > starts) probes.resize(starts);
   probes.push_back(best.moved), probes.push_back(best.present);
-  const NearFitOptions few{.first_own = static_cast<int>(points[0].values.size()), .max_steps = 6};
+  const NearFitOptions few{.first_own = static_cast<int>(points[0].values.size()),
+                           .max_steps = effort.steps};
   for (const Probe& probe : probes) {
     if (probe.values.empty()) continue;
     const bool as_it_stands = &probe == &probes.back();
@@ -251,8 +253,7 @@ std::vector<Trial> ScreenCandidates(const FitProblem& coarse, const FreeModel& m
   coarse.ForEach(static_cast<int>(tried.size()), [&](int i) {
     if (!go_on(kProbes + (kShare - kProbes) * done++ / static_cast<double>(tried.size()))) return;
     const size_t k = tried[static_cast<size_t>(i)];
-    trials[static_cast<size_t>(i)] =
-        TakeSteps(coarse, model, points, list[k], probes[k], static_cast<size_t>(effort.starts));
+    trials[static_cast<size_t>(i)] = TakeSteps(coarse, model, points, list[k], probes[k], effort);
   });
   std::erase_if(trials, [](const Trial& t) { return !t.coarse.ok; });
   SortByPromise(&trials);

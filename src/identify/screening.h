@@ -3,8 +3,8 @@
 // Every variant of every effect, from each of its starts, about each point, is judged by one
 // predicted Gauss–Newton step of all numbers together. Amounts that are far off by the share of
 // what they do that the record asks for are moved there before, so that the shape of what an effect
-// does decides, not its start. The best starts by that promise and the best as it stands take up to
-// six steps really, and the best of them six more: below its onset a stop or a valve is silent, and no
+// does decides, not its start. The best starts by that promise and the best as it stands take a
+// few steps really, and the best of them as many more: below its onset a stop or a valve is silent, and no
 // slope leads to it; beyond, it says less than nothing until the model's numbers have come back. The
 // most promising variants are then fitted to the coarse record.
 #pragma once
@@ -36,6 +36,7 @@ struct Effort {
   int coarse_fits = 16;         ///< variants fitted to the coarse record per round
   int full_fits = 4;            ///< effects fitted to the whole one
   int starts = 3;               ///< of a variant, from which steps are really taken
+  int steps = 6;                ///< so many at most
   bool elsewhere = true;        ///< candidates are tried away from the best fit too
   bool unpromising = false;     ///< what promises not to pay is tried and finished, too
 };
