@@ -71,7 +71,8 @@ Identification FormBeside(const FitProblem& problem, const FitProblem& coarse, c
   }
   found.after = FitNear(problem, found.corrected, found.after.values, {},
                         {.max_steps = 8, .final_slopes = true});
-  if (found.after.ok) AddFormula(problem, coarse, effort, go_on, &found);
+  const bool room = effort.max_effects > 1;  // formulas count
+  if (found.after.ok && room) AddFormula(problem, coarse, effort, go_on, &found);
   return found;
 }
 

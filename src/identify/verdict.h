@@ -29,7 +29,7 @@ struct ChannelLeft {
   /// Mean square over that of the noise, corrected, of the part that follows what the rig did.
   double following = std::numeric_limits<double>::infinity();
   bool comes_and_goes = false;  ///< what is left is not there all the time (motion_share.h)
-  bool quiet_at_rest = false;   ///< but where the rig moves alone
+  bool quiet_at_rest = false;   ///< IsQuietAtRest (motion_share.h)
   std::string window = "validation";
 };
 

@@ -137,10 +137,6 @@ Status CheckMotion(size_t need, const RigMotion& motion) {
   return {};
 }
 
-}  // namespace
-
-namespace {
-
 bool IsOf(const hydraulics::EffectParams& effect, const char* family) {
   const hydraulics::EffectInfo* info = effects::Catalogue().FindFor(effect);
   return info != nullptr && info->family == family;
