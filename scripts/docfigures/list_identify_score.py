@@ -1,5 +1,5 @@
 """docs/identify_score.md: the blind sets, from the table of every set."""
-from docfigures.blind import VERDICTS, of, score_table, sets, share, with_verdict
+from docfigures.blind import VERDICTS, score_table, sets, with_verdict
 
 DOCUMENT = "docs/identify_score.md"
 
@@ -12,7 +12,6 @@ def figures(phs):
     for name, file in (("hands", "score_three_hands.csv"), ("later", "score_later_hands.csv")):
         hands = sets(phs, file)
         out[name], out[name + "_sets"] = score_table(hands), str(len(hands))
-        out[name + "_described"] = share(*of(hands, "off_list", lambda row: row["described"] == "1"))
         out[name + "_explained"] = str(with_verdict(hands, "explained"))
         out[name + "_explained_right"] = str(with_verdict(hands, "explained", "exact", "one more", "formula"))
     for verdict in VERDICTS:

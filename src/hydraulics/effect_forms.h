@@ -6,7 +6,7 @@
 // factors (by equal steps where one of the ends is not positive), each with each. On a rig and in a
 // bogie numbers are in SI, inside the plausible range of the parameter. On a bench parts differ by
 // powers of ten: numbers are in sizes of the declared part and its record, chosen by their unit
-// (N: level of friction, m: half the way, s: duration …, src/identify/element_candidates.h).
+// (N: level of friction, m: half the way, s: duration …, src/identify/models/element_candidates.h).
 #pragma once
 
 #include <cmath>

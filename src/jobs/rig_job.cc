@@ -1,9 +1,9 @@
 #include "jobs/rig_job.h"
 
 #include "base/origin.h"
-#include "identify/identify_run.h"
-#include "identify/rig_run.h"
-#include "identify/steps_run.h"
+#include "identify/run/identify_run.h"
+#include "identify/run/rig_run.h"
+#include "identify/run/steps_run.h"
 #include "measurement/manifest.h"
 #include "report/identify_report.h"
 #include "report/rig_report.h"

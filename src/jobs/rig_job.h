@@ -6,8 +6,8 @@
 #include <string>
 
 #include "base/result_dir.h"
-#include "identify/effect_search.h"
-#include "identify/outcome.h"
+#include "identify/result/outcome.h"
+#include "identify/select/effect_search.h"
 #include "jobs/watch.h"
 
 namespace phs::jobs {

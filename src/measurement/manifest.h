@@ -25,7 +25,7 @@
 //                                         this frequency, both filtered alike (band_limit.h)
 //   low_pass_Hz: 20                       all channels, forwards and backwards (no lag)
 //   ways: predicted                       bogie: forces and pressures as its run has them, though
-//                                         all pistons are measured (identify/measured_ways.h)
+//                                         all pistons are measured (identify/models/measured_ways.h)
 //   signal: {duration_s: 40, actuator_m: {kind: sine, …}}   generated motion instead of data
 //   setup: 2                              rows of a step table (default: by the model's name)
 //   limits: {stroke_m: [-2e-3, 3e-3], speed_m_s: 0.02, force_N: 8e4, duration_s: 60}

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "hydraulics/phs_params.h"
-#include "identify/steps_search.h"
+#include "identify/run/steps_search.h"
 #include "validate/check.h"
 
 namespace phs::validate {

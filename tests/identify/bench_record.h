@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "identify/element_run.h"
+#include "identify/run/element_run.h"
 #include "measurement/manifest.h"
 #include "phs_model/phs_model.h"
 #include "rigs/rig_model.h"

@@ -1,10 +1,10 @@
 // A law whose form is not quite right, and a second effect that takes what it leaves.
-#include "identify/bent_form.h"
+#include "identify/select/bent_form.h"
 
 #include <gtest/gtest.h>
 
-#include "identify/driven_formula.h"
-#include "identify/near_fit.h"
+#include "identify/discrepancy/driven_formula.h"
+#include "identify/fit/near_fit.h"
 #include "tests/identify/search_record.h"
 
 namespace phs::identify::search {

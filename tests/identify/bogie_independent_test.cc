@@ -7,7 +7,7 @@
 #include <fstream>
 
 #include "base/data_path.h"
-#include "identify/bogie_run.h"
+#include "identify/run/bogie_run.h"
 #include "tests/base/scratch_dir.h"
 #include "tests/rigdata/bogie_curve/truth.h"
 

@@ -9,11 +9,11 @@
 #include <fstream>
 
 #include "base/table.h"
-#include "identify/bogie_candidates.h"
-#include "identify/bogie_data.h"
-#include "identify/bogie_forward.h"
-#include "identify/bogie_run.h"
-#include "identify/bogie_theories.h"
+#include "identify/models/bogie_candidates.h"
+#include "identify/models/bogie_data.h"
+#include "identify/models/bogie_forward.h"
+#include "identify/models/bogie_theories.h"
+#include "identify/run/bogie_run.h"
 #include "phs_model/phs_model.h"
 #include "tests/base/scratch_dir.h"
 #include "tests/identify/bogie_measurement.h"

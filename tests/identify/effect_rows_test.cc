@@ -8,8 +8,8 @@
 
 #include "effects/catalogue.h"
 #include "effects/unlisted.h"
-#include "identify/effect_variants.h"
-#include "identify/form_starts.h"
+#include "identify/fit/effect_variants.h"
+#include "identify/fit/form_starts.h"
 #include "phs_model/phs_model.h"
 #include "vehicle/running_effects.h"
 

@@ -1,6 +1,6 @@
 // The search on small records made with the rig model itself: what is switched on must be found,
 // and nothing must be found where nothing is.
-#include "identify/effect_search.h"
+#include "identify/select/effect_search.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "identify/input_unit.h"
+#include "identify/run/input_unit.h"
 #include "measurement/data_checks.h"
 #include "phs_model/phs_model.h"
 #include "tests/identify/search_record.h"

@@ -7,8 +7,8 @@
 #include <cstdlib>
 
 #include "base/data_path.h"
-#include "identify/bench_checks.h"
-#include "identify/element_data.h"
+#include "identify/models/element_data.h"
+#include "identify/run/bench_checks.h"
 #include "phs_places.h"
 #include "tests/identify/bench_record.h"
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "identify/effect_search.h"
+#include "identify/select/effect_search.h"
 #include "phs_model/phs_model.h"
 #include "tests/identify/search_record.h"
 

@@ -1,5 +1,5 @@
 // What speaks for a model, on residuals written by hand, and the rule of acceptance.
-#include "identify/evidence.h"
+#include "identify/fit/evidence.h"
 
 #include <gtest/gtest.h>
 
@@ -7,10 +7,10 @@
 #include <memory>
 #include <random>
 
-#include "identify/accept.h"
-#include "identify/effect_variants.h"
-#include "identify/identification.h"
-#include "identify/result_json.h"
+#include "identify/fit/accept.h"
+#include "identify/fit/effect_variants.h"
+#include "identify/result/result_json.h"
+#include "identify/select/identification.h"
 
 namespace phs::identify::search {
 namespace {

@@ -1,5 +1,5 @@
 // Intervals against drawn noise: how often do they hold the truth?
-#include "identify/fit_intervals.h"
+#include "identify/fit/fit_intervals.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include <cstdlib>
 
 #include "base/table.h"
-#include "identify/rig_run.h"
+#include "identify/run/rig_run.h"
 #include "tests/base/scratch_dir.h"
 #include "tests/identify/bench_record.h"
 

@@ -3,10 +3,10 @@
 #include <gtest/gtest.h>
 
 #include "base/table.h"
-#include "identify/element_run.h"
-#include "identify/joined_forward.h"
-#include "identify/joined_run.h"
-#include "identify/rig_identify.h"
+#include "identify/models/joined_forward.h"
+#include "identify/run/element_run.h"
+#include "identify/run/joined_run.h"
+#include "identify/run/rig_identify.h"
 #include "tests/base/scratch_dir.h"
 #include "tests/identify/search_record.h"
 

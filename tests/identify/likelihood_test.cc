@@ -1,5 +1,5 @@
 // Octaves of a residual and the likelihood made of them.
-#include "identify/likelihood.h"
+#include "identify/fit/likelihood.h"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
 // A formula that is a listed effect gets its name; a physical cause goes before an instrument; what
 // drives is said.
-#include "identify/listed_name.h"
+#include "identify/select/listed_name.h"
 
 #include <gmock/gmock.h>
 
-#include "identify/accept.h"
-#include "identify/near_fit.h"
-#include "identify/passivity.h"
+#include "identify/fit/accept.h"
+#include "identify/fit/near_fit.h"
+#include "identify/select/passivity.h"
 #include "tests/identify/search_record.h"
 
 namespace phs::identify::search {

@@ -1,5 +1,5 @@
 // Forces and pressures of a bogie's PHS at the measured ways of its pistons.
-#include "identify/measured_ways.h"
+#include "identify/models/measured_ways.h"
 
 #include <gtest/gtest.h>
 

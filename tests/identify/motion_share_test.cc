@@ -1,5 +1,5 @@
 // What follows the motion is told from noise with a colour.
-#include "identify/motion_share.h"
+#include "identify/result/motion_share.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
 // The test that would tell: what is expected of it, against drawn noise; its motion within limits.
-#include "identify/next_test.h"
+#include "identify/next_test/next_test.h"
 
 #include <algorithm>
 #include <random>
 
-#include "identify/accept.h"
-#include "identify/near_fit.h"
+#include "identify/fit/accept.h"
+#include "identify/fit/near_fit.h"
 #include "tests/identify/search_record.h"
 
 namespace phs::identify::search {

@@ -10,9 +10,9 @@
 #include <sstream>
 
 #include "base/data_path.h"
-#include "identify/element_run.h"
-#include "identify/own_candidates.h"
-#include "identify/rig_identify.h"
+#include "identify/models/own_candidates.h"
+#include "identify/run/element_run.h"
+#include "identify/run/rig_identify.h"
 #include "phs_model/phs_model.h"
 
 namespace phs::identify {

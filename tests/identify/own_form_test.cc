@@ -1,7 +1,7 @@
 // A formula beside a listed effect: its form, or a cause of its own.
-#include "identify/own_form.h"
+#include "identify/select/own_form.h"
 
-#include "identify/result_json.h"
+#include "identify/result/result_json.h"
 #include "phs_model/phs_model.h"
 #include "tests/identify/search_record.h"
 

@@ -1,8 +1,8 @@
 // The precharge of blow-off accumulators: sought about the declared one, and not found in it.
 #include <gtest/gtest.h>
 
-#include "identify/accept.h"
-#include "identify/search_fit.h"
+#include "identify/fit/accept.h"
+#include "identify/fit/search_fit.h"
 #include "phs_model/phs_model.h"
 
 namespace phs::identify::search {

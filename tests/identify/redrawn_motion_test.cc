@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "identify/rig_forward.h"
+#include "identify/models/rig_forward.h"
 #include "tests/identify/search_record.h"
 
 namespace phs::identify::search {

@@ -8,7 +8,7 @@
 
 #include "base/data_path.h"
 #include "base/table.h"
-#include "identify/rig_run.h"
+#include "identify/run/rig_run.h"
 #include "phs_places.h"
 #include "rigs/rig_signal.h"
 #include "tests/base/scratch_dir.h"

@@ -1,5 +1,5 @@
 // `phs rig` as a library: every rig, generated and measured motion, bad input.
-#include "identify/rig_run.h"
+#include "identify/run/rig_run.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 #include <fstream>
 
 #include "base/table.h"
-#include "identify/steps_run.h"
+#include "identify/run/steps_run.h"
 #include "phs_places.h"
 #include "rigs/rig_signal.h"
 #include "tests/base/scratch_dir.h"

@@ -1,8 +1,8 @@
 // What is left beside an effect that is told, where two laws explain it alike: one is taken, the
 // other said.
 #include "effects/own_law.h"
-#include "identify/effect_search.h"
-#include "identify/test_question.h"
+#include "identify/select/effect_search.h"
+#include "identify/select/test_question.h"
 #include "tests/identify/search_record.h"
 
 namespace phs::identify::search {

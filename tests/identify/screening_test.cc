@@ -1,12 +1,12 @@
 // Screening: an effect is tried for the shape of what it does, however far off its starts are.
-#include "identify/screening.h"
+#include "identify/select/screening.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "identify/near_fit.h"
-#include "identify/points.h"
+#include "identify/fit/near_fit.h"
+#include "identify/select/points.h"
 #include "phs_model/phs_model.h"
 
 namespace phs::identify::search {

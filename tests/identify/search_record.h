@@ -9,8 +9,8 @@
 #include <memory>
 #include <random>
 
-#include "identify/effect_search.h"
-#include "identify/rig_forward.h"
+#include "identify/models/rig_forward.h"
+#include "identify/select/effect_search.h"
 #include "phs_model/phs_model.h"
 
 namespace phs::identify::search {

@@ -1,12 +1,12 @@
 // What the uncertainty of a measured speed makes of a model's outputs.
-#include "identify/speed_spread.h"
+#include "identify/models/speed_spread.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
-#include "identify/rig_forward.h"
+#include "identify/models/rig_forward.h"
 #include "rigs/rig_model.h"
 #include "tests/identify/search_record.h"
 

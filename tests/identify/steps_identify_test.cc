@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "identify/steps_run.h"
-#include "identify/steps_search.h"
+#include "identify/run/steps_run.h"
+#include "identify/run/steps_search.h"
 #include "phs_model/phs_model.h"
 #include "phs_places.h"
 #include "tests/base/scratch_dir.h"

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "identify/result_json.h"
+#include "identify/result/result_json.h"
 
 namespace phs::identify::search {
 namespace {

@@ -1,8 +1,8 @@
 // Two effects that a user suspects: how large they may be, and the test that tells them apart.
-#include "identify/test_question.h"
+#include "identify/select/test_question.h"
 
-#include "identify/near_fit.h"
-#include "identify/next_test.h"
+#include "identify/fit/near_fit.h"
+#include "identify/next_test/next_test.h"
 #include "tests/identify/search_record.h"
 
 namespace phs::identify::search {

@@ -1,5 +1,5 @@
 // Loops inside loops share their threads: all work done once, never more threads than allowed.
-#include "identify/thread_budget.h"
+#include "identify/fit/thread_budget.h"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>

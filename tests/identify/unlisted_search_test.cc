@@ -6,9 +6,9 @@
 #include <chrono>
 #include <set>
 
-#include "identify/driven_run.h"
-#include "identify/next_test.h"
-#include "identify/result_json.h"
+#include "identify/next_test/next_test.h"
+#include "identify/result/result_json.h"
+#include "identify/run/driven_run.h"
 #include "phs_model/phs_model.h"
 #include "tests/identify/search_record.h"
 

@@ -1,10 +1,10 @@
 // One word for an identification, and why.
-#include "identify/verdict.h"
+#include "identify/select/verdict.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "identify/result_json.h"
+#include "identify/result/result_json.h"
 
 namespace phs::identify {
 namespace {

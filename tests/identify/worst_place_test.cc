@@ -1,5 +1,5 @@
 // On the full rig: in which of four cylinders something is tried alone, and whether it is found there.
-#include "identify/worst_place.h"
+#include "identify/select/worst_place.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <set>
 #include <string>
 
-#include "identify/near_fit.h"
-#include "identify/screening.h"
+#include "identify/fit/near_fit.h"
+#include "identify/select/screening.h"
 #include "tests/identify/search_record.h"
 
 namespace phs::identify::search {

@@ -19,8 +19,8 @@ def read_parts(root):
     for folder in sorted([*(root / "src").iterdir(), root / "plugin"]):
         if not folder.is_dir():
             continue
-        for file in sorted(folder.glob("*.h")) + sorted(folder.glob("*.cc")):
-            part = f"{folder.name}/{file.stem}".removesuffix("_impl")
+        for file in sorted(folder.rglob("*.h")) + sorted(folder.rglob("*.cc")):
+            part = f"{folder.name}/{file.relative_to(folder).with_suffix('')}".removesuffix("_impl")
             of_part = includes.setdefault(part, set())
             for name in re.findall(r'#include "([^"]+)\.h"', file.read_text()):
                 name = name.removesuffix("_impl")

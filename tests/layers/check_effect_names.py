@@ -10,7 +10,7 @@ import sys
 import tempfile
 
 # The formula that stands for what no list has: one place asks whether it went.
-KNOWN = {("src/identify/effect_search.cc", "unlisted")}
+KNOWN = {("src/identify/select/effect_search.cc", "unlisted")}
 
 
 def effect_names(root):
@@ -40,7 +40,7 @@ def complaints(root):
     word = re.compile(r"\b(" + "|".join(sorted(names)) + r")\b")
     out = []
     for folder in ("src/identify", "src/measurement"):
-        for file in sorted((root / folder).glob("*.[ch]*")):
+        for file in sorted((root / folder).rglob("*.[ch]*")):
             where = str(file.relative_to(root))
             text = re.sub(r"^#include.*$", "", file.read_text(), flags=re.MULTILINE)
             for line, string in strings(text):
@@ -55,13 +55,13 @@ def try_it():
         root = pathlib.Path(folder)
         for path, text in {
             "src/effects/play.cc": 'static const EffectInfo info = {\n "play", "mounting"};',
-            "src/identify/a.cc": '#include "effects/play.h"\n// "play"\nif (name == "play") x();',
+            "src/identify/select/a.cc": '#include "effects/play.h"\n// "play"\nif (name == "play") x();',
             "src/measurement/b.h": 'Find("effects.play.gap_m"); Find("display");',
         }.items():
             (root / path).parent.mkdir(parents=True, exist_ok=True)
             (root / path).write_text(text)
         found = complaints(root)
-    assert [c.split(": ")[0] for c in found] == ["src/identify/a.cc:3", "src/measurement/b.h:1"], found
+    assert [c.split(": ")[0] for c in found] == ["src/identify/select/a.cc:3", "src/measurement/b.h:1"], found
 
 
 if __name__ == "__main__":

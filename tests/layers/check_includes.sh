@@ -47,6 +47,34 @@ for folder in "${!allowed[@]}"; do
   done < <(grep -rnE "#include \"($own)/" --include='*.cc' --include='*.h' "$folder" || true)
 done
 
+# The rooms of a folder that has some, and whom of them each may include.
+declare -A rooms=(
+  [src/identify/fit]="fit"
+  [src/identify/discrepancy]="fit discrepancy"
+  [src/identify/models]="fit discrepancy models"
+  [src/identify/select]="fit discrepancy select"
+  [src/identify/result]="fit discrepancy models select result"
+  [src/identify/next_test]="fit discrepancy models select result next_test"
+  [src/identify/run]="fit discrepancy models select result next_test run"
+)
+for room in src/*/*/; do
+  room="${room%/}"
+  [ -d "$room" ] || continue
+  [ -n "$(find "$room" -maxdepth 1 \( -name '*.cc' -o -name '*.h' \) -print -quit)" ] || continue
+  [ -n "${rooms[$room]:-}" ] || complain "$room: no rule says what it may include"
+done
+for room in "${!rooms[@]}"; do
+  [ -d "$room" ] || continue
+  folder="${room#src/}"
+  folder="${folder%/*}"
+  while IFS=: read -r file line text; do
+    target="${text#*\"$folder/}"
+    target="${target%%/*}"
+    [[ " ${rooms[$room]} " == *" $target "* ]] ||
+      complain "$file:$line: $room may not include $folder/$target/ (allowed: ${rooms[$room]})"
+  done < <(grep -rnE "#include \"$folder/" --include='*.cc' --include='*.h' "$room" || true)
+done
+
 # Within the sources a file is named by its folder, never by a path that climbs.
 while IFS=: read -r file line _; do
   complain "$file:$line: an include climbs with '..'"

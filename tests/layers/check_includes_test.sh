@@ -43,6 +43,19 @@ expect FAULT "more than one file sees urdfdom"
 rm "$tree/src/vehicle/c.cc"
 mkdir "$tree/src/misc"
 expect FAULT "src/misc: no rule says what it may include"
+rmdir "$tree/src/misc"
+
+# Rooms of a folder.
+mkdir -p "$tree/src/identify/fit" "$tree/src/identify/select"
+echo '#include "identify/fit/likelihood.h"' >"$tree/src/identify/select/a.h"
+expect OK ""
+echo '#include "identify/select/a.h"' >"$tree/src/identify/fit/wrong.cc"
+expect FAULT "src/identify/fit/wrong.cc:1: src/identify/fit may not include identify/select/"
+rm "$tree/src/identify/fit/wrong.cc"
+mkdir "$tree/src/identify/misc"
+echo '#include "base/result.h"' >"$tree/src/identify/misc/a.h"
+expect FAULT "src/identify/misc: no rule says what it may include"
+rm -r "$tree/src/identify/misc"
 
 # Two parts of a folder that include each other.
 chains="$(dirname "$check")/check_chains.py"
@@ -51,3 +64,8 @@ echo '#include "rail/two.h"' >"$tree/src/rail/one.h"
 echo '#include "rail/one.h"' >"$tree/src/rail/two.cc"
 if found="$("$chains" "$tree")"; then echo "check_chains: circle not found"; exit 1; fi
 grep -qF "rail/one, rail/two" <<<"$found" || { echo "check_chains: got $found"; exit 1; }
+rm "$tree/src/rail/one.h" "$tree/src/rail/two.cc"
+echo '#include "identify/select/a.h"' >"$tree/src/identify/fit/one.h"
+echo '#include "identify/fit/one.h"' >"$tree/src/identify/select/a.h"
+if found="$("$chains" "$tree")"; then echo "check_chains: circle of two rooms not found"; exit 1; fi
+grep -qF "identify/fit/one, identify/select/a" <<<"$found" || { echo "check_chains: got $found"; exit 1; }

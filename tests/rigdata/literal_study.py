@@ -25,7 +25,7 @@ from rule_study import tasks, try_one
 
 ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../..")
 FIELDS = ("literal", "factor", "suite", "set", "accepted", "verdict")
-FOLDERS = ("src/identify/*", "src/measurement/*", "src/effects/*", "src/vehicle/running_effects.cc")
+FOLDERS = ("src/identify/*/*", "src/measurement/*", "src/effects/*", "src/vehicle/running_effects.cc")
 NUMBER = re.compile(r"(?<![\w.])(\d+\.?\d*(?:[eE][+-]?\d+)?)(?![\w.])")
 SHARE = 0.05  # of the records
 BASE = ("as it is", "1")

@@ -77,23 +77,23 @@ class Suites(unittest.TestCase):
 
     def test_scores_count_what_was_named(self):
         text = printed("pool_scores.py", "made=" + self.folder.name)
-        self.assertIn("| right effect first, single effects | 2 of 2 ", text)
-        self.assertIn("| false alarms, clean sets | 1 of 2 ", text)
-        self.assertIn("| pairs found completely | 0 of 1 ", text)
+        self.assertIn("| right effect first | 2 of 2 ", text)
+        self.assertIn("| false alarms | 1 of 2 ", text)
+        self.assertIn("| pairs complete | 0 of 1 ", text)
 
 
 class Literals(unittest.TestCase):
     def test_numbers_of_the_code_and_of_the_rows_are_found_and_nothing_else(self):
         with tempfile.TemporaryDirectory() as root:
-            for folder in ("identify", "measurement", "effects", "vehicle"):
+            for folder in ("identify/fit", "measurement", "effects", "vehicle"):
                 os.makedirs(os.path.join(root, "src", folder))
-            with open(os.path.join(root, "src/identify/a.cc"), "w") as out:
+            with open(os.path.join(root, "src/identify/fit/a.cc"), "w") as out:
                 out.write('#include "b2.h"\ndouble x = 2.5e-3 * y1 + 0 + 1;  // 7 parts\nSay("9 of 10", 3);\n')
             with open(os.path.join(root, "src/effects/a.cc"), "w") as out:
                 out.write("double Law() { return 4; }\n  static const EffectInfo info = {\n  5,\n  };\nint z = 6;\n")
             found = list(literal_study.literals(root))
         self.assertEqual([literal[3] for literal in found], ["2.5e-3", "3", "5"])
-        self.assertEqual(literal_study.name_of(found[0]), "src/identify/a.cc:2:12 2.5e-3")
+        self.assertEqual(literal_study.name_of(found[0]), "src/identify/fit/a.cc:2:12 2.5e-3")
 
     def test_a_moved_literal_stays_of_its_kind(self):
         self.assertEqual([literal_study.moved("3", 2), literal_study.moved("3", 0.5), literal_study.moved("2", 0.25),

@@ -1,0 +1,158 @@
+#include "identify/result/motion_share.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "identify/fit/acceptance.h"
+#include "identify/fit/octave_bands.h"
+#include "identify/select/verdict.h"
+#include "measurement/series.h"
+
+namespace phs::identify {
+namespace {
+
+constexpr int kLeastRows = 64;
+constexpr int kLeastCoefficients = 32;
+constexpr int kPerFunction = 4;  // coefficients of an octave for each function that takes part
+
+Eigen::VectorXd Standardised(Eigen::VectorXd u) {
+  u.array() -= u.mean();
+  const double deviation = std::sqrt(u.squaredNorm() / static_cast<double>(u.size()));
+  if (deviation > 0) u /= deviation;
+  return u;
+}
+
+/// Central differences, a row apart.
+Eigen::VectorXd Rate(const Eigen::VectorXd& u) {
+  const Eigen::Index n = u.size();
+  Eigen::VectorXd out(n);
+  out.segment(1, n - 2) = 0.5 * (u.tail(n - 2) - u.head(n - 2));
+  out[0] = u[1] - u[0], out[n - 1] = u[n - 1] - u[n - 2];
+  return out;
+}
+
+/// The functions of one signal, one column each.
+Eigen::MatrixXd Functions(const std::vector<double>& signal) {
+  const Eigen::VectorXd raw =
+      Eigen::Map<const Eigen::VectorXd>(signal.data(), static_cast<Eigen::Index>(signal.size()));
+  const Eigen::ArrayXd u = Standardised(raw).array();
+  Eigen::ArrayXd rate = Rate(u.matrix()).array();
+  const double rms = std::sqrt(rate.square().mean());
+  if (rms > 0) rate /= rms;
+  const Eigen::ArrayXd way = rate / (rate.abs() + 0.1);
+  Eigen::MatrixXd out(u.size(), 8);
+  out << u.matrix(), u.square().matrix(), u.cube().matrix(), rate.matrix(), rate.abs().matrix(),
+      (rate * rate.abs()).matrix(), way.matrix(), (way * u).matrix();
+  for (Eigen::Index k = 0; k < out.cols(); ++k) out.col(k) = Standardised(out.col(k));
+  return out;
+}
+
+/// Sum of squares of `y` that the columns explain beyond chance; `left` per coefficient.
+double Explained(const Eigen::VectorXd& y, const Eigen::MatrixXd& columns, double* left) {
+  const Eigen::Index n = y.size(), most = std::min(columns.cols(), n / kPerFunction);
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> own(columns.transpose() * columns);
+  const double largest = own.eigenvalues().tail<1>()[0];
+  double taken = 0;
+  Eigen::Index count = 0;
+  for (Eigen::Index k = columns.cols() - 1; k >= 0 && count < most; --k) {
+    const double square = own.eigenvalues()[k];
+    if (!(square > 1e-12 * largest)) break;
+    const Eigen::VectorXd direction = columns * own.eigenvectors().col(k) / std::sqrt(square);
+    taken += std::pow(direction.dot(y), 2), ++count;
+  }
+  *left = std::max(0.0, y.squaredNorm() - taken) / static_cast<double>(n - count);
+  return taken - *left * static_cast<double>(count);
+}
+
+bool IsLoudInBursts(const std::vector<double>& residual) {
+  constexpr double kLeastIndependent = 40;
+  std::vector<double> present;
+  for (const double r : residual) {
+    if (std::isfinite(r)) present.push_back(r);
+  }
+  const auto count = static_cast<double>(present.size());
+  return measurement::ComesInBursts(present) &&
+         count > kLeastIndependent * measurement::CorrelationTime(present);
+}
+
+}  // namespace
+
+double MeanSquareThatFollows(const std::vector<double>& residual,
+                             const std::vector<std::vector<double>>& signals) {
+  const auto rows = static_cast<int>(residual.size());
+  Eigen::VectorXd r(rows);
+  int present = 0;
+  for (int i = 0; i < rows; ++i) {
+    const double value = residual[static_cast<size_t>(i)];
+    r[i] = std::isfinite(value) ? value : 0;
+    present += std::isfinite(value) ? 1 : 0;
+  }
+  if (present == 0) return 0;
+  const double all = r.squaredNorm() / present;
+  if (rows < kLeastRows || signals.empty()) return all;
+  Eigen::MatrixXd columns(rows, 0);
+  for (const std::vector<double>& signal : signals) {
+    if (signal.size() != residual.size()) return all;
+    const Eigen::MatrixXd more = Functions(signal);
+    columns.conservativeResize(Eigen::NoChange, columns.cols() + more.cols());
+    columns.rightCols(more.cols()) = more;
+  }
+  if (!columns.allFinite()) return all;
+  const OctaveBands bands(rows);
+  const Eigen::VectorXd y = bands.Transform(r);
+  Eigen::MatrixXd turned(bands.size(), columns.cols());
+  for (Eigen::Index k = 0; k < columns.cols(); ++k) turned.col(k) = bands.Transform(columns.col(k));
+  double sum = 0, left = 1;
+  for (int b = 0; b < bands.num_bands(); ++b) {
+    const int count = bands.end(b) - bands.begin(b);
+    const Eigen::VectorXd own = y.segment(bands.begin(b), count);
+    sum += count < kLeastCoefficients
+               ? std::max(0.0, own.squaredNorm() - count * std::max(1.0, left))
+               : Explained(own, turned.middleRows(bands.begin(b), count), &left);
+  }
+  return std::max(0.0, sum / present);
+}
+
+bool IsQuietAtRest(const std::vector<double>& residual, const std::vector<char>& still) {
+  struct Sum {
+    double square = 0, count = 0;
+    double Beyond() const { return square / std::max(count, 1.0) - 1; }
+  };
+  std::vector<Sum> rests;
+  Sum moving;
+  for (size_t i = 0; i < residual.size(); ++i) {
+    if (still[i] && (i == 0 || !still[i - 1])) rests.emplace_back();
+    if (!std::isfinite(residual[i])) continue;
+    Sum& sum = still[i] ? rests.back() : moving;
+    sum.square += residual[i] * residual[i], ++sum.count;
+  }
+  std::erase_if(rests, [](const Sum& rest) { return rest.count < kLeastRows; });
+  if (rests.size() < 2 || !(moving.Beyond() > 0)) return false;
+  double loudest = kAsLargeAsNoise;
+  for (const Sum& rest : rests) loudest = std::max(loudest, rest.Beyond());
+  return std::pow(loudest / moving.Beyond(), rests.size()) < Acceptance{}.false_alarms;
+}
+
+bool ComesAndGoes(const std::vector<double>& residual) {
+  constexpr size_t kParts = 8, kQuiet = 2, kWays = 28;  // to choose two of eight
+  const size_t n = residual.size();
+  if (n < kLeastRows) return false;
+  if (IsLoudInBursts(residual)) return true;
+  std::vector<double> beyond;
+  for (size_t part = 0; part < kParts; ++part) {
+    double square = 0, count = 0;
+    for (size_t i = part * n / kParts; i < (part + 1) * n / kParts; ++i) {
+      if (std::isfinite(residual[i])) square += residual[i] * residual[i], ++count;
+    }
+    if (!(count > 0)) return false;
+    beyond.push_back(square / count - 1);
+  }
+  const double mean = std::accumulate(beyond.begin(), beyond.end(), 0.0) / kParts;
+  std::sort(beyond.begin(), beyond.end());
+  const double quiet = std::max(beyond[kQuiet - 1], kAsLargeAsNoise);
+  return mean > 0 && kWays * std::pow(quiet / mean, 2) < Acceptance{}.false_alarms;
+}
+
+}  // namespace phs::identify

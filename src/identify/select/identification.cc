@@ -1,0 +1,74 @@
+#include "identify/select/identification.h"
+
+#include <algorithm>
+
+#include "base/words.h"
+#include "effects/unlisted.h"
+#include "identify/fit/accept.h"
+
+namespace phs::identify::search {
+
+std::vector<double> ValuesWithout(const Identification& found, size_t dropped, FreeModel* model) {
+  *model = found.declared;
+  const std::vector<double>& all = found.after.values;
+  size_t at = model->free.size();
+  std::vector<double> values(all.begin(), all.begin() + static_cast<long>(at));
+  for (size_t i = 0; i < found.effects.size(); ++i) {
+    const Candidate& c = found.effects[i].candidate;
+    if (i != dropped) {
+      *model = WithCandidate(*model, c);
+      for (size_t k = 0; k < c.free.size(); ++k) values.push_back(all[at + k]);
+    }
+    at += c.free.size();
+  }
+  return values;
+}
+
+bool IsToldInTheEnd(const Identification& found, size_t effect) {
+  const Candidate& candidate = found.effects[effect].candidate;
+  if (candidate.effect == effects::UnlistedInfo().name) return true;
+  size_t base = found.declared.free.size();
+  for (size_t i = 0; i < effect; ++i) base += found.effects[i].candidate.free.size();
+  return IsThere(candidate, found.after, base);
+}
+
+namespace {
+
+void TakeOut(size_t number, FreeModel* model, FitResult* fit) {
+  const auto at = static_cast<long>(number);
+  model->free.erase(model->free.begin() + at);
+  fit->values.erase(fit->values.begin() + at);
+  if (fit->half_95.size() > number) fit->half_95.erase(fit->half_95.begin() + at);
+  const Eigen::Index behind = fit->slopes.cols() - at - 1;
+  if (behind < 0) return;
+  fit->slopes.middleCols(at, behind) = fit->slopes.rightCols(behind).eval();
+  fit->slopes.conservativeResize(Eigen::NoChange, fit->slopes.cols() - 1);
+}
+
+}  // namespace
+
+bool TakeOutEdges(Identification* found) {
+  const size_t before = found->after.values.size();
+  size_t base = found->declared.free.size();
+  for (AcceptedEffect& effect : found->effects) {
+    Candidate& form = effect.candidate;
+    const bool listed = form.effect != effects::UnlistedInfo().name;
+    for (size_t k = form.free.size(); listed && k-- > form.none.size();) {
+      if (!IsAtEnd(form.free[k], found->after.values[base + k])) continue;
+      form.free.erase(form.free.begin() + static_cast<long>(k));
+      TakeOut(base + k, &found->corrected, &found->after);
+    }
+    base += form.free.size();
+  }
+  return found->after.values.size() < before;
+}
+
+std::string NameBesideRivals(const AcceptedEffect& effect) {
+  const std::string& name = effect.candidate.effect;
+  const bool elsewhere =
+      std::any_of(effect.confusable_with.begin(), effect.confusable_with.end(),
+                  [&](const std::string& rival) { return rival.starts_with(name + " on "); });
+  return elsewhere ? name + " on " + JoinWords(effect.candidate.params.targets) : name;
+}
+
+}  // namespace phs::identify::search
