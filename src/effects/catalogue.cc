@@ -18,6 +18,7 @@
 #include "effects/load_flexibility.h"
 #include "effects/mount_compliance.h"
 #include "effects/moving_mass.h"
+#include "effects/oil_stiffening.h"
 #include "effects/own_law.h"
 #include "effects/piston_leakage.h"
 #include "effects/position_friction.h"
@@ -25,6 +26,7 @@
 #include "effects/pressure_area.h"
 #include "effects/pressure_friction.h"
 #include "effects/seal_friction.h"
+#include "effects/seal_shuttle.h"
 #include "effects/sensor_creep.h"
 #include "effects/sensor_delay.h"
 #include "effects/sensor_drift.h"
@@ -50,7 +52,7 @@ class Table final : public hydraulics::EffectTable {
                  PistonLeakageInfo(), ExternalLeakageInfo(), LineResistanceInfo(),
                  LineInertanceInfo(), CheckRestrictionInfo(), ThrottleInfo(), EntrainedAirInfo(),
                  HoseExpansionInfo(), GasVolumeInfo(), GasThermalInfo(), AccumulatorPrechargeInfo(),
-                 DiaphragmStopInfo(), CavitationInfo(),
+                 DiaphragmStopInfo(), CavitationInfo(), OilStiffeningInfo(), SealShuttleInfo(),
                  // friction
                  SealFrictionInfo(), StribeckInfo(), PreslidingInfo(), PressureFrictionInfo(),
                  PositionFrictionInfo(), DwellFrictionInfo(), ViscousFrictionInfo(),

@@ -196,6 +196,7 @@ double CalcPathEnergy(const CompiledPhs& sys, const double* state) {
       const FlowLag lag = path.law->Lag({}, k);
       energy += 0.5 * lag.resistance / lag.rate * std::pow(state[path.lag + k], 2);
     }
+    energy += path.law->Stored(state[path.volume]);
     if (path.to == kOpen) energy += kAtmosphere * state[path.volume];
     if (path.from == kOpen) energy -= kAtmosphere * state[path.volume];
   }
@@ -204,12 +205,13 @@ double CalcPathEnergy(const CompiledPhs& sys, const double* state) {
 
 double CalcHydraulicLoss(const CompiledPhs& sys, double time, const Instant& at,
                          const double* state) {
-  const FlowPlace place = sys.WhereItFlows(time, at);
+  FlowPlace place = sys.WhereItFlows(time, at);
   double lost = 0, slope;
   for (const Path& path : sys.paths) {
     const double dp = sys.Pressure(at, path.from) - sys.Pressure(at, path.to);
+    const double passed = place.passed = state[path.volume];
     lost += path.flow >= 0 ? path.law->Drop(place, state[path.flow], &slope) * state[path.flow]
-                           : path.law->Flow(place, dp, &slope) * dp;
+                           : path.law->Flow(place, dp, &slope) * (dp - path.law->Held(passed));
     for (int k = 0; k < path.num_lags; ++k) {
       const double behind = state[path.flow] - state[path.lag + k];
       lost += path.law->Lag(place, k).resistance * behind * behind;

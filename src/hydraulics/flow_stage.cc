@@ -90,8 +90,8 @@ struct PathGain {
   double own = 1, gain = 0;
 };
 
-PathGain CalcGain(const Path& path, double inertance, double a, double slope) {
-  if (path.flow < 0) return {1, a * slope};
+PathGain CalcGain(const Path& path, double inertance, double a, double slope, double back) {
+  if (path.flow < 0) return {1 + a * back, a * slope};
   const double light = a / inertance;
   return {1 + light * slope, a * light};
 }
@@ -101,7 +101,8 @@ PathMatrix CalcPathMatrix(const CompiledPhs& sys, const PathInertances& inertanc
   const size_t n = sys.paths.size();
   PathMatrix M(n);
   for (size_t k = 0; k < n; ++k) {
-    const PathGain g = CalcGain(sys.paths[k], inertances.value[k], a, slopes.law[k]);
+    const PathGain g =
+        CalcGain(sys.paths[k], inertances.value[k], a, slopes.law[k], slopes.back[k]);
     for (size_t l = 0; l < n; ++l) M(k, l) = (k == l ? g.own : 0) - g.gain * slopes.drop[k][l];
   }
   return M;
@@ -152,9 +153,11 @@ PathInertances OwnInertances(const CompiledPhs& sys) {
 void CalcPathRates(const CompiledPhs& sys, const PathInertances& inertances, double time,
                    const Instant& at, double a, const double* state, const double* flows,
                    double* rate, PathSlopes* slopes) {
-  const FlowPlace place = sys.WhereItFlows(time, at);
+  FlowPlace place = sys.WhereItFlows(time, at);
   for (size_t k = 0; k < sys.paths.size(); ++k) {
     const Path& path = sys.paths[k];
+    place.passed = state[path.volume];
+    slopes->back[k] = 0;
     const double dp = sys.Pressure(at, path.from) - sys.Pressure(at, path.to);
     double* slope = &slopes->law[k];
     if (path.flow >= 0) {
@@ -172,6 +175,7 @@ void CalcPathRates(const CompiledPhs& sys, const PathInertances& inertances, dou
     } else {
       rate[path.volume] =
           CalcFlow(*path.law, place, dp, flows != nullptr ? &flows[path.volume] : nullptr, slope);
+      slopes->back[k] = path.law->Return(place, dp);
     }
   }
 }
@@ -264,7 +268,8 @@ double CalcStageStiffness(const CompiledPhs& sys, const PathInertances& inertanc
     const Path& path = sys.paths[k];
     const double from = path.from == kOpen ? 0 : rise[path.from];
     const double to = path.to == kOpen ? 0 : rise[path.to];
-    passed[k] = CalcGain(path, inertances.value[k], a, slopes.law[k]).gain * (from - to);
+    passed[k] =
+        (from - to) * CalcGain(path, inertances.value[k], a, slopes.law[k], slopes.back[k]).gain;
   }
   CalcPathMatrix(sys, inertances, a, slopes).Solve(passed);
   for (size_t k = 0; k < sys.paths.size(); ++k) {

@@ -22,6 +22,7 @@ struct PathSlopes {
   /// Slope of each law, over the pressure drop or, of a path with inertance, of the drop over the
   /// flow.
   double law[kMaxPaths];
+  double back[kMaxPaths];             ///< FlowLaw::Return
   double drop[kMaxPaths][kMaxPaths];  ///< d(p_from - p_to of k)/d(volume passed by l)
   double heat[kMaxNodes];             ///< what the heat of compression adds to dD/dp of the nodes
 };

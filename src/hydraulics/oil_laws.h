@@ -37,6 +37,7 @@ struct FlowPlace {
   double warmer = 0;  ///< temperature above the model's [K]
   /// Dynamic viscosity over that at the model's static temperature (oil.h): 1 while it stays there.
   double viscosity = 1;
+  double passed = 0;  ///< volume that has gone through so far [m3]
 };
 
 /// One lag of the oil behind the flow q of its pipe: dq_k/dt = rate (q - q_k), which holds the flow
@@ -46,7 +47,8 @@ struct FlowLag {
   double resistance = 0;  ///< [Pa s/m3] >= 0
 };
 
-/// Flow through an opening or pipe: rises with the pressure difference, Flow(0) = 0 (passive).
+/// Flow through an opening or pipe: rises with the pressure difference, Flow(0) = 0 (passive). Or
+/// what a part lets pass that gives way between two chambers: it falls with the volume that went.
 class FlowLaw {
  public:
   virtual ~FlowLaw() = default;
@@ -65,6 +67,11 @@ class FlowLaw {
   /// zero), so that a step is solved for the flow: Newton on dp = Drop(q) does not circle about
   /// zero.
   virtual bool SolvedByDrop() const noexcept { return false; }
+  /// By how much the flow falls with the volume that has gone through, -dq/d(passed) [1/s] >= 0.
+  virtual double Return(const FlowPlace& /*at*/, double /*dp*/) const noexcept { return 0; }
+  /// Energy held by what gave way [J], and its derivative over `passed` [Pa].
+  virtual double Stored(double /*passed*/) const noexcept { return 0; }
+  virtual double Held(double /*passed*/) const noexcept { return 0; }
 };
 
 /// Warmth of surroundings and oil above the static temperature; several add up.

@@ -254,6 +254,65 @@ TEST(DiaphragmStop, LeavesOnlyTheOilAtTheStop) {
   EXPECT_NEAR(k / (l.bulk_modulus_Pa / l.oil_volume_m3), 1, 1e-3);
 }
 
+// V_oil/K' ln(1 + K' (p - p0)/beta).
+TEST(OilStiffening, TakesUpWhatItsLogarithmSays) {
+  PhsParams params = Frictionless();
+  for (auto& l : params.lines) l.gas_volume_m3 = 0;
+  const auto& l = params.lines[1];
+  const double slope = 25, x = -1e-3;
+  const PhsSystem s = Compile(With(params, "oil_stiffening", {{"slope", slope}}));
+  const double pressed = -x * params.cylinders[0].BoreArea();
+  const double rise = l.bulk_modulus_Pa / slope * std::expm1(slope * pressed / l.oil_volume_m3);
+  EXPECT_NEAR((Hold(s, x, 0).p_bore - l.static_pressure_Pa) / rise, 1, 1e-5);
+  EXPECT_GT(rise, 1.05 * l.bulk_modulus_Pa * pressed / l.oil_volume_m3);
+}
+
+TEST(OilStiffening, LeavesTheOilSomeStiffnessAtZeroPressure) {
+  PhsParams params = Frictionless();
+  for (auto& l : params.lines) l.bulk_modulus_Pa = 1e8;
+  const auto refused =
+      PhsSystem::Create(With(params, "oil_stiffening", {{"slope", 60}}), Catalogue());
+  ASSERT_FALSE(refused.ok());
+  EXPECT_NE(refused.error().Line().find("L1"), std::string::npos) << refused.error().Line();
+}
+
+// Without gas a line holds V_oil (p - p0)/beta, from which the volume that the ring carried follows.
+double CarriedToRod(const PhsParams& params, const Held& at, double x) {
+  const auto& rod = params.lines[0];
+  return rod.oil_volume_m3 * (at.p_rod - rod.static_pressure_Pa) / rod.bulk_modulus_Pa -
+         params.cylinders[0].RodArea() * x;
+}
+
+TEST(SealShuttle, CarriesWhatItsGrooveHolds) {
+  PhsParams params = Frictionless();
+  for (auto& l : params.lines) l.gas_volume_m3 = 0;
+  const double V = 4e-7, P = 1.5e6,
+               at_rest = params.lines[1].static_pressure_Pa - params.lines[0].static_pressure_Pa;
+  const PhsSystem s = Compile(With(params, "seal_shuttle", {{"volume_m3", V}, {"width_Pa", P}}));
+  for (const double x : {-2e-4, -5e-5, 5e-5, 1e-4}) {
+    const auto held = Hold(s, x, 1);
+    const double d = held.p_bore - held.p_rod;
+    const double carried = V / 2 * (std::tanh(d / P) - std::tanh(at_rest / P));
+    EXPECT_NEAR(CarriedToRod(params, held, x) / carried, 1, 1e-3) << x;
+  }
+}
+
+// With friction P_h it stands still until d is P_h beyond, then where d - P_h would have it.
+TEST(SealShuttle, ComesLooseAtItsFriction) {
+  PhsParams params = Frictionless();
+  for (auto& l : params.lines) l.gas_volume_m3 = 0;
+  const double V = 4e-7, P = 1.5e6, P_h = 8e5,
+               at_rest = params.lines[1].static_pressure_Pa - params.lines[0].static_pressure_Pa;
+  const PhsSystem s = Compile(
+      With(params, "seal_shuttle", {{"volume_m3", V}, {"width_Pa", P}, {"friction_Pa", P_h}}));
+  const double small = -2e-5, large = -2e-4;  // d moves by 0.4 and 4 MPa
+  EXPECT_NEAR(CarriedToRod(params, Hold(s, small, 1), small), 0, 1e-13);
+  const auto held = Hold(s, large, 1);
+  const double carried =
+      V / 2 * (std::tanh((held.p_bore - held.p_rod - P_h) / P) - std::tanh(at_rest / P));
+  EXPECT_NEAR(CarriedToRod(params, held, large) / carried, 1, 1e-3);
+}
+
 TEST(Cavitation, HoldsThePulledLineNearTheReleasePressure) {
   PhsParams params = Frictionless();
   for (auto& l : params.lines) l.gas_volume_m3 = 0;
