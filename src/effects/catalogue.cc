@@ -25,6 +25,7 @@
 #include "effects/presliding.h"
 #include "effects/pressure_area.h"
 #include "effects/pressure_friction.h"
+#include "effects/reservoir_drag.h"
 #include "effects/seal_friction.h"
 #include "effects/seal_shuttle.h"
 #include "effects/sensor_creep.h"
@@ -53,6 +54,7 @@ class Table final : public hydraulics::EffectTable {
                  LineInertanceInfo(), CheckRestrictionInfo(), ThrottleInfo(), EntrainedAirInfo(),
                  HoseExpansionInfo(), GasVolumeInfo(), GasThermalInfo(), AccumulatorPrechargeInfo(),
                  DiaphragmStopInfo(), CavitationInfo(), OilStiffeningInfo(), SealShuttleInfo(),
+                 ReservoirDragInfo(),
                  // friction
                  SealFrictionInfo(), StribeckInfo(), PreslidingInfo(), PressureFrictionInfo(),
                  PositionFrictionInfo(), DwellFrictionInfo(), ViscousFrictionInfo(),

@@ -41,7 +41,9 @@ struct Path {
   std::unique_ptr<FlowLaw> law;
   int volume = -1, flow = -1;  ///< state indices; flow only with an inertance
   int lag = -1, num_lags = 0;  ///< state index of the first lag of the flow, and how many
-  bool splits = false;         ///< `from` is a chamber, `to` the rest of its own line
+  /// The end that is a part of the other end's line: a chamber (from) or a reservoir (to); -1: none.
+  int part = -1;
+  int whole() const { return part == from ? to : from; }
 };
 
 struct CompiledPhs {

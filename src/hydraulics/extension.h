@@ -46,6 +46,9 @@ class Extension {
   /// line's oil volume moves to the chamber side (0.02 … 0.98).
   virtual void SplitChamber(Port chamber, int cylinder, double share, const std::string& name,
                             std::unique_ptr<FlowLaw> law) = 0;
+  /// Puts `law` between a line and the gas of its reservoir, from the line on; the blow-off stays at
+  /// the line. Without a reservoir nothing happens.
+  virtual void SplitReservoir(int line, const std::string& name, std::unique_ptr<FlowLaw> law) = 0;
   virtual void AddLevel(int cylinder, std::unique_ptr<const LevelLaw> law) = 0;
   /// Beside friction, on the piston.
   virtual void AddForce(int cylinder, std::unique_ptr<const ForceLaw> law) = 0;

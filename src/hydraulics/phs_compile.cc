@@ -25,6 +25,11 @@ struct PendingSplit {
   std::string name;
   std::unique_ptr<FlowLaw> law;
 };
+struct PendingReservoir {
+  int line;
+  std::string name;
+  std::unique_ptr<FlowLaw> law;
+};
 
 class Builder final : public Extension {
  public:
@@ -48,6 +53,9 @@ class Builder final : public Extension {
   void SplitChamber(Port chamber, int cylinder, double share, const std::string& name,
                     std::unique_ptr<FlowLaw> law) override {
     splits_.push_back({chamber, cylinder, share, name, std::move(law)});
+  }
+  void SplitReservoir(int line, const std::string& name, std::unique_ptr<FlowLaw> law) override {
+    reservoirs_.push_back({line, name, std::move(law)});
   }
   void AddLevel(int cylinder, std::unique_ptr<const LevelLaw> law) override {
     friction_[cylinder].levels.push_back(std::move(law));
@@ -78,6 +86,9 @@ class Builder final : public Extension {
   void CompileNodes(CompiledPhs* sys);
   void CompileCylinders(CompiledPhs* sys);
   void CompileSplits(CompiledPhs* sys);
+  void CompileReservoirs(CompiledPhs* sys);
+  /// A part of a line that is to be behind a law: `share` of the line's oil. -1: there are too many.
+  int SplitOff(int line, double share, const std::string& effect, CompiledPhs* sys);
   void CompileFlows(CompiledPhs* sys);
   void CompileStates(CompiledPhs* sys);
   int PortNode(const CompiledPhs& sys, Port port, int cylinder, int line) const;
@@ -87,6 +98,8 @@ class Builder final : public Extension {
   std::vector<std::pair<int, std::unique_ptr<VolumeLaw>>> volumes_;
   std::vector<PendingFlow> flows_;
   std::vector<PendingSplit> splits_;
+  std::vector<PendingReservoir> reservoirs_;
+  std::vector<int> line_of_;  ///< of every node
   std::vector<FrictionLaws> friction_;
   std::vector<MountLaws> mounts_;
   std::vector<std::array<ReadingLaws, kSensors>> readings_;
@@ -106,6 +119,7 @@ void Builder::CompileNodes(CompiledPhs* sys) {
                       "unified with these effects", "remove the spread or set balance: unified"};
     }
     sys->nodes.push_back(std::move(node));
+    line_of_.push_back(static_cast<int>(line_of_.size()));
   }
   for (auto& [line, law] : volumes_) {
     sys->nodes[line].laws.push_back({law.get(), -1});
@@ -134,6 +148,58 @@ void Builder::CompileCylinders(CompiledPhs* sys) {
   }
 }
 
+int Builder::SplitOff(int line, double share, const std::string& effect, CompiledPhs* sys) {
+  if (static_cast<int>(sys->nodes.size()) >= kMaxNodes) {
+    status_ = Error{"effects." + effect, "too many chambers with a resistance",
+                    "at most " + std::to_string(kMaxNodes) + " pressures", "name fewer targets"};
+    return -1;
+  }
+  Node part;
+  Node& main = sys->nodes[static_cast<size_t>(line)];
+  part.p0 = main.p0;
+  part.bulk_modulus = main.bulk_modulus;
+  part.bulk_slope = main.bulk_slope;
+  part.softening = main.softening;
+  part.expansion = main.expansion;
+  part.temperature = main.temperature;
+  const double oil = share * lines_[static_cast<size_t>(line)].oil_volume_m3;
+  part.oil_volume = oil;
+  part.air = kTraceAir * oil * kAtmosphere;
+  main.oil_volume -= oil;
+  main.air -= part.air;
+  sys->nodes.push_back(std::move(part));
+  line_of_.push_back(line);
+  return static_cast<int>(sys->nodes.size()) - 1;
+}
+
+void Builder::CompileReservoirs(CompiledPhs* sys) {
+  constexpr double kOil = 0.01;  // of the line's, on the reservoir's side
+  for (PendingReservoir& behind : reservoirs_) {
+    const auto apart = std::find_if(sys->paths.begin(), sys->paths.end(), [&](const Path& path) {
+      return path.from == behind.line && path.part == path.to;
+    });
+    if (apart != sys->paths.end()) {
+      apart->law = InSeries(std::move(apart->law), std::move(behind.law));
+      continue;
+    }
+    const auto is_gas = [](const NodeGas& g) { return !g.blow_off; };
+    const auto& all = sys->nodes[static_cast<size_t>(behind.line)].gases;
+    if (std::none_of(all.begin(), all.end(), is_gas)) continue;
+    const int part = SplitOff(behind.line, kOil, behind.name, sys);
+    if (part < 0) return;
+    auto& gases = sys->nodes[static_cast<size_t>(behind.line)].gases;
+    const auto blow_offs = std::stable_partition(gases.begin(), gases.end(), is_gas);
+    sys->nodes[static_cast<size_t>(part)].gases = {gases.begin(), blow_offs};
+    gases.erase(gases.begin(), blow_offs);
+    Path path;
+    path.from = behind.line;
+    path.to = path.part = part;
+    path.law = std::move(behind.law);
+    sys->paths.push_back(std::move(path));
+    path_names_.push_back(sys->line_names[static_cast<size_t>(behind.line)] + "." + behind.name);
+  }
+}
+
 void Builder::CompileSplits(CompiledPhs* sys) {
   for (PendingSplit& split : splits_) {
     CompiledCylinder& c = sys->cylinders[split.cylinder];
@@ -146,31 +212,13 @@ void Builder::CompileSplits(CompiledPhs* sys) {
       }
       continue;
     }
-    if (static_cast<int>(sys->nodes.size()) >= kMaxNodes) {
-      status_ = Error{"effects." + split.name, "too many chambers with a resistance",
-                      "at most " + std::to_string(kMaxNodes) + " pressures", "name fewer targets"};
-      return;
-    }
-    Node chamber_node;
-    Node& main = sys->nodes[line];
-    chamber_node.p0 = main.p0;
-    chamber_node.bulk_modulus = main.bulk_modulus;
-    chamber_node.bulk_slope = main.bulk_slope;
-    chamber_node.softening = main.softening;
-    chamber_node.expansion = main.expansion;
-    chamber_node.temperature = main.temperature;
-    const double oil = split.share * lines_[line].oil_volume_m3;
-    chamber_node.oil_volume = oil;
-    chamber_node.air = kTraceAir * oil * kAtmosphere;
-    main.oil_volume -= oil;
-    main.air -= chamber_node.air;
-    chamber = static_cast<int>(sys->nodes.size());
-    sys->nodes.push_back(std::move(chamber_node));
+    const int part = SplitOff(line, split.share, split.name, sys);
+    if (part < 0) return;
+    chamber = part;
     Path path;
-    path.from = chamber;
+    path.from = path.part = chamber;
     path.to = line;
     path.law = std::move(split.law);
-    path.splits = true;
     sys->paths.push_back(std::move(path));
     path_names_.push_back(sys->cylinder_names[split.cylinder] +
                           (split.chamber == Port::kBore ? ".bore_" : ".rod_") + split.name);
@@ -229,19 +277,20 @@ void Builder::CompileStates(CompiledPhs* sys) {
     for (const MaxwellBranch& branch : c.mount.branches()) add(name + "." + branch.name);
   }
   sys->first_slow = sys->num_states();
-  for (size_t n = 0; n < lines_.size(); ++n) {
+  for (size_t n = 0; n < sys->nodes.size(); ++n) {
+    const std::string& line = lines_[static_cast<size_t>(line_of_[n])].name;
     int parts[2] = {};
     for (NodeGas& g : sys->nodes[n].gases) {
       const int part = ++parts[g.blow_off ? 1 : 0];
       if (!g.gas.HasTemperatureState()) continue;
-      const std::string place = lines_[n].name + (g.blow_off ? ".accumulator" : ".gas") +
-                                (part > 1 ? std::to_string(part) : "");
+      const std::string place =
+          line + (g.blow_off ? ".accumulator" : ".gas") + (part > 1 ? std::to_string(part) : "");
       g.state = add(place + "_temperature");
       if (g.gas.HasWallState()) g.wall_state = add(place + "_wall_temperature");
     }
     for (NodeLaw& l : sys->nodes[n].laws) {
       const std::string memory = l.law->MemoryName();
-      if (!memory.empty()) l.state = add(lines_[n].name + "." + memory);
+      if (!memory.empty()) l.state = add(line + "." + memory);
     }
   }
   for (size_t k = 0; k < sys->paths.size(); ++k) {
@@ -265,6 +314,7 @@ CompiledPhs Builder::Compile() {
   CompileNodes(sys);
   CompileCylinders(sys);
   CompileSplits(sys);
+  CompileReservoirs(sys);
   CompileFlows(sys);
   CompileStates(sys);
   for (Node& node : sys->nodes) node.Prepare();

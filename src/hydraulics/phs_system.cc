@@ -23,7 +23,7 @@ bool PhsSystem::has_mounts() const { return impl_->has_mounts; }
 bool PhsSystem::has_flows() const { return !impl_->paths.empty(); }
 bool PhsSystem::has_split_lines() const {
   return std::any_of(impl_->paths.begin(), impl_->paths.end(),
-                     [](const Path& path) { return path.splits; });
+                     [](const Path& path) { return path.part >= 0; });
 }
 const std::vector<std::string>& PhsSystem::cylinder_names() const { return impl_->cylinder_names; }
 const std::vector<std::string>& PhsSystem::line_names() const { return impl_->line_names; }

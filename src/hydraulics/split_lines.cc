@@ -1,10 +1,11 @@
-// Chambers behind a resistance at rest with their lines (PhsSystem::SettleChambers).
+// Chambers and reservoirs behind a resistance at rest with their lines (PhsSystem::SettleChambers).
 //
 // With one pressure p in all parts of a line, part k takes up D_k(p) (node.h). Their sum is what the
-// pistons and other flows have pushed into the line, D; the volume passed through the split of
-// chamber k is what was pushed into the chamber less D_k(p). The line itself is solved as ever:
+// pistons and other flows have pushed into the line, D; the volume that goes out of chamber k through
+// its split is what was pushed into it less D_k(p), into a reservoir D_k(p) goes. The line itself is
+// solved as ever:
 //
-//   p = p_line(D - sum of D_k(p) of its chambers)
+//   p = p_line(D - sum of D_k(p) of its parts)
 //
 // whose right side falls with p: one root.
 #include <algorithm>
@@ -17,16 +18,16 @@
 namespace phs::hydraulics {
 namespace {
 
-/// Pressure of line `line` and its chambers together; `at` has what is pushed into each of them.
+/// Pressure of line `line` and its parts together; `at` has what is pushed into each of them.
 double CommonPressure(const CompiledPhs& sys, const Instant& at, int line, const double* state) {
   const Node& node = sys.nodes[static_cast<size_t>(line)];
   const auto beyond = [&](double log_pressure) {
     const double p = std::exp(log_pressure);
     double pushed = at.pushed[line];
     for (const Path& path : sys.paths) {
-      if (!path.splits || path.to != line) continue;
+      if (path.part < 0 || path.whole() != line) continue;
       double slope = 0;
-      pushed += at.pushed[path.from] - CalcAbsorbed(sys.nodes[static_cast<size_t>(path.from)], p,
+      pushed += at.pushed[path.part] - CalcAbsorbed(sys.nodes[static_cast<size_t>(path.part)], p,
                                                     at.ambient, state, &slope);
     }
     return log_pressure - std::log(SolveNode(node, pushed, at.ambient, state).p);
@@ -45,7 +46,7 @@ double CommonPressure(const CompiledPhs& sys, const Instant& at, int line, const
 void PhsSystem::SettleChambers(double time, const double* x, double* state) const {
   const CompiledPhs& sys = *impl_;
   for (const Path& path : sys.paths) {
-    if (!path.splits) continue;
+    if (path.part < 0) continue;
     state[path.volume] = 0;
     if (path.flow >= 0) state[path.flow] = 0;
     std::fill_n(state + std::max(path.lag, 0), path.num_lags, 0.0);
@@ -53,14 +54,15 @@ void PhsSystem::SettleChambers(double time, const double* x, double* state) cons
   Instant at;
   Solve(time, x, state, &at);
   for (int line = 0; line < num_lines(); ++line) {
-    double p = -1;  // found once a chamber asks for it
+    double p = -1;  // found once a part asks for it
     for (const Path& path : sys.paths) {
-      if (!path.splits || path.to != line) continue;
+      if (path.part < 0 || path.whole() != line) continue;
       if (p < 0) p = CommonPressure(sys, at, line, state);
       double slope = 0;
-      state[path.volume] =
-          at.pushed[path.from] -
-          CalcAbsorbed(sys.nodes[static_cast<size_t>(path.from)], p, at.ambient, state, &slope);
+      const double into =
+          CalcAbsorbed(sys.nodes[static_cast<size_t>(path.part)], p, at.ambient, state, &slope) -
+          at.pushed[path.part];
+      state[path.volume] = path.part == path.to ? into : -into;
     }
   }
 }

@@ -94,6 +94,36 @@ int MarkEnds(double noise, Channel* channel) {
   return marked;
 }
 
+/// Samples [begin, end) that show one value.
+struct Stretch {
+  size_t begin = 0, end = 0;
+};
+
+std::vector<Stretch> EqualStretches(const Channel& channel) {
+  const std::vector<double>& y = channel.y;
+  std::vector<Stretch> out;
+  for (size_t i = 0; i < y.size(); i = out.back().end) {
+    size_t end = i + 1;
+    while (end < y.size() && y[end] == y[i] && !channel.bad[end]) ++end;
+    out.push_back({i, end});
+  }
+  return out;
+}
+
+/// Samples of one value that noise does not make (MarkStuck).
+size_t LeastStuck(const ChannelNoise& noise, const std::vector<Stretch>& stretches,
+                  size_t samples) {
+  constexpr double kWanted = 1e-3;       // of channels of noise alone
+  constexpr double kLeastRepeat = 1e-3;  // p: below, a record may hold doubled rows
+  std::vector<double> lengths;
+  lengths.reserve(stretches.size());
+  for (const Stretch& s : stretches) lengths.push_back(static_cast<double>(s.end - s.begin));
+  const double clock = Quantile(lengths, 0.5);
+  const double p = std::max(std::erf(noise.quantum / (std::sqrt(8.0) * noise.white)), kLeastRepeat);
+  const double repeats = std::log(static_cast<double>(samples) / kWanted) / -std::log(p);
+  return static_cast<size_t>(std::ceil(clock * (1 + repeats)));
+}
+
 }  // namespace
 
 void MarkSpikes(Channel* channel, std::vector<DataFinding>* findings) {
@@ -134,24 +164,25 @@ void MarkMotionSpikes(Channel* channel, std::vector<DataFinding>* findings) {
 void MarkStuck(Channel* channel, const RigRun& run, std::vector<DataFinding>* findings) {
   const std::vector<double>& y = channel->y;
   if (!(channel->noise.white > 0.8 * channel->noise.quantum)) return;  // repeats are natural
-  constexpr size_t kRepeats = 25;
+  const std::vector<Stretch> stretches = EqualStretches(*channel);
+  const size_t least = LeastStuck(channel->noise, stretches, y.size());
   const auto [low, high] = std::minmax_element(y.begin(), y.end());
-  size_t saturated = 0, stuck = 0;
+  size_t saturated = 0, stuck = 0, times = 0;
   double from = 0, to = 0;
   std::vector<double> ends;  // values at which the channel was saturated, rising
-  for (size_t i = 0; i < y.size();) {
-    size_t end = i + 1;
-    while (end < y.size() && y[end] == y[i] && !channel->bad[end]) ++end;
-    if (end - i >= kRepeats && !channel->bad[i]) {
-      const bool edge = y[i] == *low || y[i] == *high;
-      (edge ? saturated : stuck) += end - i;
-      if (edge) ends.insert(std::upper_bound(ends.begin(), ends.end(), y[i]), y[i]);
-      if (!edge && stuck == end - i) from = run.Time(static_cast<int>(i));
-      if (!edge) to = run.Time(static_cast<int>(end - 1));
-      std::fill(channel->bad.begin() + static_cast<long>(i),
-                channel->bad.begin() + static_cast<long>(end), 1);
+  for (const auto& [begin, end] : stretches) {
+    if (end - begin < least || channel->bad[begin]) continue;
+    const double at = y[begin];
+    const bool edge = at == *low || at == *high;
+    (edge ? saturated : stuck) += end - begin;
+    if (edge) {
+      ends.insert(std::upper_bound(ends.begin(), ends.end(), at), at);
+    } else {
+      if (times++ == 0) from = run.Time(static_cast<int>(begin));
+      to = run.Time(static_cast<int>(end - 1));
     }
-    i = end;
+    std::fill(channel->bad.begin() + static_cast<long>(begin),
+              channel->bad.begin() + static_cast<long>(end), 1);
   }
   if (saturated > 0) {  // one end is proved: its shorter stays are no measurement either
     for (size_t i = 0; i < y.size(); ++i) {
@@ -164,9 +195,10 @@ void MarkStuck(Channel* channel, const RigRun& run, std::vector<DataFinding>* fi
                                                     ends.front(), other, saturated)});
   }
   if (stuck > 0) {
-    findings->push_back({channel->name, fmt::format("stuck between {:.4g} and {:.4g} s: {} samples "
-                                                    "left out",
-                                                    from, to, stuck)});
+    const std::string often = times > 1 ? fmt::format(" {} times", times) : "";
+    findings->push_back(
+        {channel->name, fmt::format("stuck{} between {:.4g} and {:.4g} s: {} samples left out",
+                                    often, from, to, stuck)});
   }
 }
 

@@ -21,7 +21,11 @@ void MarkSpikes(Channel* channel, std::vector<DataFinding>* findings);
 void MarkMotionSpikes(Channel* channel, std::vector<DataFinding>* findings);
 
 /// Marks stretches in which a channel, noisy elsewhere, repeats one value to the last digit: at an
-/// end of its range it is saturated, elsewhere stuck.
+/// end of its range it is saturated, elsewhere stuck. Noise of deviation s, rounded to Q, repeats a
+/// value with a probability of at most p = erf(Q/(2 sqrt(2) s)); so many repeats are marked, r, that
+/// noise alone makes one such stretch in a channel of N samples once in a thousand channels,
+/// N p^r = 1/1000. Where most values stand twice or more, the sensor's clock is slower: a repeat is
+/// then one of its values.
 void MarkStuck(Channel* channel, const RigRun& run, std::vector<DataFinding>* findings);
 
 /// A driving motion ten times beyond the stroke is in mm (or um): brought to metres. Returns the

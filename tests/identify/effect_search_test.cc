@@ -251,6 +251,30 @@ TEST(EffectSearchTest, FindsAStopThatIsMetSeldom) {
   EXPECT_NEAR(ValueOf(found, "effects.diaphragm_stop.min_gas_volume_m3"), 4.5e-6, 0.05e-6);
 }
 
+// Beside what else takes volume over the pressure: a hose, air, a stop.
+TEST(EffectSearchTest, FindsOilThatStiffens) {
+  hydraulics::PhsParams truth = OffDeclared();
+  truth.effects.push_back({"oil_stiffening", {}, {{"slope", 12}}});
+  const Identification found = FindAmong(
+      {"oil_stiffening", "diaphragm_stop", "entrained_air", "hose_expansion"}, Record(truth));
+  ASSERT_EQ(found.effects.size(), 1u) << Said(found);
+  EXPECT_EQ(found.effects[0].candidate.effect, "oil_stiffening");
+  EXPECT_NEAR(ValueOf(found, "effects.oil_stiffening.slope"), 12, 1);
+}
+
+// Beside a leak between the same chambers, air and a stop.
+TEST(EffectSearchTest, FindsASealThatGivesWayInItsGroove) {
+  hydraulics::PhsParams truth = OffDeclared();
+  truth.effects.push_back({"seal_shuttle", {}, {{"volume_m3", 6e-7}, {"width_Pa", 1e6}}});
+  const Identification found = FindAmong(
+      {"seal_shuttle", "piston_leakage", "entrained_air", "diaphragm_stop", "hose_expansion"},
+      Record(truth));
+  ASSERT_EQ(found.effects.size(), 1u) << Said(found);
+  EXPECT_EQ(found.effects[0].candidate.effect, "seal_shuttle");
+  EXPECT_NEAR(ValueOf(found, "effects.seal_shuttle.volume_m3") / 6e-7, 1, 0.05);
+  EXPECT_NEAR(ValueOf(found, "effects.seal_shuttle.width_Pa") / 1e6, 1, 0.1);
+}
+
 // A hall door that opens: what is warm cools again, and does not run away beyond the window.
 TEST(EffectSearchTest, FindsAWarmingThatComesBack) {
   hydraulics::PhsParams truth = OffDeclared();

@@ -82,19 +82,20 @@ inline Channels PredictWhole(const measurement::FitData& data,
   return out;
 }
 
-inline Identification Find(const hydraulics::PhsParams& declared,
-                           const measurement::FitData& data) {
+inline Identification Find(const hydraulics::PhsParams& declared, const measurement::FitData& data,
+                           const SearchOptions& options = {}) {
   auto problem = ProblemOf(data, declared);
-  auto found = Identify(&problem.value(), declared, {}, nullptr);
+  auto found = Identify(&problem.value(), declared, options, nullptr);
   EXPECT_TRUE(found.ok());
   return found.value();
 }
 
 /// The same, with these effects offered; with PHS_LONG_TESTS set, the whole catalogue.
-inline Identification FindAmong(std::vector<std::string> offered, measurement::FitData data) {
+inline Identification FindAmong(std::vector<std::string> offered, measurement::FitData data,
+                                const SearchOptions& options = {}) {
   const hydraulics::PhsParams declared = phs_model::FindPhsParams("quarter_setup2").value();
   if (std::getenv("PHS_LONG_TESTS") == nullptr) data.candidates = std::move(offered);
-  return Find(declared, data);
+  return Find(declared, data, options);
 }
 
 /// What was found, for messages.

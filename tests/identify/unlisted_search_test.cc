@@ -243,6 +243,11 @@ TEST(UnlistedSearchTest, AThrustOfAnotherShapeKeepsItsName) {
   ASSERT_FALSE(found.effects.empty());
   EXPECT_EQ(found.effects[0].candidate.effect, "pressure_area") << Said(found);
   EXPECT_LT(found.after.channel_ms[1], 1.1 * LeftOnACleanRecord());
+  SearchOptions one;  // the formula beside it would be the second
+  one.effort.max_effects = 1;
+  const Identification alone =
+      FindAmong({"pressure_area", "sensor_offset", "sensor_gain"}, data, one);
+  EXPECT_EQ(alone.effects.size(), 1u) << Said(alone);
 }
 
 TEST(UnlistedSearchTest, AGradualStopIsTheFormOfAListedEffect) {

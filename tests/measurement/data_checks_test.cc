@@ -262,6 +262,46 @@ TEST(DataChecksTest, FindsAStuckSensor) {
   EXPECT_THAT(findings[0].text, testing::HasSubstr("stuck between 10 and 15 s"));
 }
 
+/// N(0, s) rounded to 1, each sample `rows` times.
+Channel RoundedNoise(double s, int rows, int seed) {
+  std::mt19937 source(seed);
+  std::normal_distribution<double> normal(0, s);
+  Channel channel{"p_bore_Pa", "p_bore_Pa", 1, {}, {}, {}};
+  for (int i = 0; i < 12000 / rows; ++i) {
+    channel.y.insert(channel.y.end(), rows, std::round(normal(source)));
+  }
+  channel.bad.assign(channel.y.size(), 0);
+  channel.noise = {.white = s, .level = s, .quantum = 1};
+  return channel;
+}
+
+// At most one in a thousand of these: none in 200 has a chance of 0.8 at least.
+TEST(DataChecksTest, NoiseAloneIsNeverStuck) {
+  for (const double s : {0.81, 1.0, 3.0, 20.0, 1e6}) {
+    for (int k = 0; k < 40; ++k) {
+      for (const int rows : {1, 4}) {  // a clock four times as slow, each value held
+        Channel channel = RoundedNoise(s, rows, 100 * k + rows);
+        std::vector<DataFinding> findings;
+        MarkStuck(&channel, Clock(), &findings);
+        EXPECT_TRUE(findings.empty()) << s << " " << rows << " " << findings[0].text;
+      }
+    }
+  }
+}
+
+// A logger that stalls for 75 ms now and then: with noise of three steps, ten equal samples are none.
+TEST(DataChecksTest, FindsALoggerThatStallsForMoments) {
+  Channel channel = RoundedNoise(3, 1, 7);
+  for (int k = 0; k < 20; ++k) {
+    for (int i = 0; i < 15; ++i) channel.y[500 * k + 100 + i] = channel.y[500 * k + 100];
+  }
+  std::vector<DataFinding> findings;
+  MarkStuck(&channel, Clock(), &findings);
+  ASSERT_EQ(findings.size(), 1u);
+  EXPECT_THAT(findings[0].text, testing::HasSubstr("stuck 20 times between 0.5 and"));
+  EXPECT_NEAR(static_cast<double>(std::count(channel.bad.begin(), channel.bad.end(), 1)), 300, 5);
+}
+
 // Factors of NIST SP 811, appendix B. A declared model that is a fifth off changes none of it.
 TEST(Units, TheNearestIsTakenAndNoneThatIsFarOff) {
   for (const auto& [channel, metric, unit] :

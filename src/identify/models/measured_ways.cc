@@ -11,7 +11,7 @@ using measurement::MeasuredChannel;
 using measurement::SmoothPosition;
 namespace {
 
-constexpr size_t kCylinders = 4;       // all driven: rigs::RigKind::kFull
+constexpr size_t kPistons = 4;       // all driven: rigs::RigKind::kFull
 constexpr double kLongestGap_s = 1.0;  // what slid meanwhile nobody knows
 constexpr double kMostLost = 0.1;      // of what an output owes to the ways
 
@@ -53,7 +53,7 @@ bool TakeWays(const FitData& record, const std::vector<int>& pistons, FitData* d
         SmoothPosition(way.samples, way.bad, record.step_s, std::max(measured.noise, 1e-12)));
     data->inputs.push_back({measured.name, std::move(way.samples), measured.noise});
   }
-  return data->motion.size() == kCylinders;
+  return data->motion.size() == kPistons;
 }
 
 }  // namespace
@@ -61,15 +61,15 @@ bool TakeWays(const FitData& record, const std::vector<int>& pistons, FitData* d
 std::shared_ptr<const MeasuredWays> MeasuredWays::Of(const FitData& record,
                                                      const PhsOutputsOf& outputs,
                                                      const hydraulics::PhsParams& phs, int stride) {
-  if (phs.cylinders.size() != kCylinders) return nullptr;
+  if (phs.cylinders.size() != kPistons) return nullptr;
   std::shared_ptr<MeasuredWays> out(new MeasuredWays);
   FitData& data = out->data_;
-  data.kind = rigs::RigKind::kFull, data.options.actuators = kCylinders;
+  data.kind = rigs::RigKind::kFull, data.options.actuators = kPistons;
   data.source = record.source, data.time_s = record.time_s, data.step_s = record.step_s;
   data.estimation = record.estimation, data.validation = record.validation;
   if (!TakeWays(record, outputs.pistons, &data)) return nullptr;
   std::vector<std::pair<int, std::string>> which;
-  for (size_t c = 0; c < kCylinders; ++c) {
+  for (size_t c = 0; c < kPistons; ++c) {
     which.emplace_back(outputs.forces[c], "load" + phs.cylinders[c].name + "_N");
   }
   for (size_t l = 0; l < phs.lines.size(); ++l) {

@@ -1,0 +1,77 @@
+#include "effects/reservoir_drag.h"
+
+#include <cmath>
+#include <memory>
+
+#include "effects/targets.h"
+
+namespace phs::effects {
+namespace {
+
+using hydraulics::EffectInfo;
+using hydraulics::EffectParams;
+using hydraulics::Extension;
+using hydraulics::FlowPlace;
+using hydraulics::Places;
+
+class DragFlow final : public hydraulics::FlowLaw {
+ public:
+  DragFlow(double friction, double resistance) : friction_(friction), resistance_(resistance) {}
+  double Flow(const FlowPlace& at, double dp, double* slope) const noexcept override {
+    const double beyond = std::abs(dp) - friction_;
+    *slope = beyond > 0 ? 1 / Resistance(at) : 0;
+    return beyond > 0 ? std::copysign(beyond, dp) / Resistance(at) : 0;
+  }
+  double Drop(const FlowPlace& at, double flow, double* slope) const noexcept override {
+    *slope = Resistance(at);
+    const double dragged = flow != 0 ? std::copysign(friction_, flow) : 0;
+    return dragged + *slope * flow;
+  }
+
+ private:
+  double Resistance(const FlowPlace& at) const { return resistance_ * at.viscosity; }
+  double friction_, resistance_;
+};
+
+Status InstallReservoirDrag(const EffectParams& effect, Extension* extension) {
+  const double R = AtModelTemperature(effect.values.at("laminar_Pas_per_m3"), extension->params());
+  for (const int line : TargetLines(effect, extension->params())) {
+    extension->SplitReservoir(line, "reservoir_drag",
+                              std::make_unique<DragFlow>(effect.values.at("friction_Pa"), R));
+  }
+  return {};
+}
+
+}  // namespace
+
+const EffectInfo& ReservoirDragInfo() {
+  static const EffectInfo info = {
+      "reservoir_drag",
+      "hydraulic",
+      "lines",
+      "p_line - p_gas = P_f sign(q) + R q: the reservoir's gas behind a piston that drags or a "
+      "neck",
+      {
+          {"friction_Pa", "Pa", 5e4, 0, 1e7, 1e3, 2e6, "P_f"},
+          // 1e7: 100 Pa at 1e-5 m3/s, less than any gauge shows.
+          {"laminar_Pas_per_m3", "Pa s/m3", 1e7, 1e6, 1e14, 1e7, 1e12, "R at 20 °C"},
+      },
+      InstallReservoirDrag,
+      {
+          .rig =
+              {
+                  {.free = {{"friction_Pa", 2e4, 2e5, 2}}, .places = Places::kEach},
+                  {.free = {{"laminar_Pas_per_m3", 1e9, 3e10, 2}},
+                   .held = {{"friction_Pa", 0}},
+                   .places = Places::kEach},
+              },
+          .options =
+              {
+                  {.free = {{"laminar_Pas_per_m3", 3e9}}},
+                  {.free = {{"friction_Pa", 3e4}}},
+              },
+      }};
+  return info;
+}
+
+}  // namespace phs::effects
