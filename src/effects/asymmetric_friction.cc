@@ -50,7 +50,7 @@ const EffectInfo& AsymmetricFrictionInfo() {
       "level +- d by direction, viscous part e in extension",
       {
           {"level_N", "N", 100, -1e6, 1e6, -2000, 2000, "d"},
-          {"viscous_Ns_per_m", "N s/m", 0, -1e8, 1e8, -1e4, 1e4, "e"},
+          {"viscous_Ns_per_m", "N s/m", 0, -1e8, 1e8, -2e5, 2e5, "e"},
           kTurn,
       },
       InstallAsymmetricFriction,
@@ -58,6 +58,8 @@ const EffectInfo& AsymmetricFrictionInfo() {
           .rig =
               {
                   {.free = {{"level_N", 0}}, .held = {{"viscous_Ns_per_m", 0}}},
+                  // A wiper that scrapes one way.
+                  {.free = {{"viscous_Ns_per_m", 0}}, .held = {{"level_N", 0}}},
               },
           .bench =
               {

@@ -18,11 +18,12 @@ using hydraulics::Port;
 class ShuttleFlow final : public hydraulics::FlowLaw {
  public:
   /// `rest`: d in the static state, where the ring stands without friction.
-  ShuttleFlow(double volume, double width, double centre, double friction, double rest)
+  ShuttleFlow(double volume, double width, double centre, double friction, double time, double rest)
       : half_(volume / 2),
         width_(width),
         centre_(centre),
         friction_(friction),
+        time_(time),
         rest_(half_ * std::tanh((rest - centre) / width)) {}
 
   double Flow(const FlowPlace& at, double dp, double* slope) const noexcept override {
@@ -30,11 +31,11 @@ class ShuttleFlow final : public hydraulics::FlowLaw {
     *slope = 0;
     if (moved == 0) return 0;
     const double u = (rest_ + at.passed + moved) / half_;
-    *slope = half_ * std::max(1 - u * u, 0.0) / (width_ * kTime);
-    return moved / kTime;
+    *slope = half_ * std::max(1 - u * u, 0.0) / (width_ * time_);
+    return moved / time_;
   }
   double Return(const FlowPlace& at, double dp) const noexcept override {
-    return Pushed(rest_ + at.passed, dp) == 0 ? 0 : 1 / kTime;
+    return Pushed(rest_ + at.passed, dp) == 0 ? 0 : 1 / time_;
   }
   double Stored(double passed) const noexcept override {
     return Energy(rest_ + passed) - Energy(rest_);
@@ -44,8 +45,6 @@ class ShuttleFlow final : public hydraulics::FlowLaw {
   }
 
  private:
-  static constexpr double kTime = 2e-3;  // tau [s]
-
   // How far the ring would go from where it stands [m3].
   double Pushed(double stands, double dp) const {
     const double up = half_ * std::tanh((dp - centre_ - friction_) / width_) - stands;
@@ -59,7 +58,7 @@ class ShuttleFlow final : public hydraulics::FlowLaw {
   }
   static constexpr double kMost = 1 - 1e-12;
 
-  double half_, width_, centre_, friction_, rest_;
+  double half_, width_, centre_, friction_, time_, rest_;
 };
 
 Status InstallSealShuttle(const EffectParams& effect, Extension* extension) {
@@ -71,7 +70,8 @@ Status InstallSealShuttle(const EffectParams& effect, Extension* extension) {
     extension->AddFlow(Port::kBore, Port::kRod, i, -1, "seal_shuttle",
                        std::make_unique<ShuttleFlow>(
                            effect.values.at("volume_m3"), effect.values.at("width_Pa"),
-                           effect.values.at("centre_Pa"), effect.values.at("friction_Pa"), rest));
+                           effect.values.at("centre_Pa"), effect.values.at("friction_Pa"),
+                           effect.values.at("slide_s"), rest));
   }
   return {};
 }
@@ -90,6 +90,7 @@ const EffectInfo& SealShuttleInfo() {
            "P: half the difference that moves it across"},
           {"centre_Pa", "Pa", 0, -1e8, 1e8, -1e7, 1e7, "d_c: where it stands in the middle"},
           {"friction_Pa", "Pa", 0, 0, 1e7, 1e4, 3e6, "P_h: difference at which it comes loose"},
+          {"slide_s", "s", 2e-3, 1e-4, 1e3, 2e-3, 1, "tau"},
       },
       InstallSealShuttle,
       {
@@ -100,6 +101,7 @@ const EffectInfo& SealShuttleInfo() {
           .options =
               {
                   {.free = {{"friction_Pa", 2e5, 1e6, 2}}},
+                  {.free = {{"slide_s", 0.02, 0.1, 2}}},
                   {.free = {{"centre_Pa", -2e6, 2e6, 3}}},
               },
           .over = {"m3", "pq"},

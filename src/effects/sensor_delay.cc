@@ -1,6 +1,10 @@
 #include "effects/sensor_delay.h"
 
-#include "effects/readings.h"
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "effects/targets.h"
 
 namespace phs::effects {
 namespace {
@@ -34,13 +38,44 @@ class Delay final : public hydraulics::ReadingLaw {
   double delay_s_;
 };
 
+/// Lags of first order one behind the other, exact where the signal is straight between samples.
+class Filter final : public hydraulics::ReadingLaw {
+ public:
+  Filter(double delay_s, int poles) : time_(delay_s / poles), poles_(poles) {}
+  void Lag(double step, std::vector<double>* values) const override {
+    // y' = (u - y)/T over a step: y = u - T u' + (y_0 - u_0 + T u') exp(-step/T).
+    const double fade = std::exp(-step / time_);
+    for (int pole = 0; pole < poles_; ++pole) {
+      double before = values->empty() ? 0 : values->front(), shown = before;
+      for (double& u : *values) {
+        const double behind = time_ * (u - before) / step;
+        shown = u - behind + (shown - before + behind) * fade;
+        before = u, u = shown;
+      }
+    }
+  }
+
+ private:
+  double time_;
+  int poles_;
+};
+
 Status InstallSensorDelay(const EffectParams& effect, Extension* extension) {
-  AddReadings<Delay>(effect,
-                     {{Sensor::kLoad, "load_s"},
-                      {Sensor::kBorePressure, "p_bore_s"},
-                      {Sensor::kRodPressure, "p_rod_s"},
-                      {Sensor::kPiston, "piston_s"}},
-                     0, extension);
+  const auto poles = static_cast<int>(std::lround(effect.values.at("poles")));
+  for (const int i : TargetCylinders(effect, extension->params())) {
+    for (const auto& [sensor, key] : {std::pair(Sensor::kLoad, "load_s"),
+                                      {Sensor::kBorePressure, "p_bore_s"},
+                                      {Sensor::kRodPressure, "p_rod_s"},
+                                      {Sensor::kPiston, "piston_s"}}) {
+      const double delay = effect.values.at(key);
+      if (delay == 0) continue;
+      if (poles == 0) {
+        extension->AddReading(i, sensor, std::make_unique<Delay>(delay));
+      } else {
+        extension->AddReading(i, sensor, std::make_unique<Filter>(delay, poles));
+      }
+    }
+  }
   return {};
 }
 
@@ -51,12 +86,13 @@ const EffectInfo& SensorDelayInfo() {
       "sensor_delay",
       "instrument",
       "cylinders",
-      "shown(t) = true(t - delay)",
+      "shown(t) = true(t - delay), or as a filter with that delay of slow signals",
       {
           {"load_s", "s", 0, 0, 100, 0, 0.2, "load cell"},
           {"p_bore_s", "s", 0, 0, 100, 0, 0.2, "bore pressure"},
           {"p_rod_s", "s", 0, 0, 100, 0, 0.2, "rod pressure"},
           {"piston_s", "s", 0, 0, 100, 0, 0.2, "piston"},
+          {"poles", "-", 0, 0, 8, 0, 8, "of the filter, all alike; 0: a pure delay"},
       },
       InstallSensorDelay,
       {
@@ -68,6 +104,10 @@ const EffectInfo& SensorDelayInfo() {
                   {.free = {{"p_bore_s", 2e-3, 0.02, 2},
                             {"p_rod_s", 2e-3, 0.02, 2, Walk::kInStep}}},
                   {.free = {{"piston_s", 2e-3, 0.02, 2}}},
+                  {.free = {{"load_s", 2e-3, 0.02, 2}}, .held = {{"poles", 2}}},
+                  {.free = {{"p_bore_s", 2e-3, 0.02, 2}}, .held = {{"poles", 2}}},
+                  {.free = {{"p_rod_s", 2e-3, 0.02, 2}}, .held = {{"poles", 2}}},
+                  {.free = {{"piston_s", 2e-3, 0.02, 2}}, .held = {{"poles", 2}}},
               },
           .bench =
               {

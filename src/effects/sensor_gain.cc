@@ -55,7 +55,7 @@ Status InstallSensorGain(const EffectParams& effect, Extension* extension) {
     };
     add_pressure(Sensor::kBorePressure, value("p_bore"), cylinder.bore_line);
     add_pressure(Sensor::kRodPressure, value("p_rod"), cylinder.rod_line);
-    add(Sensor::kPiston, value("piston"));
+    add(Sensor::kPiston, value("piston"), value("piston_retraction"));
     add(Sensor::kLoad, value("load"), value("load_compression"));
   }
   return {};
@@ -69,7 +69,7 @@ const EffectInfo& SensorGainInfo() {
       "instrument",
       "cylinders",
       "shown = gain true, of pressures as told about the static one; of "
-      "a load cell in compression gain times load_compression",
+      "a load cell in compression gain times load_compression, of a piston likewise",
       {
           {"load", "-", 1, -100, 100, 0.4, 2.5, "load cell"},
           {"load_compression", "-", 1, 1e-3, 1e3, 0.4, 2.5,
@@ -77,6 +77,8 @@ const EffectInfo& SensorGainInfo() {
           {"p_bore", "-", 1, -100, 100, 0.4, 2.5, "bore pressure"},
           {"p_rod", "-", 1, -100, 100, 0.4, 2.5, "rod pressure"},
           {"piston", "-", 1, -100, 100, 0.4, 2.5, "piston"},
+          {"piston_retraction", "-", 1, 1e-3, 1e3, 0.4, 2.5,
+           "gain of the piston's sensor in retraction over that in extension"},
           {"zeroed_at_rest", "-", 0, 0, 1, 0, 1, "1: pressures were set right at the static ones"},
           {"from_Pa", "Pa", 0, 0, 1e9, 0, 2e7, "pressures are right up to it; 0: nowhere"},
       },
@@ -89,6 +91,7 @@ const EffectInfo& SensorGainInfo() {
                   {.free = {{"p_bore", 1}}},
                   {.free = {{"p_rod", 1}}},
                   {.free = {{"piston", 1}}},
+                  {.free = {{"piston_retraction", 1}}},
                   {.free = {{"p_bore", 1}, {"p_rod", 1}}},
                   {.free = {{"p_bore", 1}}, .held = {{"zeroed_at_rest", 1}}},
                   {.free = {{"p_rod", 1}}, .held = {{"zeroed_at_rest", 1}}},
@@ -101,6 +104,7 @@ const EffectInfo& SensorGainInfo() {
                   {.free = {{"p_bore", 1}}, .without = "from_Pa"},
                   {.free = {{"p_rod", 1}}, .without = "from_Pa"},
                   {.free = {{"load_compression", 1}}, .with = "load"},
+                  {.free = {{"piston_retraction", 1}}, .with = "piston"},
               },
           .over = {"Pa", "pq", true},
       }};

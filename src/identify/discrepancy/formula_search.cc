@@ -55,19 +55,18 @@ class PlaceTerms final : public TermLibrary {
     AddPowers();
   }
 
-  /// The strongest wave over x in this residual, plain and times s, and over t.
+  /// The strongest wave over x in this residual, plain and times s, and over t. Its length is that
+  /// which takes most beside the model's own numbers.
   void AddForResidual(const Eigen::VectorXd& residual) override {
     if (!places_known_) CollectRows();
     for (const bool turned : {false, true}) {
       if (turned && !data_.has_friction) continue;
       double wave = FindWave(residual, turned);
       if (!(wave > 0)) continue;
-      if (!data_.has_friction) {
-        wave = Refine(wave, 0.5 / (x_high_ - x_low_), 9, [&](double at) {
-          const auto [sine, cosine] = WaveTexts(at, false);
-          return TakenOff(residual, sine, cosine);
-        });
-      }
+      wave = Refine(wave, 0.5 / (x_high_ - x_low_), 9, [&](double at) {
+        const auto [sine, cosine] = WaveTexts(at, turned);
+        return TakenOff(residual, sine, cosine);
+      });
       const auto [sine, cosine] = WaveTexts(wave, turned);
       Add(sine, cosine, turned ? 3 : 2, std::log(waves_));
     }

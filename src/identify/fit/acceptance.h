@@ -15,7 +15,7 @@ struct Acceptance {
   /// often.
   double false_alarms = 0.01;
   /// Share of what the channel that gains most shows beyond its noise that an effect must remove,
-  /// what it spoils in others counted against it: no model is quite right, and with many samples
+  /// what it spoils in others counted against it (evidence.h): no model is quite right, and with many samples
   /// the likelihood sees every per mille of it. Below a third the larger cause is another.
   double least_share = 0.33;
   /// How well the power of noise and discrepancy is known in an octave (likelihood.h): the noise is

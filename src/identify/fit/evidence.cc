@@ -42,15 +42,18 @@ double HeldOut(const FitProblem& problem, const FitResult& fit) {
   return likelihood.MinusTwoLog(likelihood.Powers(held));
 }
 
-/// Of what `best` shows beyond its noise; what the others show more than before counts against it.
+/// Of what `best` shows beyond its noise; what the others show more than before counts against it, as a
+/// share of what they or `best` had shown: where another cause rules a channel, a little more in it
+/// is little.
 double ShareOfBest(const std::vector<double>& without, const std::vector<double>& with,
                    size_t best) {
   if (!(without[best] > 0)) return 0;
-  double removed = without[best] - with[best];
+  double share = 1 - with[best] / without[best];
   for (size_t b = 0; b < without.size(); ++b) {
-    if (b != best) removed -= std::max(0.0, with[b] - without[b]);
+    if (b == best) continue;
+    share -= std::max(0.0, with[b] - without[b]) / std::max(without[b], without[best]);
   }
-  return removed / without[best];
+  return share;
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ struct Evidence {
   std::string best_channel;      ///< the one whose likelihood gains most
   double best_channel_gain = 0;  ///< share of its residual rms removed
   double share = 0;  ///< removed of what that channel shows beyond its noise [mean square], less
-                     ///< what others show more than before
+                     ///< what others show more, over what they or it had shown
   double cross_validation_gain = 0;  ///< the same as estimation_gain on parts left out
 };
 

@@ -136,6 +136,15 @@ int FitProblem::FindOutput(const std::string& name) const {
   return -1;
 }
 
+Eigen::VectorXd FitProblem::WeightOfRows() const {
+  Eigen::VectorXd out(num_rows_);
+  for (size_t b = 0; b < weight_.size(); ++b) {
+    out.segment(block(b).begin, block(b).count) =
+        Eigen::Map<const Eigen::VectorXd>(weight_[b].data(), block(b).count);
+  }
+  return out;
+}
+
 Eigen::VectorXd FitProblem::Weighted(const std::string& channel, const Channels& on_rows) const {
   Eigen::VectorXd out = Eigen::VectorXd::Zero(num_rows_);
   size_t next = 0;

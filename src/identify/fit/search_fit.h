@@ -106,6 +106,8 @@ class FitProblem {
   /// That derivative alone, about the known residual of `values`.
   bool CalcSlopes(const FreeModel& model, const std::vector<double>& values, int first,
                   const Eigen::VectorXd& residual, Eigen::MatrixXd* jacobian) const;
+  /// 1/sigma of each row of the residual, 0 = missing.
+  Eigen::VectorXd WeightOfRows() const;
   /// Values on the rows of a channel's blocks -> weighted, on all rows of the residual.
   Eigen::VectorXd Weighted(const std::string& channel, const Channels& on_rows) const;
   /// Asked before every run of the model: false = stop; every residual is empty from then on.

@@ -148,7 +148,9 @@ class Search {
           PointsAbout(*screen, model, fit, out_.declared.free.size(), elsewhere);
       if (points.empty()) continue;
       reference_ = Criterion(*screen, points.front().score, points.front().values.size());
-      return TryEffects(problem_, *screen, model, fit, points, list, options_.effort, Asks());
+      KnownAnswers* known = options_.effort.keep_answers && screen == &coarse_ ? &known_ : nullptr;
+      return TryEffects(problem_, *screen, model, fit, points, list, options_.effort, Asks(),
+                        known);
     }
     return {};
   }
@@ -344,6 +346,7 @@ class Search {
   std::atomic<bool> cancelled_{false};
   std::atomic<double> part_{0};
   double begin_ = 0, length_ = 0.02;
+  KnownAnswers known_;    ///< on the coarse record
   double reference_ = 0;  ///< criterion of the model beneath, on the coarse record
 };
 

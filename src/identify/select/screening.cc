@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <optional>
 
 #include "identify/fit/evidence.h"
 #include "identify/fit/near_fit.h"
@@ -96,25 +97,54 @@ Scaled Scale(const Base& base, const Candidate& candidate, const Eigen::VectorXd
   return std::abs(way) > kReach ? Scaled{way, share} : Scaled{};
 }
 
+/// What a start does to the coefficients, and the slopes of the candidate's numbers, about the first
+/// point; as known from an earlier round, if it is.
+struct Answer {
+  Eigen::VectorXd does;
+  Eigen::MatrixXd own;
+};
+
+std::optional<Answer> AnswerOf(const FitProblem& problem, const FreeModel& whole, const Base& base,
+                               const Candidate& candidate, size_t start, KnownAnswers* known) {
+  const Likelihood& likelihood = problem.likelihood();
+  const KnownAnswer* before = known != nullptr ? known->Find(candidate, start) : nullptr;
+  const Eigen::VectorXd weight = known != nullptr ? problem.WeightOfRows() : Eigen::VectorXd();
+  if (before != nullptr) {
+    return Answer{
+        likelihood.Transform(Eigen::VectorXd(weight.cwiseProduct(before->does.cast<double>()))),
+        likelihood.Transform(Eigen::MatrixXd(weight.asDiagonal() * before->own.cast<double>()))};
+  }
+  Eigen::VectorXd residual;
+  Eigen::MatrixXd own;
+  const std::vector<double> values = ValuesAt(base, candidate.starts[start]);
+  if (!problem.Linearise(whole, values, static_cast<int>(base.at->values.size()), &residual, &own))
+    return std::nullopt;
+  const Eigen::VectorXd does = residual - base.at->residual;
+  if (known != nullptr) {
+    const Eigen::VectorXd over =
+        (weight.array() > 0).select(weight.cwiseMax(1e-300).cwiseInverse(), 0);
+    known->Keep(candidate, start,
+                {over.cwiseProduct(does).cast<float>(),
+                 Eigen::MatrixXd(over.asDiagonal() * own).cast<float>()});
+  }
+  return Answer{likelihood.Transform(does), likelihood.Transform(own)};
+}
+
 /// Every start about every point. What a start does, and the slopes of the candidate's numbers, are
 /// those about the first point, the best fit: they differ little from point to point, and cost
 /// runs.
 Probes Probed(const FitProblem& problem, const FreeModel& model, const std::vector<Base>& bases,
-              const Candidate& candidate) {
+              const Candidate& candidate, KnownAnswers* known) {
   const FreeModel whole = WithCandidate(model, candidate);
   const size_t first = bases[0].at->values.size();
   const Likelihood& likelihood = problem.likelihood();
   Probes best;
   best.one = candidate.starts.size() * bases.size() == 1;
-  for (const std::vector<double>& start : candidate.starts) {
-    Eigen::VectorXd residual;
-    Eigen::MatrixXd own;
-    if (!problem.Linearise(whole, ValuesAt(bases[0], start), static_cast<int>(first), &residual,
-                           &own)) {
-      continue;
-    }
-    own = likelihood.Transform(own);
-    const Eigen::VectorXd does = likelihood.Transform(residual) - bases[0].coefficients;
+  for (size_t s = 0; s < candidate.starts.size(); ++s) {
+    const std::vector<double>& start = candidate.starts[s];
+    const auto answer = AnswerOf(problem, whole, bases[0], candidate, s, known);
+    if (!answer) continue;
+    const auto& [does, own] = *answer;
     Probe promised;
     for (size_t k = 0; k < bases.size(); ++k) {
       std::vector<double> values = ValuesAt(bases[k], start);
@@ -228,7 +258,7 @@ void SortByPromise(std::vector<Trial>* trials) {
 std::vector<Trial> ScreenCandidates(const FitProblem& coarse, const FreeModel& model,
                                     const std::vector<Point>& points,
                                     const std::vector<Candidate>& list, const Effort& effort,
-                                    const std::function<bool(double)>& go_on) {
+                                    const std::function<bool(double)>& go_on, KnownAnswers* known) {
   constexpr double kProbes = 0.4, kShare = 0.6;  // of the work
   std::vector<Probes> probes(list.size());
   std::vector<Base> bases;
@@ -244,7 +274,7 @@ std::vector<Trial> ScreenCandidates(const FitProblem& coarse, const FreeModel& m
   coarse.ForEach(static_cast<int>(list.size()), [&](int i) {
     if (!go_on(kProbes * done++ / static_cast<double>(list.size()))) return;
     const auto k = static_cast<size_t>(i);
-    probes[k] = Probed(coarse, model, bases, list[k]);
+    probes[k] = Probed(coarse, model, bases, list[k], known);
   });
   const std::vector<size_t> tried =
       MostPromising(probes, PaidFor(coarse, points.front(), list, effort), 3 * effort.coarse_fits);

@@ -15,6 +15,7 @@
 
 #include "identify/fit/effect_variants.h"
 #include "identify/fit/search_fit.h"
+#include "identify/select/known_answers.h"
 
 namespace phs::identify::search {
 
@@ -38,15 +39,17 @@ struct Effort {
   int starts = 3;               ///< of a variant, from which steps are really taken
   int steps = 6;                ///< so many at most
   bool elsewhere = true;        ///< candidates are tried away from the best fit too
+  bool keep_answers = false;    ///< of starts, from round to round (known_answers.h)
   bool unpromising = false;     ///< what promises not to pay is tried and finished, too
 };
 
 /// Judges `list` on top of `model` about each of `points`. `go_on(share)`: progress, false = stop.
 /// Best first; those with a coarse fit before those without, and what fails at the end. Candidates
-/// must outlive the result.
+/// must outlive the result. `known`: of earlier rounds on this problem, added to; may be null.
 std::vector<Trial> ScreenCandidates(const FitProblem& coarse, const FreeModel& model,
                                     const std::vector<Point>& points,
                                     const std::vector<Candidate>& list, const Effort& effort,
-                                    const std::function<bool(double)>& go_on);
+                                    const std::function<bool(double)>& go_on,
+                                    KnownAnswers* known = nullptr);
 
 }  // namespace phs::identify::search

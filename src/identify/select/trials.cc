@@ -99,11 +99,12 @@ std::vector<FullTrial> TryEffects(const FitProblem& problem, const FitProblem& c
                                   const FreeModel& model, const FitResult& fit,
                                   const std::vector<Point>& points,
                                   const std::vector<Candidate>& list, const Effort& effort,
-                                  const std::function<bool(double)>& go_on) {
+                                  const std::function<bool(double)>& go_on, KnownAnswers* known) {
   constexpr double kScreening = 0.5, kForms = 0.25;  // of the work
   std::vector<FullTrial> trials;
-  for (Trial& trial : ScreenCandidates(coarse, model, points, list, effort,
-                                       [&](double part) { return go_on(kScreening * part); })) {
+  for (Trial& trial : ScreenCandidates(
+           coarse, model, points, list, effort,
+           [&](double part) { return go_on(kScreening * part); }, known)) {
     trials.push_back({trial.candidate,
                       *trial.candidate,
                       std::move(trial.coarse),

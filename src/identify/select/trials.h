@@ -24,6 +24,7 @@ std::vector<FullTrial> TryEffects(const FitProblem& problem, const FitProblem& c
                                   const FreeModel& model, const FitResult& fit,
                                   const std::vector<Point>& points,
                                   const std::vector<Candidate>& list, const Effort& effort,
-                                  const std::function<bool(double)>& go_on);
+                                  const std::function<bool(double)>& go_on,
+                                  KnownAnswers* known = nullptr);
 
 }  // namespace phs::identify::search
