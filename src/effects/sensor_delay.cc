@@ -38,30 +38,38 @@ class Delay final : public hydraulics::ReadingLaw {
   double delay_s_;
 };
 
-/// Lags of first order one behind the other, exact where the signal is straight between samples.
+/// Lags of first order one behind the other, exact where the signal is straight between samples. Of a
+/// broken number of them the mean of both filters about it.
 class Filter final : public hydraulics::ReadingLaw {
  public:
-  Filter(double delay_s, int poles) : time_(delay_s / poles), poles_(poles) {}
+  Filter(double delay_s, double poles) : delay_s_(delay_s), poles_(std::max(poles, 1.0)) {}
   void Lag(double step, std::vector<double>* values) const override {
+    const double fewer = std::floor(poles_), part = poles_ - fewer;
+    std::vector<double> more = *values;
+    Lag(step, fewer, values);
+    if (part == 0) return;
+    Lag(step, fewer + 1, &more);
+    for (size_t i = 0; i < more.size(); ++i) (*values)[i] += part * (more[i] - (*values)[i]);
+  }
+
+ private:
+  void Lag(double step, double poles, std::vector<double>* values) const {
     // y' = (u - y)/T over a step: y = u - T u' + (y_0 - u_0 + T u') exp(-step/T).
-    const double fade = std::exp(-step / time_);
-    for (int pole = 0; pole < poles_; ++pole) {
+    const double time = delay_s_ / poles, fade = std::exp(-step / time);
+    for (int pole = 0; pole < poles; ++pole) {
       double before = values->empty() ? 0 : values->front(), shown = before;
       for (double& u : *values) {
-        const double behind = time_ * (u - before) / step;
+        const double behind = time * (u - before) / step;
         shown = u - behind + (shown - before + behind) * fade;
         before = u, u = shown;
       }
     }
   }
-
- private:
-  double time_;
-  int poles_;
+  double delay_s_, poles_;
 };
 
 Status InstallSensorDelay(const EffectParams& effect, Extension* extension) {
-  const auto poles = static_cast<int>(std::lround(effect.values.at("poles")));
+  const double poles = effect.values.at("poles");
   for (const int i : TargetCylinders(effect, extension->params())) {
     for (const auto& [sensor, key] : {std::pair(Sensor::kLoad, "load_s"),
                                       {Sensor::kBorePressure, "p_bore_s"},
@@ -92,7 +100,8 @@ const EffectInfo& SensorDelayInfo() {
           {"p_bore_s", "s", 0, 0, 100, 0, 0.2, "bore pressure"},
           {"p_rod_s", "s", 0, 0, 100, 0, 0.2, "rod pressure"},
           {"piston_s", "s", 0, 0, 100, 0, 0.2, "piston"},
-          {"poles", "-", 0, 0, 8, 0, 8, "of the filter, all alike; 0: a pure delay"},
+          {"poles", "-", 0, 0, 20, 0.8, 10,
+           "of the filter, all alike, 1 at least; 0: a pure delay"},
       },
       InstallSensorDelay,
       {
@@ -104,14 +113,14 @@ const EffectInfo& SensorDelayInfo() {
                   {.free = {{"p_bore_s", 2e-3, 0.02, 2},
                             {"p_rod_s", 2e-3, 0.02, 2, Walk::kInStep}}},
                   {.free = {{"piston_s", 2e-3, 0.02, 2}}},
-                  {.free = {{"load_s", 2e-3, 0.02, 2}}, .held = {{"poles", 2}}},
-                  {.free = {{"p_bore_s", 2e-3, 0.02, 2}}, .held = {{"poles", 2}}},
-                  {.free = {{"p_rod_s", 2e-3, 0.02, 2}}, .held = {{"poles", 2}}},
-                  {.free = {{"piston_s", 2e-3, 0.02, 2}}, .held = {{"poles", 2}}},
               },
           .bench =
               {
                   {.free = {{"load_s", 1e-3, 0.01, 2, Walk::kEach, 0, 0.2, true}}},
+              },
+          .options =
+              {
+                  {.free = {{"poles", 2}}},
               },
       }};
   return info;

@@ -82,6 +82,8 @@ const EffectInfo& ViscousFrictionInfo() {
                   {.free = {{"exponent", 0.7, 1.6, 2}}},
                   {.free = {{"from_m_s", 2e-3, 1e-2, 2}}},
               },
+          // Its viscous part of one direction, which is a number less.
+          .contains = {"asymmetric_friction"},
           .over = {"N", "sv"},
       }};
   return info;

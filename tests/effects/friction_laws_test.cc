@@ -68,6 +68,21 @@ TEST(TemperatureFriction, ASealThatSlidesGetsWarmAndCoolsAtRest) {
   EXPECT_NEAR(ratio(1.301, rests), std::exp(-w * left), 1e-4) << "the way back, at once";
 }
 
+TEST(TemperatureFriction, ARigThatWasColdAtFirstRubsMore) {
+  PhsParams p = Quarter();
+  p.friction.model = FrictionModel::kStatic;
+  const double a = 0.6, warm_up = 0.8;
+  const PhsSystem plain = Compile(p);
+  const PhsSystem cold =
+      Compile(With(p, "temperature_friction",
+                   {{"slope_1_per_K", 0}, {"cold_share", a}, {"warm_up_s", warm_up}}));
+  const auto slides = [](double t) { return 3e-3 * t; };
+  for (const double t : {0.1, 0.5, 2.0}) {
+    EXPECT_NEAR(Drive(cold, t, 1e-3, slides).friction / Drive(plain, t, 1e-3, slides).friction,
+                1 + a * std::exp(-t / warm_up), 1e-9);
+  }
+}
+
 TEST(Presliding, TurnsALookUpIntoASpringBeforeSliding) {
   PhsParams p = Quarter();
   p.friction.model = FrictionModel::kStatic;

@@ -288,6 +288,19 @@ TEST(SealShuttle, CarriesWhatItsGrooveHolds) {
   }
 }
 
+// Pushed at once, it slides over with its own time.
+TEST(SealShuttle, TakesItsTime) {
+  PhsParams params = Frictionless();
+  for (auto& l : params.lines) l.gas_volume_m3 = 0;
+  const double V = 1e-9, P = 1e5, tau = 0.2, x = -2e-4;  // so little that the pressures stay
+  const PhsSystem s =
+      Compile(With(params, "seal_shuttle", {{"volume_m3", V}, {"width_Pa", P}, {"slide_s", tau}}));
+  const double all = CarriedToRod(params, Hold(s, x, 20 * tau, tau / 100), x);
+  const double part = CarriedToRod(params, Hold(s, x, tau, tau / 1000), x);
+  const double none = CarriedToRod(params, Hold(s, x, 0), x);
+  EXPECT_NEAR((part - none) / (all - none), 1 - std::exp(-1.0), 2e-3);
+}
+
 // With friction P_h it stands still until d is P_h beyond, then where d - P_h would have it.
 TEST(SealShuttle, ComesLooseAtItsFriction) {
   PhsParams params = Frictionless();

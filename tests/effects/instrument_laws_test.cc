@@ -1,6 +1,7 @@
 // What the instrument effects do to the predicted channels.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -74,6 +75,48 @@ TEST(Instruments, ALoadCellMayHaveAnotherGainInCompression) {
   EXPECT_GT(tension, 50);
   EXPECT_GT(compression, 50);
   EXPECT_EQ(shown[2], plain[2]);
+}
+
+TEST(Instruments, TheHalvesOfAnLvdtMayDiffer) {
+  const PhsParams p = Quarter();
+  const auto plain = Shown(p);
+  const auto shown = Shown(With(p, "sensor_gain", {{"piston", 1.02}, {"piston_retraction", 0.97}}));
+  for (size_t i = 0; i < plain[0].size(); ++i) {
+    EXPECT_NEAR(shown[0][i], 1.02 * (plain[0][i] > 0 ? 1 : 0.97) * plain[0][i], 1e-15);
+  }
+  EXPECT_LT(*std::min_element(plain[0].begin(), plain[0].end()), -1e-4);
+  EXPECT_EQ(shown[1], plain[1]);
+}
+
+/// What a filter in the channel of the load cell makes of a signal sampled every 5 ms.
+std::vector<double> Filtered(double delay_s, double poles, std::vector<double> signal) {
+  const PhsSystem s =
+      Compile(With(Quarter(), "sensor_delay", {{"load_s", delay_s}, {"poles", poles}}));
+  for (const auto& law : s.readings(0, hydraulics::Sensor::kLoad)) law->Lag(0.005, &signal);
+  return signal;
+}
+
+// Of n lags of T one behind the other a ramp comes n T late; a kink is followed as
+// t - n T + e^(-t/T) (T sum_k (n - k) (t/T)^k/k!), k from 0 to n - 1.
+TEST(Instruments, AFilterLeftInTheChannelComesLate) {
+  const double delay = 0.03;
+  std::vector<double> ramp(200);
+  for (size_t i = 0; i < ramp.size(); ++i) ramp[i] = 1e3 * 0.005 * static_cast<double>(i);
+  const auto at = [](double n, double t, double T) {
+    const double u = t / T;
+    const double fades = n == 1 ? 1 : 2 + u;
+    return 1e3 * (t - n * T + T * std::exp(-u) * fades);
+  };
+  for (const double n : {1.0, 2.0}) {
+    const auto shown = Filtered(delay, n, ramp);
+    for (const size_t i : {1u, 6u, 20u}) {
+      EXPECT_NEAR(shown[i], at(n, 0.005 * static_cast<double>(i), delay / n), 0.02)
+          << n << " " << i;
+    }
+    EXPECT_NEAR(shown.back(), ramp.back() - 1e3 * delay, 1e-6) << n;
+  }
+  const auto between = Filtered(delay, 1.25, ramp);
+  EXPECT_NEAR(between[6], 0.75 * at(1, 0.03, delay) + 0.25 * at(2, 0.03, delay / 2), 0.02);
 }
 
 TEST(Instruments, AGaugeThatWasZeroedAtRestIsWrongAboutIt) {

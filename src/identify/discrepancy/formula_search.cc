@@ -59,16 +59,11 @@ class PlaceTerms final : public TermLibrary {
   /// which takes most beside the model's own numbers.
   void AddForResidual(const Eigen::VectorXd& residual) override {
     if (!places_known_) CollectRows();
-    for (const bool turned : {false, true}) {
-      if (turned && !data_.has_friction) continue;
-      double wave = FindWave(residual, turned);
-      if (!(wave > 0)) continue;
-      wave = Refine(wave, 0.5 / (x_high_ - x_low_), 9, [&](double at) {
-        const auto [sine, cosine] = WaveTexts(at, turned);
-        return TakenOff(residual, sine, cosine);
-      });
-      const auto [sine, cosine] = WaveTexts(wave, turned);
-      Add(sine, cosine, turned ? 3 : 2, std::log(waves_));
+    if (!data_.has_friction) {
+      AddWave(residual, Wave::kZeroed);
+    } else {
+      // Of a force that the load cell was set to zero with, or not.
+      for (const Wave kind : {Wave::kPlain, Wave::kZeroed, Wave::kTurned}) AddWave(residual, kind);
     }
     if (data_.has_friction) AddRamp(residual, {"x", "m", scale_.x, row_x_}), AddNotch(residual);
     for (const bool squared : {false, true}) {
@@ -80,10 +75,27 @@ class PlaceTerms final : public TermLibrary {
   }
 
  private:
-  std::pair<std::string, std::string> WaveTexts(double wave, bool turned) const {
-    const std::string angle = fmt::format("(2*pi*x/{:.5g}[m])", 1 / wave), s = turned ? "s*" : "";
-    // A sensor has been set to zero where the motion begins.
-    return {s + "sin" + angle, data_.has_friction ? s + "cos" + angle : "(cos" + angle + "-1)"};
+  enum class Wave {
+    kPlain,
+    kZeroed,  ///< nothing where the motion begins: a sensor has been set to zero there
+    kTurned,  ///< times s
+  };
+
+  static std::pair<std::string, std::string> WaveTexts(double wave, Wave kind) {
+    const std::string angle = fmt::format("(2*pi*x/{:.5g}[m])", 1 / wave);
+    const std::string s = kind == Wave::kTurned ? "s*" : "";
+    return {s + "sin" + angle, kind == Wave::kZeroed ? "(cos" + angle + "-1)" : s + "cos" + angle};
+  }
+
+  void AddWave(const Eigen::VectorXd& residual, Wave kind) {
+    double wave = FindWave(residual, kind == Wave::kTurned);
+    if (!(wave > 0)) return;
+    wave = Refine(wave, 0.5 / (x_high_ - x_low_), 9, [&](double at) {
+      const auto [sine, cosine] = WaveTexts(at, kind);
+      return TakenOff(residual, sine, cosine);
+    });
+    const auto [sine, cosine] = WaveTexts(wave, kind);
+    Add(sine, cosine, kind == Wave::kTurned ? 3 : 2, std::log(waves_));
   }
 
   /// Square that a term takes from the residual beside what the model can imitate.
