@@ -96,6 +96,8 @@ inline double Apply(FormulaCode code, double a, double b) {
     case FormulaCode::kMax:
       return std::max(a, b);
     default:
+      if (b == 2) return a * a;  // most of them, in a tenth of the time
+      if (b == 3) return a * a * a;
       return std::pow(a, b);
   }
 }
