@@ -82,9 +82,8 @@ const EffectInfo& TemperatureFrictionInfo() {
       "temperature_friction",
       "friction",
       "cylinders",
-      "level (1 - slope (T - T_static)) exp(-w h) (1 + a exp(-t/t_w)), h: the way slid whose heat "
-      "is "
-      "still there",
+      "level (1 - slope (T - T_static)) exp(-w h) (1 + a exp(-t/t_w)), h: the way slid whose "
+      "heat is still there",
       {
           {"slope_1_per_K", "1/K", 0.01, -1, 1, -0.1, 0.1, "slope"},
           {"slid_1_per_m", "1/m", 0, -1e3, 1e3, -50, 50, "w: warmed by its own sliding"},

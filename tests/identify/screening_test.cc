@@ -130,6 +130,35 @@ TEST(Points, MayBeStoppedAtAnyTime) {
   for (int runs = 0; runs < 100; ++runs) EXPECT_LE(points_after(runs), all) << runs;
 }
 
+// What starts do is asked of the model once: a second round takes it from the first, and says the same.
+TEST(Screening, AnswersOfStartsAreKeptFromRoundToRound) {
+  const auto forward = std::make_shared<const Waves>(1.0, kDecoys, 1e-13);
+  const PhsParams declared = phs_model::FindPhsParams("quarter_setup2").value();
+  auto problem = FitProblem::Create(forward, declared);
+  const FreeModel model = forward->Declared(declared);
+  const FitResult fit =
+      FitNear(problem.value(), model, {1.0}, {}, {.max_steps = 10, .final_slopes = true});
+  const auto points = PointsAbout(problem.value(), model, fit, 1, false);
+  std::vector<Candidate> list;
+  for (int k = 0; k <= kDecoys; ++k) list.push_back(OfWave(k, 2e-14));
+  KnownAnswers known;
+  std::vector<double> promises[2];
+  int runs[2] = {};  // as often as the search asks whether to go on
+  for (const int round : {0, 1}) {
+    problem.value().SetGoOn([&] { return ++runs[round] > 0; });
+    for (const Trial& trial : ScreenCandidates(
+             problem.value(), model, points, list, {}, [](double) { return true; }, &known)) {
+      promises[round].push_back(trial.promise);
+    }
+  }
+  // Of each start a run and one for its slope; it is asked once more after the slopes.
+  EXPECT_EQ(runs[0] - runs[1], 3 * (kDecoys + 1));
+  ASSERT_EQ(promises[0].size(), promises[1].size());
+  for (size_t i = 0; i < promises[0].size(); ++i) {
+    EXPECT_NEAR(promises[1][i], promises[0][i], 1e-3 * std::abs(promises[0][i])) << i;
+  }
+}
+
 TEST(Screening, AnEffectWhoseStartIsAThousandTimesTooLargeIsTried) {
   double fitted = 0;
   EXPECT_EQ(FirstOf(1, 1e-15, 1e-12, &fitted), "wave 12");
