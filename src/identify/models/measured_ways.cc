@@ -11,7 +11,7 @@ using measurement::MeasuredChannel;
 using measurement::SmoothPosition;
 namespace {
 
-constexpr size_t kPistons = 4;       // all driven: rigs::RigKind::kFull
+constexpr size_t kPistons = 4;         // all driven: rigs::RigKind::kFull
 constexpr double kLongestGap_s = 1.0;  // what slid meanwhile nobody knows
 constexpr double kMostLost = 0.1;      // of what an output owes to the ways
 
