@@ -275,6 +275,18 @@ TEST(EffectSearchTest, FindsASealThatGivesWayInItsGroove) {
   EXPECT_NEAR(ValueOf(found, "effects.seal_shuttle.width_Pa") / 1e6, 1, 0.1);
 }
 
+// Beside a resistance, a warm gas and a stop.
+TEST(EffectSearchTest, FindsGasBehindAPistonThatDrags) {
+  hydraulics::PhsParams truth = OffDeclared();
+  truth.effects.push_back({"reservoir_drag", {"L2"}, {{"friction_Pa", 1.2e5}}});
+  const Identification found = FindAmong(
+      {"reservoir_drag", "line_resistance", "gas_thermal", "diaphragm_stop"}, Record(truth));
+  ASSERT_EQ(found.effects.size(), 1u) << Said(found);
+  EXPECT_EQ(found.effects[0].candidate.effect, "reservoir_drag");
+  EXPECT_EQ(found.effects[0].candidate.params.targets, std::vector<std::string>{"L2"});
+  EXPECT_NEAR(ValueOf(found, "effects.reservoir_drag.friction_Pa") / 1.2e5, 1, 0.03);
+}
+
 // A hall door that opens: what is warm cools again, and does not run away beyond the window.
 TEST(EffectSearchTest, FindsAWarmingThatComesBack) {
   hydraulics::PhsParams truth = OffDeclared();
