@@ -1,10 +1,15 @@
 #include "identify/select/known_answers.h"
 
+#include <fmt/format.h>
+
 namespace phs::identify::search {
 namespace {
 
 std::string KeyOf(const Candidate& candidate, size_t start) {
-  return candidate.effect + " " + VariantName(candidate) + " " + std::to_string(start);
+  // Two variants of one effect may have one name, and starts of their own.
+  std::string key = candidate.effect + " " + VariantName(candidate);
+  for (const double value : candidate.starts[start]) key += fmt::format(" {}", value);
+  return key;
 }
 
 }  // namespace
@@ -17,7 +22,12 @@ const KnownAnswer* KnownAnswers::Find(const Candidate& candidate, size_t start) 
 
 void KnownAnswers::Keep(const Candidate& candidate, size_t start, KnownAnswer answer) {
   const std::lock_guard lock(mutex_);
-  known_.emplace(KeyOf(candidate, start), std::move(answer));
+  new_.emplace(KeyOf(candidate, start), std::move(answer));
+}
+
+void KnownAnswers::EndRound() {
+  known_.merge(new_);
+  new_.clear();
 }
 
 }  // namespace phs::identify::search

@@ -21,16 +21,18 @@ struct KnownAnswer {
   Eigen::MatrixXf own;   ///< slopes over the candidate's own numbers
 };
 
-/// Thread-safe.
+/// Thread-safe but for EndRound. What a round learns is known from the next one on, so that nothing
+/// hangs on which thread comes first.
 class KnownAnswers {
  public:
   /// Of start `start` of the candidate; null: not known.
   const KnownAnswer* Find(const Candidate& candidate, size_t start) const;
   void Keep(const Candidate& candidate, size_t start, KnownAnswer answer);
+  void EndRound();
 
  private:
   mutable std::mutex mutex_;
-  std::map<std::string, KnownAnswer> known_;
+  std::map<std::string, KnownAnswer> known_, new_;
 };
 
 }  // namespace phs::identify::search

@@ -276,6 +276,7 @@ std::vector<Trial> ScreenCandidates(const FitProblem& coarse, const FreeModel& m
     const auto k = static_cast<size_t>(i);
     probes[k] = Probed(coarse, model, bases, list[k], known);
   });
+  if (known != nullptr) known->EndRound();
   const std::vector<size_t> tried =
       MostPromising(probes, PaidFor(coarse, points.front(), list, effort), 3 * effort.coarse_fits);
   std::vector<Trial> trials(tried.size());

@@ -1,0 +1,50 @@
+// Gas behind a separator that drags or a neck: closed forms.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/effects/driven_cylinder.h"
+
+namespace phs::effects {
+namespace {
+
+// While the gas is held the oil alone yields; beyond, the line stands P_f above what the gas has.
+TEST(ReservoirDrag, HoldsTheGasUntilItsFriction) {
+  const PhsParams params = Frictionless();
+  const double P_f = 3e5;
+  const PhsSystem s = Compile(With(params, "reservoir_drag", {{"friction_Pa", P_f}}));
+  const auto& l = params.lines[1];
+  const double area = params.cylinders[0].BoreArea(), oil = l.oil_volume_m3 / l.bulk_modulus_Pa;
+  const double small = -0.9 * P_f * 0.99 * oil / area;
+  EXPECT_NEAR(Hold(s, small, 1).p_bore - l.static_pressure_Pa, 0.9 * P_f, 1e-3 * P_f);
+  for (const double sign : {-1.0, 1.0}) {  // pushed in, drawn out
+    const double x = sign * 8e-4;
+    const double p = Drive(s, 1, 1e-3, [x](double t) { return x * t; }).p_bore;
+    const double gas = p + sign * P_f;
+    const double taken = 0.99 * oil * (p - l.static_pressure_Pa) +
+                         0.01 * oil * (gas - l.static_pressure_Pa) +
+                         l.gas_volume_m3 * (1 - l.static_pressure_Pa / gas);
+    EXPECT_NEAR(taken / (-x * area), 1, 1e-3) << x;
+  }
+}
+
+// A neck: the line relaxes to the gas with R times the compliances of both in series.
+TEST(ReservoirDrag, ANeckLetsThePressureRelax) {
+  const PhsParams params = Frictionless();
+  const double R = 2e11;
+  const PhsSystem s =
+      Compile(With(params, "reservoir_drag", {{"friction_Pa", 0}, {"laminar_Pas_per_m3", R}}));
+  const auto& l = params.lines[1];
+  const double C_oil = 0.99 * l.oil_volume_m3 / l.bulk_modulus_Pa;
+  const double C_gas = l.gas_volume_m3 / l.static_pressure_Pa + C_oil / 99;
+  const double tau = R * C_oil * C_gas / (C_oil + C_gas), x = -2e-7;
+  const double rest = l.static_pressure_Pa;
+  const double settled = Hold(s, x, 20 * tau, tau / 200).p_bore - rest;
+  const double begun = Hold(s, x, 0).p_bore - rest;
+  EXPECT_NEAR(settled * (C_oil + C_gas) / (begun * C_oil), 1, 1e-3);
+  const double later = Hold(s, x, tau, tau / 1000).p_bore - rest;
+  EXPECT_NEAR((later - settled) / (begun - settled), std::exp(-1.0), 2e-3);
+}
+
+}  // namespace
+}  // namespace phs::effects
