@@ -10,6 +10,7 @@
 #include "effects/dwell_friction.h"
 #include "effects/entrained_air.h"
 #include "effects/external_leakage.h"
+#include "effects/gas_loss.h"
 #include "effects/gas_thermal.h"
 #include "effects/gas_volume.h"
 #include "effects/hose_expansion.h"
@@ -52,9 +53,9 @@ class Table final : public hydraulics::EffectTable {
       : effects_{// hydraulic
                  PistonLeakageInfo(), ExternalLeakageInfo(), LineResistanceInfo(),
                  LineInertanceInfo(), CheckRestrictionInfo(), ThrottleInfo(), EntrainedAirInfo(),
-                 HoseExpansionInfo(), GasVolumeInfo(), GasThermalInfo(), AccumulatorPrechargeInfo(),
-                 DiaphragmStopInfo(), CavitationInfo(), OilStiffeningInfo(), SealShuttleInfo(),
-                 ReservoirDragInfo(),
+                 HoseExpansionInfo(), GasVolumeInfo(), GasThermalInfo(), GasLossInfo(),
+                 AccumulatorPrechargeInfo(), DiaphragmStopInfo(), CavitationInfo(),
+                 OilStiffeningInfo(), SealShuttleInfo(), ReservoirDragInfo(),
                  // friction
                  SealFrictionInfo(), StribeckInfo(), PreslidingInfo(), PressureFrictionInfo(),
                  PositionFrictionInfo(), DwellFrictionInfo(), ViscousFrictionInfo(),

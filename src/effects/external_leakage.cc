@@ -22,7 +22,8 @@ Status InstallExternalLeakage(const EffectParams& effect, Extension* extension) 
     extension->AddFlow(
         Port::kLine, Port::kAtmosphere, -1, line, "external_leakage",
         std::make_unique<GapFlow>(G * LineFactor(effect, extension->params(), line),
-                                  effect.values.at("exponent"), effect.values.at("start_s")));
+                                  effect.values.at("exponent"), effect.values.at("start_s"), 1,
+                                  effect.values.at("opening_Pa")));
   }
   return {};
 }
@@ -34,7 +35,7 @@ const EffectInfo& ExternalLeakageInfo() {
       "external_leakage",
       "hydraulic",
       "lines",
-      "q = G d (d/5 MPa)^(n-1), d = p - p_atmosphere, out of the line from start_s on",
+      "q = G d (d/5 MPa)^(n-1), d = p - p_atmosphere - p_o, out of the line from start_s on",
       {
           {"conductance_m3_per_Pas", "m3/(Pa s)", 1e-14, 0, 1e-3, 1e-18, 1e-11,
            "conductance at 5 MPa and 20 °C"},
@@ -42,6 +43,7 @@ const EffectInfo& ExternalLeakageInfo() {
           {"exponent", "-", 1, 0.2, 5, 0.4, 4, "n: 1 laminar, 1/2 orifice, > 1 widening gap"},
           {"rod_ratio", "-", 1, 1e-3, 1e3, 0.2, 5, "leak of rod lines over that of bore lines"},
           {"start_s", "s", 0, -1e12, 1e12, 0, 1e6, "the leak opens at this time"},
+          {"opening_Pa", "Pa", 0, 0, 1e9, 1e5, 2e7, "p_o: it opens beyond it; 0: at any pressure"},
       },
       InstallExternalLeakage,
       {
@@ -50,6 +52,9 @@ const EffectInfo& ExternalLeakageInfo() {
                   {.free = {{"conductance_m3_per_Pas", 1e-17, 1e-14, 4}}, .places = Places::kEach},
                   {.free = {{"conductance_m3_per_Pas", 3e-17, 1e-15, 2}},
                    .held = {{"exponent", 0.5}},
+                   .places = Places::kEach},
+                  {.free = {{"conductance_m3_per_Pas", 1e-15, 3e-14, 2},
+                            {"opening_Pa", 2.5e6, 7e6, 2}},
                    .places = Places::kEach},
               },
           .bogie =
@@ -62,7 +67,7 @@ const EffectInfo& ExternalLeakageInfo() {
                   {.free = {{"rod_ratio", 1}}, .of_sides = true},
                   {.free = {{"start_s", 15, 60, 3}}},
               },
-          .over = {"m3_per_s", "p"},
+          .over = {"m3_per_s", "p", true},
       }};
   return info;
 }

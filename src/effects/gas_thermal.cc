@@ -49,7 +49,8 @@ const EffectInfo& GasThermalInfo() {
           {"wall_heat_ratio", "-", 0, 0, 1e4, 0, 10,
            "r: heat capacity of the gas over that of a wall that warms up"},
           {"wall_time_s", "s", 60, 1e-3, 1e9, 2, 1000, "tau_w: wall with its surroundings"},
-          {"density_exponent", "-", 0, -2, 2, 0, 1, "m: tau ~ density^-m, free convection"},
+          {"density_exponent", "-", 0, -2, 2, -1, 1,
+           "m: tau ~ density^-m; 1/2: free convection, -2/3: a surface that shrinks"},
           {"rod_ratio", "-", 1, 1e-3, 1e3, 0.2, 5,
            "time constant of rod lines over that of bore lines"},
           {"accumulator_ratio", "-", 1, 1e-4, 1e4, 1e-3, 100,
@@ -75,7 +76,7 @@ const EffectInfo& GasThermalInfo() {
               {
                   {.free = {{"heat_capacity_ratio", 0.7, 30, 4}}},
                   {.free = {{"wall_heat_ratio", 0.3}, {"wall_time_s", 20, 100, 2}}},
-                  {.free = {{"density_exponent", 0.3}}},
+                  {.free = {{"density_exponent", -0.5, 0.5, 2}}},
                   {.free = {{"rod_ratio", 1}}, .of_sides = true},
                   {.free = {{"accumulator_ratio", 0.02, 3, 2}}},
               },

@@ -20,7 +20,7 @@ double PowerIntegral(double a0, double a, double e) {
   return std::abs(e) < 1e-9 ? log_ratio : std::pow(a0, e) * std::expm1(e * log_ratio) / e;
 }
 
-/// dV/dp = C a^-m, a = 1 + p/p_k.
+/// dV/dp = C a^-m, a = 1 + p/p_k; C at no pressure.
 class HoseVolume final : public hydraulics::VolumeLaw {
  public:
   HoseVolume(double compliance, double stiffening, double order, double p0)
@@ -75,21 +75,30 @@ class CreepVolume final : public hydraulics::VolumeLaw {
   double compliance_, time_, p0_;
 };
 
+/// Elements that share the creep: one, or three with times a factor d apart.
+void AddCreep(int line, double creeping, double p0, const EffectParams& effect,
+              Extension* extension) {
+  const double time = effect.values.at("creep_time_s"), d = effect.values.at("creep_spread");
+  const auto add = [&](double share, double own) {
+    extension->AddVolume(line, std::make_unique<CreepVolume>(share * creeping, own, p0));
+  };
+  if (d == 1) return add(1, time);
+  for (const double own : {time / d, time, time * d}) add(1.0 / 3, own);
+}
+
 Status InstallHoseExpansion(const EffectParams& effect, Extension* extension) {
   for (int line : TargetLines(effect, extension->params())) {
     const double p0 = extension->line(line).static_pressure_Pa;
     const double factor = LineFactor(effect, extension->params(), line);
-    const double elastic = factor * effect.values.at("compliance_m3_per_Pa");
+    const double stiffening = effect.values.at("stiffening_Pa");
+    const double order = effect.values.at("stiffening_order");
+    const double elastic = factor * effect.values.at("compliance_m3_per_Pa") *
+                           std::pow(1 + effect.values.at("stated_at_Pa") / stiffening, order);
     const double creeping = factor * effect.values.at("creep_m3_per_Pa");
     if (elastic > 0) {
-      extension->AddVolume(line,
-                           std::make_unique<HoseVolume>(elastic, effect.values.at("stiffening_Pa"),
-                                                        effect.values.at("stiffening_order"), p0));
+      extension->AddVolume(line, std::make_unique<HoseVolume>(elastic, stiffening, order, p0));
     }
-    if (creeping > 0) {
-      extension->AddVolume(
-          line, std::make_unique<CreepVolume>(creeping, effect.values.at("creep_time_s"), p0));
-    }
+    if (creeping > 0) AddCreep(line, creeping, p0, effect, extension);
   }
   return {};
 }
@@ -101,13 +110,15 @@ const EffectInfo& HoseExpansionInfo() {
       "hose_expansion",
       "hydraulic",
       "lines",
-      "dV/dp = C (1 + p/p_k)^-m, and a creeping part tau dw/dt = C_c (p - p0) - w",
+      "dV/dp = C ((p_k + p)/(p_k + p_s))^-m, and a creeping part tau dw/dt = C_c (p - p0) - w",
       {
           {"compliance_m3_per_Pa", "m3/Pa", 2e-13, 0, 1e-9, 1e-14, 5e-11, "C"},
           {"stiffening_Pa", "Pa", 1e9, 1e4, 1e12, 1e6, 1e9, "p_k"},
           {"stiffening_order", "-", 1, 0, 100, 0.5, 20, "m; many: nearly exponential"},
+          {"stated_at_Pa", "Pa", 0, 0, 1e8, 0, 1e7, "p_s: C is the compliance there"},
           {"creep_m3_per_Pa", "m3/Pa", 0, 0, 1e-9, 0, 2e-11, "C_c"},
           {"creep_time_s", "s", 1, 1e-4, 1e6, 0.05, 60, "tau"},
+          {"creep_spread", "-", 1, 1, 100, 1, 30, "d: a third each with tau/d, tau, tau d"},
           {"rod_ratio", "-", 1, 1e-3, 1e3, 0.2, 5,
            "compliance of rod lines over that of bore lines"},
       },
@@ -118,6 +129,12 @@ const EffectInfo& HoseExpansionInfo() {
                   // One that never stiffens is oil volume, which is free already.
                   {.free = {{"compliance_m3_per_Pa", 2e-13, 1e-12, 2},
                             {"stiffening_Pa", 8e6, 5e7, 2}},
+                   .held = {{"stated_at_Pa", 2e6}},
+                   .places = Places::kEach,
+                   .amounts = 2},
+                  // A braid that locks: nearly exp(-p/p_k m).
+                  {.free = {{"compliance_m3_per_Pa", 1e-12}, {"stiffening_Pa", 6e6, 4e7, 2}},
+                   .held = {{"stated_at_Pa", 2e6}, {"stiffening_order", 8}},
                    .places = Places::kEach,
                    .amounts = 2},
                   {.free = {{"creep_m3_per_Pa", 1e-13}, {"creep_time_s", 0.3, 4, 3}},
@@ -134,6 +151,7 @@ const EffectInfo& HoseExpansionInfo() {
               {
                   {.free = {{"stiffening_order", 4}}},
                   {.free = {{"creep_m3_per_Pa", 1e-13}, {"creep_time_s", 0.5, 4, 2}}},
+                  {.free = {{"creep_spread", 5}}, .with = "creep_m3_per_Pa"},
                   {.free = {{"rod_ratio", 1}}, .of_sides = true},
               },
           .over = {"m3", "p"},

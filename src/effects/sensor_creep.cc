@@ -2,6 +2,8 @@
 
 #include <cmath>
 #include <memory>
+#include <utility>
+#include <vector>
 
 #include "effects/targets.h"
 
@@ -17,39 +19,47 @@ using hydraulics::Walk;
 class Creep final : public hydraulics::ReadingLaw {
  public:
   Creep(double share, const EffectParams& effect)
-      : quick_(share * (1 - effect.values.at("slow_part"))),
-        slow_(share * effect.values.at("slow_part")),
-        time_s_(effect.values.at("time_s")),
-        slow_time_s_(effect.values.at("slow_time_s")),
-        prompt_(effect.values.at("settled") != 0 ? share : 0) {}
-  // Exact for a signal that is straight between samples.
+      : prompt_(effect.values.at("settled") != 0 ? share : 0) {
+    const double slow = effect.values.at("slow_part"), d = effect.values.at("spread");
+    const double time = effect.values.at("time_s"), quick = share * (1 - slow);
+    if (d == 1) {
+      parts_.push_back({quick, time});
+    } else {
+      for (const double own : {time / d, time, time * d}) parts_.push_back({quick / 3, own});
+    }
+    if (slow != 0) parts_.push_back({share * slow, effect.values.at("slow_time_s")});
+  }
   void Lag(double step, std::vector<double>* values) const override {
-    std::vector<double>& y = *values;
-    if (y.empty()) return;
-    const Follower quick(step, time_s_), slow(step, slow_time_s_);
-    const double rest = y.front();
-    double before = 0, behind_quick = 0, behind_slow = 0;
-    for (double& shown : y) {
-      const double now = shown - rest;
-      behind_quick = quick.After(behind_quick, before, now);
-      behind_slow = slow.After(behind_slow, before, now);
-      shown += quick_ * behind_quick + slow_ * behind_slow - prompt_ * now;
+    if (values->empty()) return;
+    std::vector<double> shown = *values;
+    const double rest = values->front();
+    for (double& y : shown) y -= prompt_ * (y - rest);
+    for (const Part& part : parts_) AddPart(part, step, *values, &shown);
+    *values = std::move(shown);
+  }
+
+ private:
+  struct Part {
+    double share, time_s;
+  };
+
+  /// tau dz/dt = u - z, exact for a signal that is straight between samples.
+  static void AddPart(const Part& part, double step, const std::vector<double>& true_ones,
+                      std::vector<double>* shown) {
+    const double keeps = std::exp(-step / part.time_s);
+    const double mean = -std::expm1(-step / part.time_s) * part.time_s / step;
+    const double rest = true_ones.front();
+    double before = 0, z = 0;
+    for (size_t i = 0; i < true_ones.size(); ++i) {
+      const double now = true_ones[i] - rest;
+      z = keeps * z + (mean - keeps) * before + (1 - mean) * now;
+      (*shown)[i] += part.share * z;
       before = now;
     }
   }
 
- private:
-  /// tau dz/dt = u - z over one step.
-  struct Follower {
-    Follower(double step, double time)
-        : keeps(std::exp(-step / time)), mean(-std::expm1(-step / time) * time / step) {}
-    double After(double z, double before, double now) const {
-      return keeps * z + (mean - keeps) * before + (1 - mean) * now;
-    }
-    double keeps, mean;
-  };
-
-  double quick_, slow_, time_s_, slow_time_s_, prompt_;
+  double prompt_;
+  std::vector<Part> parts_;
 };
 
 Status InstallSensorCreep(const EffectParams& effect, Extension* extension) {
@@ -80,6 +90,7 @@ const EffectInfo& SensorCreepInfo() {
           {"p_bore", "-", 0, -1, 1, -0.3, 0.3, "a of the bore pressure"},
           {"p_rod", "-", 0, -1, 1, -0.3, 0.3, "a of the rod pressure"},
           {"time_s", "s", 1, 1e-3, 1e6, 0.1, 100, "tau"},
+          {"spread", "-", 1, 1, 100, 1, 30, "d: a third of the quick part each, tau/d, tau, tau d"},
           {"slow_part", "-", 0, 0, 1, 0, 1, "b: of a, with the time of its own"},
           {"slow_time_s", "s", 10, 1e-3, 1e6, 1, 300, "tau of the slow part"},
           {"settled", "-", 0, 0, 1, 0, 1, "1: right once all has come; 0: right at first"},
@@ -100,6 +111,7 @@ const EffectInfo& SensorCreepInfo() {
               },
           .options =
               {
+                  {.free = {{"spread", 5}}},
                   {.free = {{"slow_part", 0.5}, {"slow_time_s", 4, 20, 2}}},
               },
       }};

@@ -21,7 +21,7 @@ namespace phs::hydraulics {
 inline constexpr double kTraceAir = 1e-6;
 
 /// Gas volumes of a node: three parts each of a reservoir and of an accumulator.
-inline constexpr int kMostGases = 6;
+inline constexpr int kMostGases = 8;
 
 /// A compiled gas volume of a node.
 struct NodeGas {

@@ -30,18 +30,21 @@ constexpr double kParts[] = {-1.224744871391589, 0, 1.224744871391589};
 }  // namespace
 
 void AddReservoir(const LineParams& line, double T, Node* node) {
-  GasChargeParams charge = line.reservoir;
-  const double volume = line.gas_volume_m3, p0 = line.static_pressure_Pa;
-  if (charge.stop_spread == 0 || charge.min_gas_volume_m3 == 0) {
+  const double p0 = line.static_pressure_Pa, least = line.reservoir.min_gas_volume_m3;
+  const double spread = line.reservoir.stop_spread;
+  // `share` of the reservoir, its gas held at `min_gas_volume` of the whole; 0: not held.
+  const auto add = [&](double share, double min_gas_volume) {
+    GasChargeParams charge = line.reservoir;
+    const double volume = share * line.gas_volume_m3;
+    charge.volume_m3 *= share;
+    charge.min_gas_volume_m3 = std::clamp(share * min_gas_volume, 0.0, volume);
     node->gases.push_back(CompileGas(charge, volume, p0, T));
-    return;
-  }
-  charge.volume_m3 /= 3;
-  for (const double part : kParts) {
-    const double least = line.reservoir.min_gas_volume_m3 / 3 * (1 + part * charge.stop_spread);
-    charge.min_gas_volume_m3 = std::clamp(least, 0.0, volume / 3);
-    node->gases.push_back(CompileGas(charge, volume / 3, p0, T));
-  }
+  };
+  const double held = least == 0 ? 1 : line.reservoir.stop_share;
+  if (held < 1) add(1 - held, 0);
+  if (held <= 0) return;
+  if (spread == 0 || least == 0) return add(held, least);
+  for (const double part : kParts) add(held / 3, least * (1 + part * spread));
 }
 
 void AddAccumulator(const LineParams& line, double T, Node* node) {

@@ -87,7 +87,8 @@ class Builder final : public Extension {
   void CompileCylinders(CompiledPhs* sys);
   void CompileSplits(CompiledPhs* sys);
   void CompileReservoirs(CompiledPhs* sys);
-  /// A part of a line that is to be behind a law: `share` of the line's oil. -1: there are too many.
+  /// A part of a line that is to be behind a law: `share` of the line's oil. -1: there are too
+  /// many.
   int SplitOff(int line, double share, const std::string& effect, CompiledPhs* sys);
   void CompileFlows(CompiledPhs* sys);
   void CompileStates(CompiledPhs* sys);
@@ -114,9 +115,11 @@ void Builder::CompileNodes(CompiledPhs* sys) {
   for (const LineParams& line : lines_) {
     Node node = MakeNode(line, params_.temperature_K);
     node.sequential = params_.balance == BalanceMethod::kSequential;
-    if (node.sequential && (line.reservoir.stop_spread > 0 || line.accumulator_spread_Pa > 0)) {
-      status_ = Error{"balance", "sequential, with a stop or an opening that is spread",
-                      "unified with these effects", "remove the spread or set balance: unified"};
+    if (node.sequential && (line.reservoir.stop_spread > 0 || line.reservoir.stop_share < 1 ||
+                            line.accumulator_spread_Pa > 0)) {
+      status_ =
+          Error{"balance", "sequential, with a stop or an opening that is spread or gives way",
+                "unified with these effects", "remove the spread or set balance: unified"};
     }
     sys->nodes.push_back(std::move(node));
     line_of_.push_back(static_cast<int>(line_of_.size()));

@@ -58,6 +58,7 @@ struct GasChargeParams {
   /// Standard deviation of the above over the parts of a diaphragm that come to rest one after the
   /// other, relative to their mean; set by diaphragm_stop.
   double stop_spread = 0;
+  double stop_share = 1;  ///< of the gas that the stop holds; set by diaphragm_stop
   bool operator==(const GasChargeParams&) const = default;
 };
 

@@ -122,6 +122,11 @@ double GapFlow::Conductance(const FlowPlace& at, double dp) const {
 }
 
 double GapFlow::Flow(const FlowPlace& at, double dp, double* slope) const noexcept {
+  if (opening_Pa_ > 0 && dp <= opening_Pa_) return *slope = 0;
+  return FlowBeyond(at, dp - opening_Pa_, slope);
+}
+
+double GapFlow::FlowBeyond(const FlowPlace& at, double dp, double* slope) const {
   const double G = Opening(at.time) * Conductance(at, dp);
   if (exponent_ == 1) {
     *slope = G;
@@ -144,12 +149,28 @@ double GapFlow::Drop(const FlowPlace& at, double flow, double* slope) const noex
   const FlowPlace open{std::max(at.time, start_ + kOpening), at.warmer, at.viscosity};
   double rise = 1;
   for (int i = 0; i < 50; ++i) {
-    const double error = Flow(open, dp, &rise) - flow;
+    const double error = FlowBeyond(open, dp, &rise) - flow;
     dp -= error / rise;
     if (std::abs(error) <= 1e-14 * std::abs(flow)) break;
   }
   *slope = 1 / rise;
-  return dp;
+  return opening_Pa_ + dp;
+}
+
+double PoppetFlow::Drop(const FlowPlace&, double flow, double* slope) const noexcept {
+  const double P = flow >= 0 ? forward_ : backward_, root = std::hypot(flow, lifted_);
+  *slope = P * lifted_ * lifted_ / (root * root * root);
+  return P * flow / root;
+}
+
+// d = dp/P: q = q0 d/sqrt(1 - d²), short of d = 1 kept finite.
+double PoppetFlow::Flow(const FlowPlace&, double dp, double* slope) const noexcept {
+  constexpr double kMost = 1 - 1e-12;
+  const double P = dp >= 0 ? forward_ : backward_;
+  const double d = P > 0 ? std::clamp(dp / P, -kMost, kMost) : std::copysign(kMost, dp);
+  const double left = 1 - d * d;
+  *slope = lifted_ / (std::max(P, 1e-6) * left * std::sqrt(left));
+  return lifted_ * d / std::sqrt(left);
 }
 
 std::unique_ptr<FlowLaw> InSeries(std::unique_ptr<FlowLaw> first, std::unique_ptr<FlowLaw> second) {

@@ -46,9 +46,10 @@ class PipeFlow final : public FlowLaw {
   double oil_inertance_, inertance_, unsteady_;  ///< second: with the fastest of the friction
 };
 
-/// Leak through a narrow opening: q = G dp (|dp|/5 MPa)^(n-1), n = 1 a laminar gap, 1/2 an orifice
-/// (Bernoulli), above 1 a gap that the pressure widens. Smooth below 2 kPa. Opens from `start`
-/// on, over kOpening.
+/// Leak through a narrow opening: q = G d (|d|/5 MPa)^(n-1), n = 1 a laminar gap, 1/2 an orifice
+/// (Bernoulli), above 1 a gap that the pressure widens; d = dp, or of what opens at a pressure p_o
+/// (a lip that lifts, a crack that gapes) d = dp - p_o, nothing below. Smooth below 2 kPa. Opens
+/// from `start` on, over kOpening.
 class GapFlow final : public FlowLaw {
  public:
   /// [s], assumed: a crack runs through a hose or a seal within milliseconds. A leak that opened at
@@ -60,19 +61,37 @@ class GapFlow final : public FlowLaw {
   /// wholly, an orifice (1/2) not at all.
   static double ViscousShare(double exponent) { return std::clamp(2 * exponent - 1, 0.0, 1.0); }
   /// `conductance` G > 0 [m3/(Pa s)] at the reference, exponent n > 0; `return_ratio` > 0: G at
-  /// dp < 0 over that at dp > 0.
-  GapFlow(double conductance, double exponent, double start_s = -1e300, double return_ratio = 1)
+  /// dp < 0 over that at dp > 0; `opening_Pa` p_o >= 0: 0, and it is open at any.
+  GapFlow(double conductance, double exponent, double start_s = -1e300, double return_ratio = 1,
+          double opening_Pa = 0)
       : conductance_(conductance),
         exponent_(exponent),
         start_(start_s),
-        return_ratio_(return_ratio) {}
+        return_ratio_(return_ratio),
+        opening_Pa_(opening_Pa) {}
   double Flow(const FlowPlace& at, double dp, double* slope) const noexcept override;
   double Drop(const FlowPlace& at, double flow, double* slope) const noexcept override;
 
  private:
   double Conductance(const FlowPlace& at, double dp) const;
-  double Opening(double time) const;  ///< 0 … 1
-  double conductance_, exponent_, start_, return_ratio_;
+  double Opening(double time) const;                                       ///< 0 … 1
+  double FlowBeyond(const FlowPlace& at, double dp, double* slope) const;  ///< of d [Pa]
+  double conductance_, exponent_, start_, return_ratio_, opening_Pa_;
+};
+
+/// A valve or flap that a spring holds shut: once lifted it takes a steady pressure P, whatever the
+/// flow, dp = P q/sqrt(q² + q0²), by direction. Only behind another law, as its flow has no limit.
+class PoppetFlow final : public FlowLaw {
+ public:
+  /// P >= 0 [Pa] for flow from and to the high side; q0 > 0 [m3/s].
+  PoppetFlow(double forward, double backward, double lifted)
+      : forward_(forward), backward_(backward), lifted_(lifted) {}
+  double Flow(const FlowPlace& at, double dp, double* slope) const noexcept override;
+  double Drop(const FlowPlace& at, double flow, double* slope) const noexcept override;
+  bool SolvedByDrop() const noexcept override { return true; }
+
+ private:
+  double forward_, backward_, lifted_;
 };
 
 /// Two laws one behind the other: drops and inertances add.

@@ -36,6 +36,42 @@ TEST(EffectForms, ACreepingHoseGivesWayWithItsTime) {
   EXPECT_NEAR(Hold(Compile(params), x, time, 1e-4).p_rod - p0, at, 3e-3 * at);
 }
 
+// Three Kelvin elements side by side in oil: after a step their volumes come with their own times.
+TEST(EffectForms, AHoseMayCreepOverDecadesOfTime) {
+  const double C = 4e-14, tau = 0.5, d = 8, x = 2e-4;
+  const auto p_at = [&](double time) {
+    const PhsParams params = OilWith("hose_expansion", {{"compliance_m3_per_Pa", 0},
+                                                        {"creep_m3_per_Pa", C},
+                                                        {"creep_time_s", tau},
+                                                        {"creep_spread", d}});
+    return Hold(Compile(params), x, time, 1e-3).p_rod;
+  };
+  const PhsParams params = OilWith("hose_expansion", {{"compliance_m3_per_Pa", 0}});
+  const auto& l = params.lines[0];
+  const double oil = l.oil_volume_m3 / l.bulk_modulus_Pa, p0 = l.static_pressure_Pa;
+  const double first = params.cylinders[0].RodArea() * x / oil;  // C is small: to first order
+  for (const double t : {0.0625, 0.5, 4.0}) {
+    double crept = 0;
+    for (const double own : {tau / d, tau, tau * d}) crept += -std::expm1(-t / own) / 3;
+    EXPECT_NEAR((p0 + first - p_at(t)) / (first * C / oil * crept), 1, 0.06) << t;
+  }
+}
+
+// The same hose, its compliance stated at none and at 2 MPa.
+TEST(EffectForms, AHosesComplianceMayBeStatedAtAPressure) {
+  const double C = 8e-13, pk = 4e6, at = 2e6, x = 4e-4;
+  const auto p_of = [&](double compliance, double stated) {
+    return Hold(Compile(OilWith("hose_expansion", {{"compliance_m3_per_Pa", compliance},
+                                                   {"stiffening_Pa", pk},
+                                                   {"stiffening_order", 3},
+                                                   {"stated_at_Pa", stated}})),
+                x, 0)
+        .p_rod;
+  };
+  EXPECT_NEAR(p_of(C * std::pow(1 + at / pk, -3), at), p_of(C, 0), 1);
+  EXPECT_GT(std::abs(p_of(C, at) - p_of(C, 0)), 1e5);
+}
+
 TEST(EffectForms, AStiffeningHoseTakesUpItsVolume) {
   // Order 3: C p_k/2 (a0^-2 - a^-2), a = 1 + p/p_k.
   const double C = 8e-13, pk = 4e6, x = 4e-4;
@@ -71,6 +107,23 @@ TEST(EffectForms, AnAccumulatorOpensPartByPart) {
   EXPECT_GT(p, 1.2 * P);
   EXPECT_NEAR(room + l.oil_volume_m3 / l.bulk_modulus_Pa * (p - l.static_pressure_Pa),
               2 * x * params.cylinders[0].RodArea(), 1e-9);
+}
+
+// Below V_min a rubber bead lets the gas lose 27 % of what it would: V = V_min - 0.27 (V_min - V0
+// p0/p).
+TEST(EffectForms, WhatADiaphragmMeetsMayGiveWay) {
+  const double least = 8e-6, share = 0.73;
+  PhsParams params = Frictionless();
+  params = With(params, "diaphragm_stop", {{"min_gas_volume_m3", least}, {"share", share}});
+  const auto& l = params.lines[0];
+  const double V0 = l.gas_volume_m3, p0 = l.static_pressure_Pa;
+  for (const double x : {0.5e-3, 1.4e-3, 2.0e-3}) {
+    const double p = Hold(Compile(params), x, 0).p_rod, free = V0 * p0 / p;
+    const double gas = free > least ? free : least - (1 - share) * (least - free);
+    EXPECT_NEAR(l.oil_volume_m3 / l.bulk_modulus_Pa * (p - p0) + V0 - gas,
+                x * params.cylinders[0].RodArea(), 1e-9)
+        << p;
+  }
 }
 
 TEST(EffectForms, ADiaphragmLaysItselfOnItsWallPartByPart) {
@@ -120,6 +173,10 @@ TEST(EffectForms, LeakThroughGapOrificeAndWideningGap) {
     EXPECT_NEAR(lip.Flow({}, 5e6, &slope), 1e-7, 1e-13);
     EXPECT_NEAR(lip.Flow({}, -5e6, &slope), -0.25e-7, 1e-13);
     EXPECT_NEAR(lip.Drop({}, -0.25e-7, &slope), -5e6, 1);
+    const hydraulics::GapFlow crack(2e-14, n, -1, 1, 3e6);
+    EXPECT_NEAR(crack.Flow({}, 8e6, &slope), 1e-7, 1e-13) << "5 MPa beyond its opening";
+    EXPECT_NEAR(crack.Drop({}, 1e-7, &slope), 8e6, 1);
+    for (const double dp : {-4e6, 0.0, 2.9e6}) EXPECT_EQ(crack.Flow({}, dp, &slope), 0) << dp;
   }
 }
 

@@ -190,6 +190,17 @@ TEST(Instruments, AGaugeThatCreepsShowsAShareLate) {
     EXPECT_NEAR(shown[1][i + 1] - plain[1][i + 1], 0.05 * (0.75 * quick + 0.25 * slow), 0.05)
         << i << ": of some kN";
   }
+  // A third each with tau/4, tau, 4 tau is as much as three gauges, each with its own time.
+  const auto wide =
+      Shown(With(p, "sensor_creep", {{"load", 0.06}, {"time_s", 0.7}, {"spread", 4}}));
+  std::vector<double> sum(plain[1].size(), 0.0);
+  for (const double own : {0.7 / 4, 0.7, 0.7 * 4}) {
+    const auto one = Shown(With(p, "sensor_creep", {{"load", 0.02}, {"time_s", own}}));
+    for (size_t i = 0; i < sum.size(); ++i) sum[i] += one[1][i] - plain[1][i];
+  }
+  for (size_t i = 0; i < sum.size(); i += 13) {
+    EXPECT_NEAR(wide[1][i] - plain[1][i], sum[i], 1e-6) << i;
+  }
   const auto settled = Shown(With(
       p, "sensor_creep",
       {{"load", 0.05}, {"time_s", 0.7}, {"slow_part", 0.25}, {"slow_time_s", 3}, {"settled", 1}}));

@@ -46,5 +46,19 @@ TEST(ReservoirDrag, ANeckLetsThePressureRelax) {
   EXPECT_NEAR((later - settled) / (begun - settled), std::exp(-1.0), 2e-3);
 }
 
+// An edge: with oil that does not yield, gas follows the piston and the line stands K q² above it.
+TEST(ReservoirDrag, AnEdgeTakesTheSquareOfTheFlow) {
+  PhsParams params = Frictionless();
+  for (auto& l : params.lines) l.bulk_modulus_Pa = 1e11, l.oil_volume_m3 = 1e-4;
+  const double K = 5e13, v = -5e-3;
+  const PhsSystem s =
+      Compile(With(params, "reservoir_drag", {{"friction_Pa", 0}, {"turbulent_Pas2_per_m6", K}}));
+  const auto& l = params.lines[1];
+  const double area = params.cylinders[0].BoreArea(), q = -area * v;
+  const double p = Drive(s, 0.1, 1e-4, [v](double t) { return v * t; }).p_bore;
+  const double gas = l.static_pressure_Pa * l.gas_volume_m3 / (l.gas_volume_m3 - q * 0.1);
+  EXPECT_NEAR((p - gas) / (K * q * q + 1e7 * q), 1, 5e-3);
+}
+
 }  // namespace
 }  // namespace phs::effects

@@ -56,5 +56,22 @@ TEST(Restriction, TurbulenceStandsBehindIt) {
   EXPECT_NEAR(slope * rise, 1, 5e-3);
 }
 
+// A valve held shut: once lifted, at some 1e-5 m3/s, it takes its spring's pressure by direction.
+TEST(Restriction, AValveHeldShutTakesItsSpringsPressure) {
+  constexpr double R = 1e8, out = 2e5, in = 5e4;
+  const auto law = MakeRestriction({R, 0, out}, {R, 0, in}, 1, {});
+  double slope, rise;
+  for (const double q : {-3e-4, -1e-5, 2e-6, 1e-5, 3e-4}) {
+    const double P = q > 0 ? out : in, dp = R * q + P * q / std::hypot(q, kRestrictionFlow);
+    EXPECT_NEAR(law->Drop({}, q, &rise) / dp, 1, 1e-12) << q;
+    EXPECT_NEAR(law->Flow({}, dp, &slope) / q, 1, 1e-9) << q;
+    EXPECT_NEAR(slope * rise, 1, 1e-9) << q;
+    const double nudge = 1e-4 * q;
+    const double above = law->Drop({}, q + nudge, &slope), below = law->Drop({}, q - nudge, &slope);
+    EXPECT_NEAR((above - below) / (2 * nudge) / rise, 1, 1e-6) << q;
+  }
+  EXPECT_NEAR(law->Drop({}, 3e-4, &rise), out + R * 3e-4, 1e-3 * out);
+}
+
 }  // namespace
 }  // namespace phs::effects

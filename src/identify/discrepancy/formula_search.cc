@@ -65,8 +65,9 @@ class PlaceTerms final : public TermLibrary {
       // Of a force that the load cell was set to zero with, or not.
       for (const Wave kind : {Wave::kPlain, Wave::kZeroed, Wave::kTurned}) AddWave(residual, kind);
     }
-    if (data_.has_friction) AddRamp(residual, {"x", "m", scale_.x, row_x_}), AddNotch(residual);
+    if (data_.has_friction) AddNotch(residual);
     for (const bool squared : {false, true}) {
+      if (data_.has_friction) AddRamp(residual, {"x", "m", scale_.x, row_x_}, squared);
       if (data_.has_load) AddRamp(residual, {"F", "N", scale_.F, row_F_}, squared);
       if (data_.own == 'p') AddRamp(residual, {"p", "Pa", scale_.p, row_own_}, squared);
       if (data_.own == 'q') AddRamp(residual, {"q", "Pa", scale_.q, row_own_}, squared);
@@ -272,6 +273,7 @@ class PlaceTerms final : public TermLibrary {
       AddWithFriction(x, v, signed_v, others);
     } else if (data_.has_speed) {
       Add(v, "", 1, 0), Add(v + "^2", "", 2, 0);
+      Add(signed_v, "", 1, 0), Add(signed_v + "*" + v, "", 2, 0);
     }
     if (data_.has_load) AddLoad(ratio("F", scale_.F, "N"), x, v, others);
   }
@@ -328,7 +330,8 @@ class PlaceTerms final : public TermLibrary {
     return best;
   }
 
-  /// x, s, F, a gauge's own pressure and weight on (at most 6000 of) the rows, read off through the caller's own columns.
+  /// x, s, F, a gauge's own pressure and weight on (at most 6000 of) the rows, read off through the
+  /// caller's own columns.
   void CollectRows() {
     places_known_ = true;
     std::vector<std::vector<double>> x, s, load, own, one;

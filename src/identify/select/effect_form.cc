@@ -23,10 +23,31 @@ FitResult FitOption(const FitProblem& problem, const FreeModel& model, const Fit
   return best;
 }
 
+/// Takes options out that later ones, from `last` on, have made idle: without each of them chance
+/// alone would leave as much. The first `core` numbers stay.
+void DropIdle(const FitProblem& problem, const FreeModel& model, size_t core, size_t last,
+              Candidate* form, FitResult* now) {
+  const size_t base = model.free.size();
+  for (size_t k = last; k-- > core;) {
+    Candidate less = *form;
+    less.free.erase(less.free.begin() + static_cast<long>(k));
+    std::vector<double> values = now->values;
+    values.erase(values.begin() + static_cast<long>(base + k));
+    FitResult fit = FitNear(problem, WithCandidate(model, less), values, now->slopes,
+                            {.first_own = static_cast<int>(base), .max_steps = 6});
+    if (!fit.ok) continue;
+    const double loss = Criterion(problem, fit.score, fit.values.size()) -
+                        Criterion(problem, now->score, now->values.size());
+    if (IsBeyondChance(problem.rule(), loss, 1)) continue;
+    *form = std::move(less), *now = std::move(fit);
+  }
+}
+
 }  // namespace
 
 FitResult AddOptions(const FitProblem& problem, const FreeModel& model, FitResult now,
                      Candidate* form) {
+  const size_t core = form->free.size();
   while (problem.rule().options && !form->options.empty()) {
     std::vector<FitResult> fits(form->options.size());
     problem.ForEach(static_cast<int>(fits.size()), [&](int k) {
@@ -44,8 +65,10 @@ FitResult AddOptions(const FitProblem& problem, const FreeModel& model, FitResul
     const double gain = Criterion(problem, now.score, now.values.size()) -
                         Criterion(problem, best.score, best.values.size());
     if (!IsBeyondChance(problem.rule(), gain, static_cast<double>(fits.size()))) return now;
+    const size_t kept = form->free.size();
     *form = WithOption(*form, chosen);
     now = std::move(best);
+    DropIdle(problem, model, core, kept, form, &now);
   }
   return now;
 }

@@ -8,7 +8,8 @@
 namespace phs::identify::search {
 
 /// Frees options of `form` (fitted as `now` on top of `model`) as long as the best of them passes
-/// the rule of acceptance (acceptance.h) among all that were tried. Gives the fit.
+/// the rule of acceptance (acceptance.h) among all that were tried; one that later ones make idle
+/// goes again. Gives the fit.
 FitResult AddOptions(const FitProblem& problem, const FreeModel& model, FitResult now,
                      Candidate* form);
 
