@@ -149,7 +149,7 @@ const EffectInfo& HoseExpansionInfo() {
               },
           .options =
               {
-                  {.free = {{"stiffening_order", 4}}},
+                  {.free = {{"stiffening_order", 4}}, .with = "compliance_m3_per_Pa"},
                   {.free = {{"creep_m3_per_Pa", 1e-13}, {"creep_time_s", 0.5, 4, 2}}},
                   {.free = {{"creep_spread", 5}}, .with = "creep_m3_per_Pa"},
                   {.free = {{"rod_ratio", 1}}, .of_sides = true},

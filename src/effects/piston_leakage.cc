@@ -1,7 +1,9 @@
 #include "effects/piston_leakage.h"
 
 #include <memory>
+#include <utility>
 
+#include "effects/leak_place.h"
 #include "effects/targets.h"
 #include "hydraulics/pipe.h"
 
@@ -19,10 +21,12 @@ Status InstallPistonLeakage(const EffectParams& effect, Extension* extension) {
   const double G = LeakAtModelTemperature(effect, extension->params());
   if (G <= 0) return {};
   for (int i : TargetCylinders(effect, extension->params())) {
+    auto gap =
+        std::make_unique<GapFlow>(G, effect.values.at("exponent"), effect.values.at("start_s"),
+                                  effect.values.at("return_ratio"));
     extension->AddFlow(
         Port::kBore, Port::kRod, i, -1, "piston_leakage",
-        std::make_unique<GapFlow>(G, effect.values.at("exponent"), effect.values.at("start_s"),
-                                  effect.values.at("return_ratio")));
+        AtPlace(std::move(gap), effect.values.at("from_m"), effect.values.at("edge_m")));
   }
   return {};
 }
@@ -43,6 +47,8 @@ const EffectInfo& PistonLeakageInfo() {
           {"return_ratio", "-", 1, 1e-4, 1e4, 5e-3, 200,
            "conductance from rod to bore over that from bore to rod: a lip lifts one way"},
           {"start_s", "s", -1e12, -1e12, 1e12, 0, 1e6, "the seal fails at this time"},
+          {"from_m", "m", 0, -1, 1, -5e-3, 5e-3, "x_1: the piston stands beyond it; with edge_m"},
+          {"edge_m", "m", 0, -1, 1, -2e-3, 2e-3, "w; < 0: it leaks below x_1; 0: everywhere"},
       },
       InstallPistonLeakage,
       {
@@ -68,6 +74,7 @@ const EffectInfo& PistonLeakageInfo() {
                   {.free = {{"exponent", 0.6, 1.6, 2}}},
                   {.free = {{"return_ratio", 0.3, 3, 2}}},
                   {.free = {{"start_s", 15, 60, 3}}},
+                  {.free = {{"from_m", -1e-3, 1e-3, 3}, {"edge_m", -3e-4, 3e-4, 2}}},
               },
           .over = {"m3_per_s", "p"},
       }};

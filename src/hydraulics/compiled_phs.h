@@ -43,6 +43,7 @@ struct Path {
   int lag = -1, num_lags = 0;  ///< state index of the first lag of the flow, and how many
   /// The end that is a part of the other end's line: a chamber (from) or a reservoir (to); -1: none.
   int part = -1;
+  int cylinder = -1;  ///< whose piston the law may ask for; -1: none
   int whole() const { return part == from ? to : from; }
 };
 
@@ -65,7 +66,18 @@ struct CompiledPhs {
   /// Temperature and viscosity of an instant; what flows at `time`, and how warm it is there.
   void SetWarmth(double time, Instant* at) const;
   FlowPlace WhereItFlows(double time, const Instant& at) const {
-    return {time, at.ambient - params.temperature_K, at.viscosity};
+    FlowPlace place;
+    place.time = time, place.warmer = at.ambient - params.temperature_K;
+    place.viscosity = at.viscosity;
+    return place;
+  }
+  /// The same for one path. `speed`: of the pistons, or null.
+  void SetPath(const Path& path, const Instant& at, const double* speed, const double* state,
+               FlowPlace* place) const {
+    place->passed = state[path.volume];
+    if (path.cylinder < 0) return;
+    place->piston = at.piston[path.cylinder];
+    place->speed = speed != nullptr ? speed[path.cylinder] : 0;
   }
   /// Time, warmth and further channels.
   void SetTime(double time, Instant* at) const;

@@ -40,6 +40,7 @@ class Extension {
   virtual std::vector<std::string> extra_names() const { return {}; }
   virtual void AddVolume(int line, std::unique_ptr<VolumeLaw> law) = 0;
   /// Between two ports of a cylinder (kBore, kRod of `cylinder`), a line (`line`) or atmosphere.
+  /// The law may ask for the piston of `cylinder`, also between others; -1: for none.
   virtual void AddFlow(Port from, Port to, int cylinder, int line, const std::string& name,
                        std::unique_ptr<FlowLaw> law) = 0;
   /// Puts `law` between the chamber (kBore or kRod) of `cylinder` and its line. `share` of the

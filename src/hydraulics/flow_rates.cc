@@ -39,7 +39,7 @@ constexpr double kGamma = 1 - M_SQRT1_2;
 void CalcDerivative(const CompiledPhs& sys, double time, const Instant& at, const double* speed,
                     const double* state, double* rate, SlowMatrix* slow) {
   PathSlopes slopes;
-  CalcPathRates(sys, OwnInertances(sys), time, at, 0, state, nullptr, rate, &slopes);
+  CalcPathRates(sys, OwnInertances(sys), time, at, 0, speed, state, nullptr, rate, &slopes);
   CalcAllNodeRates(sys, at, speed, state, rate, slow, slopes.heat);
 }
 
@@ -209,9 +209,10 @@ double CalcHydraulicLoss(const CompiledPhs& sys, double time, const Instant& at,
   double lost = 0, slope;
   for (const Path& path : sys.paths) {
     const double dp = sys.Pressure(at, path.from) - sys.Pressure(at, path.to);
-    const double passed = place.passed = state[path.volume];
-    lost += path.flow >= 0 ? path.law->Drop(place, state[path.flow], &slope) * state[path.flow]
-                           : path.law->Flow(place, dp, &slope) * (dp - path.law->Held(passed));
+    sys.SetPath(path, at, nullptr, state, &place);
+    lost += path.flow >= 0
+                ? path.law->Drop(place, state[path.flow], &slope) * state[path.flow]
+                : path.law->Flow(place, dp, &slope) * (dp - path.law->Held(place.passed));
     for (int k = 0; k < path.num_lags; ++k) {
       const double behind = state[path.flow] - state[path.lag + k];
       lost += path.law->Lag(place, k).resistance * behind * behind;

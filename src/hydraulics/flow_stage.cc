@@ -151,12 +151,12 @@ PathInertances OwnInertances(const CompiledPhs& sys) {
 }
 
 void CalcPathRates(const CompiledPhs& sys, const PathInertances& inertances, double time,
-                   const Instant& at, double a, const double* state, const double* flows,
-                   double* rate, PathSlopes* slopes) {
+                   const Instant& at, double a, const double* speed, const double* state,
+                   const double* flows, double* rate, PathSlopes* slopes) {
   FlowPlace place = sys.WhereItFlows(time, at);
   for (size_t k = 0; k < sys.paths.size(); ++k) {
     const Path& path = sys.paths[k];
-    place.passed = state[path.volume];
+    sys.SetPath(path, at, speed, state, &place);
     slopes->back[k] = 0;
     const double dp = sys.Pressure(at, path.from) - sys.Pressure(at, path.to);
     double* slope = &slopes->law[k];
@@ -233,7 +233,7 @@ bool SolveStage(const CompiledPhs& sys, const PathInertances& inertances, double
     }
     for (int i = first_flow; i < count; ++i) flow[i] = (u[i] - base[i]) / a;
     FollowFlows(sys, sys.WhereItFlows(time, *at), a, base, u);
-    CalcPathRates(sys, inertances, time, *at, a, u, flow, F, &slopes);
+    CalcPathRates(sys, inertances, time, *at, a, motion.speed, u, flow, F, &slopes);
     CalcDropSlopes(sys, *at, &slopes);
     // 1e-14 m3 is 0.01 Pa on a chamber.
     largest = std::max(largest, 1e14 * StepPaths(sys, inertances, a, slopes, base, F, u));

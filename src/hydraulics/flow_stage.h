@@ -37,11 +37,11 @@ void PlaceAt(const CompiledPhs& sys, double time, const double* way, const Insta
              const double* u, Instant* at);
 
 /// Rates of volumes passed and of flows with inertance and their lags; slopes of the laws in a
-/// stage of length `a`, whose lags follow the flow (0: at an instant). `flows`: those of the last
-/// iterate by state, or null.
+/// stage of length `a`, whose lags follow the flow (0: at an instant). `speed`: of the pistons;
+/// `flows`: those of the last iterate by state, or null.
 void CalcPathRates(const CompiledPhs& sys, const PathInertances& inertances, double time,
-                   const Instant& at, double a, const double* state, const double* flows,
-                   double* rate, PathSlopes* slopes);
+                   const Instant& at, double a, const double* speed, const double* state,
+                   const double* flows, double* rate, PathSlopes* slopes);
 
 /// Rates of the nodes' states, given those of the volumes passed; `heat` of PathSlopes.
 void CalcAllNodeRates(const CompiledPhs& sys, const Instant& at, const double* speed,

@@ -31,13 +31,16 @@ class VolumeLaw {
   virtual double Loss(double /*pressure*/, double /*memory*/) const noexcept { return 0; }
 };
 
-/// When and how warm it is where oil flows.
+/// When, where and how warm it is where oil flows.
 struct FlowPlace {
   double time = 0;    ///< [s]
   double warmer = 0;  ///< temperature above the model's [K]
   /// Dynamic viscosity over that at the model's static temperature (oil.h): 1 while it stays there.
   double viscosity = 1;
   double passed = 0;  ///< volume that has gone through so far [m3]
+  /// Of the piston that the path belongs to: extension [m], and its rate [m/s] while a step is
+  /// solved, 0 where losses are asked for.
+  double piston = 0, speed = 0;
 };
 
 /// One lag of the oil behind the flow q of its pipe: dq_k/dt = rate (q - q_k), which holds the flow

@@ -248,6 +248,7 @@ void Builder::CompileFlows(CompiledPhs* sys) {
     path.from = PortNode(*sys, flow.from, flow.cylinder, flow.line);
     path.to = PortNode(*sys, flow.to, flow.cylinder, flow.line);
     if (path.from == path.to) continue;
+    path.cylinder = flow.cylinder;
     path.law = std::move(flow.law);
     sys->paths.push_back(std::move(path));
     const bool of_cylinder = flow.from != Port::kLine && flow.cylinder >= 0;

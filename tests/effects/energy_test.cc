@@ -162,6 +162,7 @@ TEST(EnergyOfForms, WorkIsStoredPlusLost) {
       {"line_inertance", {{"laminar_Pas_per_m3", 4e9}, {"unsteady_share", 1}}},
       {"piston_leakage", {{"exponent", 0.5}}},
       {"piston_leakage", {{"return_ratio", 0.1}}},
+      {"piston_leakage", {{"conductance_m3_per_Pas", 1e-12}, {"from_m", 2e-4}, {"edge_m", 1e-4}}},
       {"external_leakage", {{"exponent", 1.7}, {"rod_ratio", 3}}},
       {"external_leakage", {{"conductance_m3_per_Pas", 1e-12}, {"opening_Pa", 2.2e6}}},
       {"backlash", {{"gap_m", 2e-4}, {"tension_share", 0.2}, {"hardening_1_per_m2", 1e9}}},

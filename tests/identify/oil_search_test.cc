@@ -24,6 +24,33 @@ TEST(OilSearchTest, ALeakThatOpensAtAPressureIsALeak) {
   EXPECT_NEAR(ValueOf(found, "effects.external_leakage.opening_Pa") / 5e6, 1, 0.03) << Said(found);
 }
 
+// The rod carries a film out and does not bring it back: beside a leak, a drift and air.
+TEST(OilSearchTest, FindsAFilmThatTheRodCarriesOut) {
+  hydraulics::PhsParams truth = OffDeclared();
+  truth.effects.push_back(
+      {"external_leakage", {"L1"}, {{"conductance_m3_per_Pas", 0}, {"film_out_m2", 1.5e-6}}});
+  const Identification found =
+      FindAmong({"external_leakage", "gas_loss", "sensor_drift", "entrained_air"}, Record(truth));
+  ASSERT_EQ(found.effects.size(), 1u) << Said(found);
+  EXPECT_EQ(found.effects[0].candidate.effect, "external_leakage");
+  EXPECT_NEAR(ValueOf(found, "effects.external_leakage.film_out_m2") / 1.5e-6, 1, 0.05)
+      << Said(found);
+}
+
+// A bore that is scored beyond a place.
+TEST(OilSearchTest, FindsWhereABoreIsScored) {
+  hydraulics::PhsParams truth = OffDeclared();
+  truth.effects.push_back(
+      {"piston_leakage",
+       {},
+       {{"conductance_m3_per_Pas", 4e-14}, {"from_m", 8e-4}, {"edge_m", 1.5e-4}}});
+  const Identification found = FindAmong(
+      {"piston_leakage", "external_leakage", "seal_shuttle", "entrained_air"}, Record(truth));
+  ASSERT_EQ(found.effects.size(), 1u) << Said(found);
+  EXPECT_EQ(found.effects[0].candidate.effect, "piston_leakage");
+  EXPECT_NEAR(ValueOf(found, "effects.piston_leakage.from_m"), 8e-4, 3e-4) << Said(found);
+}
+
 // Beside oil that is lost, and gauges that drift.
 TEST(OilSearchTest, FindsGasThatLeavesItsReservoir) {
   hydraulics::PhsParams truth = OffDeclared();

@@ -23,12 +23,12 @@ FitResult FitOption(const FitProblem& problem, const FreeModel& model, const Fit
   return best;
 }
 
-/// Takes options out that later ones, from `last` on, have made idle: without each of them chance
+/// Takes options out that are idle, or that later ones have made idle: without each of them chance
 /// alone would leave as much. The first `core` numbers stay.
-void DropIdle(const FitProblem& problem, const FreeModel& model, size_t core, size_t last,
-              Candidate* form, FitResult* now) {
+void DropIdle(const FitProblem& problem, const FreeModel& model, size_t core, Candidate* form,
+              FitResult* now) {
   const size_t base = model.free.size();
-  for (size_t k = last; k-- > core;) {
+  for (size_t k = form->free.size(); k-- > core;) {
     Candidate less = *form;
     less.free.erase(less.free.begin() + static_cast<long>(k));
     std::vector<double> values = now->values;
@@ -61,15 +61,14 @@ FitResult AddOptions(const FitProblem& problem, const FreeModel& model, FitResul
       if (!fits[k].ok || !AreTold(WithOption(*form, k).free, fits[k], added)) continue;
       if (!best.ok || fits[k].score < best.score) best = std::move(fits[k]), chosen = k;
     }
-    if (!best.ok) return now;
+    if (!best.ok) break;
     const double gain = Criterion(problem, now.score, now.values.size()) -
                         Criterion(problem, best.score, best.values.size());
-    if (!IsBeyondChance(problem.rule(), gain, static_cast<double>(fits.size()))) return now;
-    const size_t kept = form->free.size();
+    if (!IsBeyondChance(problem.rule(), gain, static_cast<double>(fits.size()))) break;
     *form = WithOption(*form, chosen);
     now = std::move(best);
-    DropIdle(problem, model, core, kept, form, &now);
   }
+  DropIdle(problem, model, core, form, &now);
   return now;
 }
 

@@ -4,6 +4,8 @@
 #include <atomic>
 #include <cmath>
 #include <mutex>
+#include <optional>
+#include <utility>
 
 #include "effects/unlisted.h"
 #include "identify/fit/accept.h"
@@ -44,7 +46,7 @@ class Search {
     if (Status s = FitDeclared(declared); !s.ok()) return s;
     for (int round = 0; round < options_.effort.max_effects && !cancelled_; ++round) {
       Stage(0.02 + 0.2 * round, 0.2);
-      if (!AddOne(round)) break;
+      if (!Advance(round)) break;
       Reweigh();
     }
     DropSuperfluous();
@@ -155,6 +157,40 @@ class Search {
     return {};
   }
 
+  /// One effect more: beside the last one as it was accepted, or beside its core. What its form may
+  /// take on can stand for another effect (a hose that creeps ever more slowly, for a leak).
+  bool Advance(int round) {
+    std::optional<Identification> plain = WithoutLastOptions();
+    bool more = AddOne(round);
+    if (!plain || cancelled_) return more;
+    std::swap(out_, *plain);
+    const bool simpler = AddOne(round) && Total(out_) < Total(*plain);
+    if (!simpler) out_ = std::move(*plain);
+    return more || simpler;
+  }
+
+  double Total(const Identification& found) const {
+    return Criterion(problem_, found.after.score, found.after.values.size());
+  }
+
+  /// The same with the last effect's core alone; nothing where it has no more than that.
+  std::optional<Identification> WithoutLastOptions() const {
+    if (out_.effects.empty()) return {};
+    const size_t core = out_.effects.back().candidate.none.size();
+    const size_t options = out_.effects.back().candidate.free.size() - core;
+    if (options == 0 || !problem_.rule().options) return {};
+    Identification plain = out_;
+    plain.effects.back().candidate.free.resize(core);
+    plain.corrected.free.resize(plain.corrected.free.size() - options);
+    std::vector<double> values = plain.after.values;
+    values.resize(values.size() - options);
+    plain.after =
+        FitNear(problem_, plain.corrected, values, {}, {.max_steps = 8, .final_slopes = true});
+    if (!plain.after.ok) return {};
+    plain.effects.back().evidence = Compare(problem_, without_last_, plain.after, 1);
+    return plain;
+  }
+
   bool AddOne(int round) {
     std::vector<Candidate> list = problem_.forward().Candidates(out_.corrected.params);
     KeepWorstPlace(problem_, out_.corrected, out_.after, &list);
@@ -199,7 +235,7 @@ class Search {
     AcceptedEffect effect = BesideRivals(trial, record.evidence, passed);
     record.verdict = kAccepted;
     out_.corrected = WithCandidate(out_.corrected, trial.form);
-    out_.after = trial.fit;
+    without_last_ = std::exchange(out_.after, trial.fit);
     out_.effects.push_back(std::move(effect));
     return true;
   }
@@ -340,6 +376,7 @@ class Search {
   FitProblem& problem_;
   FitProblem& coarse_;
   const SearchOptions options_;
+  FitResult without_last_;  // before the last effect was accepted
   const Progress progress_;
   Identification out_;
   std::mutex mutex_;
