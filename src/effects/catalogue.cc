@@ -35,6 +35,7 @@
 #include "effects/sensor_gain.h"
 #include "effects/sensor_hysteresis.h"
 #include "effects/sensor_offset.h"
+#include "effects/sensor_slew.h"
 #include "effects/stribeck.h"
 #include "effects/temperature_drift.h"
 #include "effects/temperature_friction.h"
@@ -64,7 +65,7 @@ class Table final : public hydraulics::EffectTable {
                  BacklashInfo(), MountComplianceInfo(), BushViscoelasticInfo(),
                  // instrument
                  SensorOffsetInfo(), SensorDriftInfo(), SensorDelayInfo(), SensorGainInfo(),
-                 SensorCreepInfo(), SensorHysteresisInfo(),
+                 SensorCreepInfo(), SensorHysteresisInfo(), SensorSlewInfo(),
                  // environment
                  TemperatureDriftInfo(),
                  // a part on a bench

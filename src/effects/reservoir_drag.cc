@@ -79,8 +79,8 @@ const EffectInfo& ReservoirDragInfo() {
           .options =
               {
                   {.free = {{"laminar_Pas_per_m3", 3e9}}},
-                  {.free = {{"friction_Pa", 3e4}}},
-                  {.free = {{"turbulent_Pas2_per_m6", 3e12}}},
+                  {.free = {{"friction_Pa", 3e4}}, .without = "turbulent_Pas2_per_m6"},
+                  {.free = {{"turbulent_Pas2_per_m6", 3e12}}, .without = "friction_Pa"},
               },
       }};
   return info;

@@ -171,6 +171,33 @@ TEST(Instruments, AGaugeBehindAPlugStandsStillAfterEveryReversal) {
 }
 
 /// Against the same equation in steps a thousand times finer.
+// Nowhere faster than R; where the truth was slow for long enough it is shown.
+TEST(Instruments, AnAmplifierFollowsNoFasterThanItsRate) {
+  const PhsParams p = Quarter();
+  const auto plain = Shown(p);
+  double fastest = 0;
+  for (size_t i = 1; i < plain[1].size(); ++i) {
+    fastest = std::max(fastest, std::abs(plain[1][i] - plain[1][i - 1]) / 0.01);
+  }
+  const double R = 0.5 * fastest;
+  const auto shown = Shown(With(p, "sensor_slew", {{"load_N_per_s", R}}));
+  size_t late = 0;
+  for (size_t i = 1; i < plain[1].size(); ++i) {
+    EXPECT_LE(std::abs(shown[1][i] - shown[1][i - 1]) / 0.01, R * (1 + 1e-9)) << i;
+    // It goes towards the truth, and reaches it or goes at its rate.
+    const double left = plain[1][i] - shown[1][i];
+    late += left != 0;
+    if (left != 0) {
+      EXPECT_NEAR((shown[1][i] - shown[1][i - 1]) / 0.01, std::copysign(R, left), 1e-6 * R) << i;
+    }
+  }
+  EXPECT_GT(late, 0u);
+  EXPECT_LT(late, plain[1].size() / 2);
+  EXPECT_EQ(shown[2], plain[2]) << "the gauges follow";
+  const auto quick = Shown(With(p, "sensor_slew", {{"load_N_per_s", 1.01 * fastest}}));
+  EXPECT_EQ(quick[1], plain[1]);
+}
+
 TEST(Instruments, AGaugeThatCreepsShowsAShareLate) {
   const PhsParams p = Quarter();
   const auto plain = Shown(p);

@@ -287,6 +287,18 @@ TEST(EffectSearchTest, FindsGasBehindAPistonThatDrags) {
   EXPECT_NEAR(ValueOf(found, "effects.reservoir_drag.friction_Pa") / 1.2e5, 1, 0.03);
 }
 
+// Beside delays, creep and a loop.
+TEST(EffectSearchTest, FindsAnAmplifierThatCannotFollow) {
+  hydraulics::PhsParams truth = OffDeclared();
+  truth.effects.push_back({"sensor_slew", {}, {{"load_N_per_s", 4e4}}});
+  const Identification found =
+      FindAmong({"sensor_slew", "sensor_delay", "sensor_creep", "sensor_hysteresis", "stribeck"},
+                Record(truth));
+  ASSERT_EQ(found.effects.size(), 1u) << Said(found);
+  EXPECT_EQ(found.effects[0].candidate.effect, "sensor_slew");
+  EXPECT_NEAR(ValueOf(found, "effects.sensor_slew.load_N_per_s") / 4e4, 1, 0.03) << Said(found);
+}
+
 // A hall door that opens: what is warm cools again, and does not run away beyond the window.
 TEST(EffectSearchTest, FindsAWarmingThatComesBack) {
   hydraulics::PhsParams truth = OffDeclared();

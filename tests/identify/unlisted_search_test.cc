@@ -251,6 +251,23 @@ TEST(UnlistedSearchTest, AGaugeThatBowsIsItsReadingOverItsOwnPressure) {
   EXPECT_LT(found.after.channel_ms[2], 1.1) << Said(found);
 }
 
+/// One bit of its converter never sets: it reads low in every second step of 0.3 MPa.
+TEST(UnlistedSearchTest, AConverterWhoseBitSticksIsAWaveOverItsOwnPressure) {
+  FitData data = Record(OffDeclared());
+  const double bit = 3e5;
+  for (double& p : data.outputs[2].values) {
+    if (std::fmod(std::floor(p / bit), 2) == 1) p -= bit;
+  }
+  const Identification found = FindAmong({"sensor_offset", "sensor_gain", "pressure_area"}, data);
+  ASSERT_FALSE(found.effects.empty()) << Said(found);  // half a bit is an offset beside it
+  EXPECT_EQ(found.effects[0].candidate.effect, "unlisted") << Said(found);
+  EXPECT_EQ(found.formula.unit, "Pa");
+  EXPECT_EQ(found.formula.targets, std::vector<std::string>{"L2"});
+  const std::string text = found.formula.text;
+  ASSERT_THAT(text, testing::HasSubstr("sin(2*pi*p/")) << Said(found);
+  EXPECT_NEAR(std::stod(text.substr(text.find("p/") + 2)), 2 * bit, 0.01 * 2 * bit);
+}
+
 /// A thrust that grows with the square of its line's pressure, above the static one and below: the
 /// catalogue's changes sign. A formula alone says more, and is the thrust's form all the same.
 TEST(UnlistedSearchTest, AThrustOfAnotherShapeKeepsItsName) {

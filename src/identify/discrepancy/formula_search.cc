@@ -59,18 +59,22 @@ class PlaceTerms final : public TermLibrary {
   /// which takes most beside the model's own numbers.
   void AddForResidual(const Eigen::VectorXd& residual) override {
     if (!places_known_) CollectRows();
+    const Variable x{"x", "m", scale_.x, row_x_};
     if (!data_.has_friction) {
-      AddWave(residual, Wave::kZeroed);
+      AddWave(residual, x, Wave::kZeroed);
+      // Bits of a converter that stick: its error comes back with its own reading.
+      if (data_.own != 0) AddWave(residual, OwnPressure(), Wave::kPlain);
     } else {
       // Of a force that the load cell was set to zero with, or not.
-      for (const Wave kind : {Wave::kPlain, Wave::kZeroed, Wave::kTurned}) AddWave(residual, kind);
+      for (const Wave kind : {Wave::kPlain, Wave::kZeroed, Wave::kTurned}) {
+        AddWave(residual, x, kind);
+      }
     }
     if (data_.has_friction) AddNotch(residual);
     for (const bool squared : {false, true}) {
-      if (data_.has_friction) AddRamp(residual, {"x", "m", scale_.x, row_x_}, squared);
+      if (data_.has_friction) AddRamp(residual, x, squared);
       if (data_.has_load) AddRamp(residual, {"F", "N", scale_.F, row_F_}, squared);
-      if (data_.own == 'p') AddRamp(residual, {"p", "Pa", scale_.p, row_own_}, squared);
-      if (data_.own == 'q') AddRamp(residual, {"q", "Pa", scale_.q, row_own_}, squared);
+      if (data_.own != 0) AddRamp(residual, OwnPressure(), squared);
     }
     if (data_.has_time_waves) AddTimeWave(residual);
   }
@@ -82,20 +86,36 @@ class PlaceTerms final : public TermLibrary {
     kTurned,  ///< times s
   };
 
-  static std::pair<std::string, std::string> WaveTexts(double wave, Wave kind) {
-    const std::string angle = fmt::format("(2*pi*x/{:.5g}[m])", 1 / wave);
+  struct Variable {
+    const char *symbol, *unit;
+    double scale;
+    const std::vector<double>& rows;
+  };
+
+  /// A gauge's own pressure.
+  Variable OwnPressure() const {
+    return data_.own == 'q' ? Variable{"q", "Pa", scale_.q, row_own_}
+                            : Variable{"p", "Pa", scale_.p, row_own_};
+  }
+
+  static std::pair<std::string, std::string> WaveTexts(const Variable& over, double wave,
+                                                       Wave kind) {
+    const std::string angle = fmt::format("(2*pi*{}/{:.5g}[{}])", over.symbol, 1 / wave, over.unit);
     const std::string s = kind == Wave::kTurned ? "s*" : "";
     return {s + "sin" + angle, kind == Wave::kZeroed ? "(cos" + angle + "-1)" : s + "cos" + angle};
   }
 
-  void AddWave(const Eigen::VectorXd& residual, Wave kind) {
-    double wave = FindWave(residual, kind == Wave::kTurned);
+  void AddWave(const Eigen::VectorXd& residual, const Variable& over, Wave kind) {
+    if (over.rows.empty()) return;
+    const auto [low, high] = std::minmax_element(over.rows.begin(), over.rows.end());
+    const double span = *high - *low;
+    double wave = FindWave(residual, over, span, kind == Wave::kTurned);
     if (!(wave > 0)) return;
-    wave = Refine(wave, 0.5 / (x_high_ - x_low_), 9, [&](double at) {
-      const auto [sine, cosine] = WaveTexts(at, kind);
+    wave = Refine(wave, 0.5 / span, 9, [&](double at) {
+      const auto [sine, cosine] = WaveTexts(over, at, kind);
       return TakenOff(residual, sine, cosine);
     });
-    const auto [sine, cosine] = WaveTexts(wave, kind);
+    const auto [sine, cosine] = WaveTexts(over, wave, kind);
     Add(sine, cosine, kind == Wave::kTurned ? 3 : 2, std::log(waves_));
   }
 
@@ -121,12 +141,6 @@ class PlaceTerms final : public TermLibrary {
     }
     return best;
   }
-
-  struct Variable {
-    const char *symbol, *unit;
-    double scale;
-    const std::vector<double>& rows;
-  };
 
   /// What begins at a position (a stop, an end of a guide) or at a force (an amplifier that gives
   /// way), to either side; squared: without a kink.
@@ -300,18 +314,18 @@ class PlaceTerms final : public TermLibrary {
     }
   }
 
-  /// Wave number [1/m] that takes most from the residual: coarse scan on thinned places, then a
-  /// finer one around the best. 0: the motion is too short to tell.
-  double FindWave(const Eigen::VectorXd& residual, bool turned) {
-    if (row_x_.empty()) return 0;
-    const double span = x_high_ - x_low_;
+  /// Wave number [1/unit of the variable, which covers `span`] that takes most from the residual:
+  /// coarse scan on thinned places, then a finer one around the best. 0: the motion is too short to
+  /// tell. Over a pressure it must come back often: a few waves would be any bend of a gauge.
+  double FindWave(const Eigen::VectorXd& residual, const Variable& over, double span, bool turned) {
     if (!(span > 0)) return 0;
-    const double first = 1.5 / span, last = 300 / span, step = 0.25 / span;
+    const double least = over.rows.data() == row_x_.data() ? 1.5 : LeastPeriods({});
+    const double first = least / span, last = 300 / span, step = 0.25 / span;
     waves_ = (last - first) / step;
     const auto power = [&](double wave) {
       double c = 0, s = 0;
-      for (size_t i = 0; i < row_x_.size(); ++i) {
-        const double a = 2 * M_PI * wave * row_x_[i];
+      for (size_t i = 0; i < row_.size(); ++i) {
+        const double a = 2 * M_PI * wave * over.rows[i];
         const double r = residual[static_cast<Eigen::Index>(row_[i])] * row_weight_[i] *
                          (turned ? row_s_[i] : 1);
         c += r * std::cos(a), s += r * std::sin(a);

@@ -7,8 +7,8 @@
 // forces also what begins at a position, max(x - x1, 0), and a notch, exp(-((x - x1)/w)²) and its
 // slope, both flanks of which are seen. Each coefficient has the unit of what the formula gives.
 // What a sensor shows has the force F that the load cell carries beside them, also from a force
-// on, max(F - F1, 0), a gauge also from a pressure of its own on, and v, v|v|, |v| and v² in place
-// of terms with s: a flow past its port, a cable beside that of the drive.
+// on, max(F - F1, 0), a gauge also from a pressure of its own on and in waves over it, and v, v|v|,
+// |v| and v² in place of terms with s: a flow past its port, a cable beside that of the drive.
 #pragma once
 
 #include <Eigen/Core>

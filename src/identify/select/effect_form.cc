@@ -23,8 +23,33 @@ FitResult FitOption(const FitProblem& problem, const FreeModel& model, const Fit
   return best;
 }
 
-/// Takes options out that are idle, or that later ones have made idle: without each of them chance
-/// alone would leave as much. The first `core` numbers stay.
+}  // namespace
+
+FitResult AddOptions(const FitProblem& problem, const FreeModel& model, FitResult now,
+                     Candidate* form) {
+  while (problem.rule().options && !form->options.empty()) {
+    std::vector<FitResult> fits(form->options.size());
+    problem.ForEach(static_cast<int>(fits.size()), [&](int k) {
+      const auto i = static_cast<size_t>(k);
+      fits[i] = FitOption(problem, model, now, WithOption(*form, i), form->options[i]);
+    });
+    FitResult best;
+    size_t chosen = 0;
+    for (size_t k = 0; k < fits.size(); ++k) {
+      const size_t added = form->options[k].free.size();
+      if (!fits[k].ok || !AreTold(WithOption(*form, k).free, fits[k], added)) continue;
+      if (!best.ok || fits[k].score < best.score) best = std::move(fits[k]), chosen = k;
+    }
+    if (!best.ok) return now;
+    const double gain = Criterion(problem, now.score, now.values.size()) -
+                        Criterion(problem, best.score, best.values.size());
+    if (!IsBeyondChance(problem.rule(), gain, static_cast<double>(fits.size()))) return now;
+    *form = WithOption(*form, chosen);
+    now = std::move(best);
+  }
+  return now;
+}
+
 void DropIdle(const FitProblem& problem, const FreeModel& model, size_t core, Candidate* form,
               FitResult* now) {
   const size_t base = model.free.size();
@@ -41,35 +66,6 @@ void DropIdle(const FitProblem& problem, const FreeModel& model, size_t core, Ca
     if (IsBeyondChance(problem.rule(), loss, 1)) continue;
     *form = std::move(less), *now = std::move(fit);
   }
-}
-
-}  // namespace
-
-FitResult AddOptions(const FitProblem& problem, const FreeModel& model, FitResult now,
-                     Candidate* form) {
-  const size_t core = form->free.size();
-  while (problem.rule().options && !form->options.empty()) {
-    std::vector<FitResult> fits(form->options.size());
-    problem.ForEach(static_cast<int>(fits.size()), [&](int k) {
-      const auto i = static_cast<size_t>(k);
-      fits[i] = FitOption(problem, model, now, WithOption(*form, i), form->options[i]);
-    });
-    FitResult best;
-    size_t chosen = 0;
-    for (size_t k = 0; k < fits.size(); ++k) {
-      const size_t added = form->options[k].free.size();
-      if (!fits[k].ok || !AreTold(WithOption(*form, k).free, fits[k], added)) continue;
-      if (!best.ok || fits[k].score < best.score) best = std::move(fits[k]), chosen = k;
-    }
-    if (!best.ok) break;
-    const double gain = Criterion(problem, now.score, now.values.size()) -
-                        Criterion(problem, best.score, best.values.size());
-    if (!IsBeyondChance(problem.rule(), gain, static_cast<double>(fits.size()))) break;
-    *form = WithOption(*form, chosen);
-    now = std::move(best);
-  }
-  DropIdle(problem, model, core, form, &now);
-  return now;
 }
 
 void DropEdges(const FitProblem& problem, const FreeModel& model, size_t core, Candidate* form,

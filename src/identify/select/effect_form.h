@@ -8,10 +8,14 @@
 namespace phs::identify::search {
 
 /// Frees options of `form` (fitted as `now` on top of `model`) as long as the best of them passes
-/// the rule of acceptance (acceptance.h) among all that were tried; one that later ones make idle
-/// goes again. Gives the fit.
+/// the rule of acceptance (acceptance.h) among all that were tried. Gives the fit.
 FitResult AddOptions(const FitProblem& problem, const FreeModel& model, FitResult now,
                      Candidate* form);
+
+/// Takes options out of `form` (fitted as `now`) that are idle, or that later ones have made idle:
+/// without each of them chance alone would leave as much. The first `core` numbers stay.
+void DropIdle(const FitProblem& problem, const FreeModel& model, size_t core, Candidate* form,
+              FitResult* now);
 
 /// Takes the options out of `form` that ended at an end of their range in `fit`, the fit on top of
 /// `model` to the whole record, and fits what is left: a number on its bound says that the form is

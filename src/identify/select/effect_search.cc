@@ -157,38 +157,40 @@ class Search {
     return {};
   }
 
-  /// One effect more: beside the last one as it was accepted, or beside its core. What its form may
-  /// take on can stand for another effect (a hose that creeps ever more slowly, for a leak).
+  /// One effect more. What the form of the effect before may take on can stand for it (a hose that
+  /// creeps ever more slowly, for a leak): so it is sought beside the core of that effect, too.
   bool Advance(int round) {
-    std::optional<Identification> plain = WithoutLastOptions();
-    bool more = AddOne(round);
-    if (!plain || cancelled_) return more;
-    std::swap(out_, *plain);
-    const bool simpler = AddOne(round) && Total(out_) < Total(*plain);
-    if (!simpler) out_ = std::move(*plain);
-    return more || simpler;
+    Identification before = out_;
+    const FitResult without = without_last_;
+    if (!AddOne(round)) return false;
+    if (cancelled_ || !TakeOutOptions(without, &before)) return true;
+    std::swap(out_, before);
+    const bool simpler = AddOne(round) && Total(out_) < Total(before);
+    if (!simpler) out_ = std::move(before);
+    return true;
   }
 
   double Total(const Identification& found) const {
     return Criterion(problem_, found.after.score, found.after.values.size());
   }
 
-  /// The same with the last effect's core alone; nothing where it has no more than that.
-  std::optional<Identification> WithoutLastOptions() const {
-    if (out_.effects.empty()) return {};
-    const size_t core = out_.effects.back().candidate.none.size();
-    const size_t options = out_.effects.back().candidate.free.size() - core;
-    if (options == 0 || !problem_.rule().options) return {};
-    Identification plain = out_;
-    plain.effects.back().candidate.free.resize(core);
-    plain.corrected.free.resize(plain.corrected.free.size() - options);
-    std::vector<double> values = plain.after.values;
+  /// Leaves the core alone of the last effect, which was accepted on top of `without`; false where
+  /// it has no more than that.
+  bool TakeOutOptions(const FitResult& without, Identification* found) const {
+    if (found->effects.empty() || !problem_.rule().options) return false;
+    AcceptedEffect& last = found->effects.back();
+    const size_t core = last.candidate.none.size();
+    const size_t options = last.candidate.free.size() - core;
+    if (options == 0) return false;
+    last.candidate.free.resize(core);
+    found->corrected.free.resize(found->corrected.free.size() - options);
+    std::vector<double> values = found->after.values;
     values.resize(values.size() - options);
-    plain.after =
-        FitNear(problem_, plain.corrected, values, {}, {.max_steps = 8, .final_slopes = true});
-    if (!plain.after.ok) return {};
-    plain.effects.back().evidence = Compare(problem_, without_last_, plain.after, 1);
-    return plain;
+    found->after =
+        FitNear(problem_, found->corrected, values, {}, {.max_steps = 8, .final_slopes = true});
+    if (!found->after.ok) return false;
+    last.evidence = Compare(problem_, without, found->after, 1);
+    return true;
   }
 
   bool AddOne(int round) {

@@ -129,13 +129,14 @@ std::vector<FullTrial> TryEffects(const FitProblem& problem, const FitProblem& c
   problem.ForEach(static_cast<int>(chosen.size()), [&](int k) {
     if (!go_on(kScreening + kForms + (1 - kScreening - kForms) * done++ / chosen.size())) return;
     FullTrial& trial = trials[chosen[static_cast<size_t>(k)]];
+    const size_t core = trial.candidate->free.size();
+    DropIdle(coarse, model, core, &trial.form, &trial.coarse);
     const FreeModel whole = WithCandidate(model, trial.form);
     trial.fit = FitNear(problem, whole, FullStart(problem, whole, fit, trial), {},
                         {.first_own = 0, .max_steps = 1});
     if (!trial.fit.ok) return;
     trial.fit = FitNear(problem, whole, trial.fit.values, trial.fit.slopes,
                         {.first_own = static_cast<int>(whole.free.size()), .max_steps = 15});
-    const size_t core = trial.candidate->free.size();
     const bool asked = effort.unpromising;
     if (!asked && !MayPass(problem, fit, trial.fit, core, static_cast<double>(list.size()))) return;
     trial.fit =
