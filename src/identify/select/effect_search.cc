@@ -45,7 +45,6 @@ class Search {
   Status SearchAll(const hydraulics::PhsParams& declared) {
     if (Status s = FitDeclared(declared); !s.ok()) return s;
     for (int round = 0; round < options_.effort.max_effects && !cancelled_; ++round) {
-      Stage(0.02 + 0.2 * round, 0.2);
       if (!Advance(round)) break;
       Reweigh();
     }
@@ -160,13 +159,18 @@ class Search {
   /// One effect more. What the form of the effect before may take on can stand for it (a hose that
   /// creeps ever more slowly, for a leak): so it is sought beside the core of that effect, too.
   bool Advance(int round) {
-    Identification before = out_;
-    const FitResult without = without_last_;
+    const double begin = 0.02 + 0.2 * round;
+    Stage(begin, HasOptions(out_) ? 0.1 : 0.2);
+    Identification core = out_;
+    const FitResult beneath_core = beneath_last_;
     if (!AddOne(round)) return false;
-    if (cancelled_ || !TakeOutOptions(without, &before)) return true;
-    std::swap(out_, before);
-    const bool simpler = AddOne(round) && Total(out_) < Total(before);
-    if (!simpler) out_ = std::move(before);
+    if (cancelled_ || !TakeOutOptions(beneath_core, &core)) return true;
+    Stage(begin + 0.1, 0.1);
+    Identification whole = std::exchange(out_, std::move(core));
+    FitResult beneath_whole = beneath_last_;
+    if (!AddOne(round) || Total(whole) <= Total(out_)) {
+      out_ = std::move(whole), beneath_last_ = std::move(beneath_whole);
+    }
     return true;
   }
 
@@ -174,14 +178,20 @@ class Search {
     return Criterion(problem_, found.after.score, found.after.values.size());
   }
 
-  /// Leaves the core alone of the last effect, which was accepted on top of `without`; false where
-  /// it has no more than that.
-  bool TakeOutOptions(const FitResult& without, Identification* found) const {
-    if (found->effects.empty() || !problem_.rule().options) return false;
+  /// Of the effect accepted last: numbers beside those of its core.
+  static bool HasOptions(const Identification& found) {
+    if (found.effects.empty()) return false;
+    const Candidate& last = found.effects.back().candidate;
+    return last.free.size() > last.none.size();
+  }
+
+  /// Leaves the core alone of the last effect, which was accepted on top of the fit `beneath`; false
+  /// where it has no more than that.
+  bool TakeOutOptions(const FitResult& beneath, Identification* found) const {
+    if (!HasOptions(*found)) return false;
     AcceptedEffect& last = found->effects.back();
     const size_t core = last.candidate.none.size();
     const size_t options = last.candidate.free.size() - core;
-    if (options == 0) return false;
     last.candidate.free.resize(core);
     found->corrected.free.resize(found->corrected.free.size() - options);
     std::vector<double> values = found->after.values;
@@ -189,7 +199,7 @@ class Search {
     found->after =
         FitNear(problem_, found->corrected, values, {}, {.max_steps = 8, .final_slopes = true});
     if (!found->after.ok) return false;
-    last.evidence = Compare(problem_, without, found->after, 1);
+    last.evidence = Compare(problem_, beneath, found->after, 1);
     return true;
   }
 
@@ -237,7 +247,7 @@ class Search {
     AcceptedEffect effect = BesideRivals(trial, record.evidence, passed);
     record.verdict = kAccepted;
     out_.corrected = WithCandidate(out_.corrected, trial.form);
-    without_last_ = std::exchange(out_.after, trial.fit);
+    beneath_last_ = std::exchange(out_.after, trial.fit);
     out_.effects.push_back(std::move(effect));
     return true;
   }
@@ -378,7 +388,7 @@ class Search {
   FitProblem& problem_;
   FitProblem& coarse_;
   const SearchOptions options_;
-  FitResult without_last_;  // before the last effect was accepted
+  FitResult beneath_last_;  ///< before the last effect was accepted
   const Progress progress_;
   Identification out_;
   std::mutex mutex_;
