@@ -72,10 +72,8 @@ const EffectInfo& ExternalLeakageInfo() {
                   {.free = {{"conductance_m3_per_Pas", 1e-15, 3e-14, 2},
                             {"opening_Pa", 2.5e6, 7e6, 2}},
                    .places = Places::kEach},
+                  // What comes in is not sought: it would stand for a valve that feeds the line.
                   {.free = {{"film_out_m2", 1e-7}},
-                   .held = {{"conductance_m3_per_Pas", 0}},
-                   .places = Places::kAlone},
-                  {.free = {{"film_in_m2", 1e-7}},
                    .held = {{"conductance_m3_per_Pas", 0}},
                    .places = Places::kAlone},
               },
@@ -91,7 +89,6 @@ const EffectInfo& ExternalLeakageInfo() {
                   {.free = {{"from_m", -1e-3, 1e-3, 3}, {"edge_m", -3e-4, 3e-4, 2}},
                    .with = "conductance_m3_per_Pas"},
                   {.free = {{"film_out_m2", 1e-8}}},
-                  {.free = {{"film_in_m2", 1e-8}}},
               },
           .over = {"m3_per_s", "p", true},
       }};
