@@ -1,4 +1,7 @@
 """docs/identify_examples.md: two records of an independent program with known truth."""
+import math
+import re
+
 from docfigures.form import number
 from docfigures.hidden import answer, errors, truth, verdict, with_interval
 
@@ -8,17 +11,19 @@ PART = "hidden."
 
 def figures(phs):
     off, pair = answer(phs, "off_list"), answer(phs, "pair")
-    valve = truth(phs, "off_list")["effects"][0]["parameters"]
+    cogging = truth(phs, "off_list")["effects"][0]["parameters"]
+    wave = next(iter(e for e in off["effects"] if "formula" in e), {"formula": "", "parameters": {}})
+    amounts = [wave["parameters"][c]["value"] for c in ("c1_N", "c2_N") if c in wave["parameters"]]
+    length = re.search(r"x/([0-9.e+-]+)\[m\]", wave["formula"])
     leak, play = (e["parameters"] for e in truth(phs, "pair")["effects"])
     found = {e["name"]: e["parameters"] for e in pair["effects"]}
     return {
         "off_verdict": verdict(off),
         "off_formula": "`" + "; ".join(e.get("formula", "none") for e in off["effects"]) + "`",
-        "off_amount": ", ".join(with_interval(e["parameters"]["c1_m3_per_s"], 1e8, 3, "· 10⁻⁸ m³/s")
-                                for e in off["effects"] if "c1_m3_per_s" in e["parameters"]),
-        # The formula counts from the static pressure, 1.8 MPa, and per 10 MPa.
-        "off_true_opens": number((valve["pressure_Pa"] - 1.8e6) / 1e6, 3) + " MPa",
-        "off_true_amount": number(1e7 * valve["conductance_m3_s_Pa"] * 1e8, 3) + " · 10⁻⁸ m³/s",
+        "off_amount": number(math.hypot(*amounts), 0) + " N",
+        "off_true_amount": number(cogging["amplitude_N"], 0) + " N",
+        "off_length": number(1e3 * float(length[1]), 4) + " mm" if length else "no wave",
+        "off_true_length": number(1e3 * cogging["wavelength_m"], 4) + " mm",
         "off_errors": errors(phs, "off_list"),
         "pair_verdict": verdict(pair),
         "pair_gap": with_interval(found["backlash"]["gap_m"], 1e3, 4, "mm"),
