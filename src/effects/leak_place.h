@@ -4,6 +4,7 @@
 //   a film: q = h_out v in extension, -h_in |v| in retraction: what the rod carries out and does not
 //     bring back. h [m2]: girth times thickness of the film that is left (0.1 m times 1 um, 1e-7). It
 //     does the work of its flow against the pressure, a force h p, which is left out (1 N).
+// Of a line with several cylinders the piston is that of the first.
 #pragma once
 
 #include <memory>

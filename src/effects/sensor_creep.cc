@@ -1,11 +1,11 @@
 #include "effects/sensor_creep.h"
 
 #include <cmath>
-#include <memory>
+#include <functional>
 #include <utility>
 #include <vector>
 
-#include "effects/targets.h"
+#include "effects/readings.h"
 
 namespace phs::effects {
 namespace {
@@ -63,15 +63,10 @@ class Creep final : public hydraulics::ReadingLaw {
 };
 
 Status InstallSensorCreep(const EffectParams& effect, Extension* extension) {
-  for (int i : TargetCylinders(effect, extension->params())) {
-    const auto add = [&](Sensor sensor, const char* key) {
-      const double share = effect.values.at(key);
-      if (share != 0) extension->AddReading(i, sensor, std::make_unique<Creep>(share, effect));
-    };
-    add(Sensor::kLoad, "load");
-    add(Sensor::kBorePressure, "p_bore");
-    add(Sensor::kRodPressure, "p_rod");
-  }
+  AddReadings<Creep>(
+      effect,
+      {{Sensor::kLoad, "load"}, {Sensor::kBorePressure, "p_bore"}, {Sensor::kRodPressure, "p_rod"}},
+      0, extension, std::cref(effect));
   return {};
 }
 

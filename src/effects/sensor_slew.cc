@@ -1,10 +1,9 @@
 #include "effects/sensor_slew.h"
 
 #include <algorithm>
-#include <memory>
 #include <vector>
 
-#include "effects/targets.h"
+#include "effects/readings.h"
 
 namespace phs::effects {
 namespace {
@@ -29,15 +28,11 @@ class Slew final : public hydraulics::ReadingLaw {
 };
 
 Status InstallSensorSlew(const EffectParams& effect, Extension* extension) {
-  for (const int i : TargetCylinders(effect, extension->params())) {
-    const auto add = [&](Sensor sensor, const char* key) {
-      const double rate = effect.values.at(key);
-      if (rate > 0) extension->AddReading(i, sensor, std::make_unique<Slew>(rate));
-    };
-    add(Sensor::kLoad, "load_N_per_s");
-    add(Sensor::kBorePressure, "p_bore_Pa_per_s");
-    add(Sensor::kRodPressure, "p_rod_Pa_per_s");
-  }
+  AddReadings<Slew>(effect,
+                    {{Sensor::kLoad, "load_N_per_s"},
+                     {Sensor::kBorePressure, "p_bore_Pa_per_s"},
+                     {Sensor::kRodPressure, "p_rod_Pa_per_s"}},
+                    0, extension);
   return {};
 }
 

@@ -1,8 +1,7 @@
-// An amplifier or converter that cannot follow faster than a rate R:
-//   d(shown)/dt = (true - shown) held to [-R, R], at once where that allows
-// R [unit of the channel per s] is half to a tenth of what the channel does, or nobody sees it.
-// Slow signals come through unharmed, however large; a delay of all of them is sensor_delay.
-// Predicted channels only.
+// An amplifier or converter that cannot follow faster than a rate R [unit of the channel per s]:
+//   |d(shown)/dt| <= R, towards the true value; the true value itself once it is reached
+// Slow signals come through unharmed, however large; one that is late for all of them is
+// sensor_delay. Where nothing is faster than R nobody sees it. Predicted channels only.
 #pragma once
 
 #include "hydraulics/extension.h"

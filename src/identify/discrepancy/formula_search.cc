@@ -59,7 +59,7 @@ class PlaceTerms final : public TermLibrary {
   /// which takes most beside the model's own numbers.
   void AddForResidual(const Eigen::VectorXd& residual) override {
     if (!places_known_) CollectRows();
-    const Variable x{"x", "m", scale_.x, row_x_};
+    const Variable x{"x", "m", scale_.x, row_x_, 1.5};
     if (!data_.has_friction) {
       AddWave(residual, x, Wave::kZeroed);
       // Bits of a converter that stick: its error comes back with its own reading.
@@ -73,7 +73,7 @@ class PlaceTerms final : public TermLibrary {
     if (data_.has_friction) AddNotch(residual);
     for (const bool squared : {false, true}) {
       if (data_.has_friction) AddRamp(residual, x, squared);
-      if (data_.has_load) AddRamp(residual, {"F", "N", scale_.F, row_F_}, squared);
+      if (data_.has_load) AddRamp(residual, {"F", "N", scale_.F, row_F_, 0}, squared);
       if (data_.own != 0) AddRamp(residual, OwnPressure(), squared);
     }
     if (data_.has_time_waves) AddTimeWave(residual);
@@ -90,12 +90,14 @@ class PlaceTerms final : public TermLibrary {
     const char *symbol, *unit;
     double scale;
     const std::vector<double>& rows;
+    double least_waves;  ///< over what the motion covers; fewer are no wave
   };
 
-  /// A gauge's own pressure.
+  /// A gauge's own pressure. A few waves over it would be any bend of the gauge.
   Variable OwnPressure() const {
-    return data_.own == 'q' ? Variable{"q", "Pa", scale_.q, row_own_}
-                            : Variable{"p", "Pa", scale_.p, row_own_};
+    const double least = LeastPeriods({});
+    return data_.own == 'q' ? Variable{"q", "Pa", scale_.q, row_own_, least}
+                            : Variable{"p", "Pa", scale_.p, row_own_, least};
   }
 
   static std::pair<std::string, std::string> WaveTexts(const Variable& over, double wave,
@@ -316,11 +318,10 @@ class PlaceTerms final : public TermLibrary {
 
   /// Wave number [1/unit of the variable, which covers `span`] that takes most from the residual:
   /// coarse scan on thinned places, then a finer one around the best. 0: the motion is too short to
-  /// tell. Over a pressure it must come back often: a few waves would be any bend of a gauge.
+  /// tell.
   double FindWave(const Eigen::VectorXd& residual, const Variable& over, double span, bool turned) {
     if (!(span > 0)) return 0;
-    const double least = over.rows.data() == row_x_.data() ? 1.5 : LeastPeriods({});
-    const double first = least / span, last = 300 / span, step = 0.25 / span;
+    const double first = over.least_waves / span, last = 300 / span, step = 0.25 / span;
     waves_ = (last - first) / step;
     const auto power = [&](double wave) {
       double c = 0, s = 0;

@@ -14,6 +14,7 @@
 #include "identify/select/formula_rounds.h"
 #include "identify/select/own_form.h"
 #include "identify/select/points.h"
+#include "identify/select/rivals.h"
 #include "identify/select/test_question.h"
 #include "identify/select/trials.h"
 #include "identify/select/verdict.h"
@@ -60,7 +61,7 @@ class Search {
       }
     }
     KeepPlainFit();
-    UpdateRecords();
+    UpdateRecords(&out_);
     return {};
   }
 
@@ -162,15 +163,11 @@ class Search {
     const double begin = 0.02 + 0.2 * round;
     Stage(begin, HasOptions(out_) ? 0.1 : 0.2);
     Identification core = out_;
-    const FitResult beneath_core = beneath_last_;
     if (!AddOne(round)) return false;
-    if (cancelled_ || !TakeOutOptions(beneath_core, &core)) return true;
+    if (cancelled_ || !TakeOutOptions(&core)) return true;
     Stage(begin + 0.1, 0.1);
     Identification whole = std::exchange(out_, std::move(core));
-    FitResult beneath_whole = beneath_last_;
-    if (!AddOne(round) || Total(whole) <= Total(out_)) {
-      out_ = std::move(whole), beneath_last_ = std::move(beneath_whole);
-    }
+    if (!AddOne(round) || Total(whole) <= Total(out_)) out_ = std::move(whole);
     return true;
   }
 
@@ -185,10 +182,18 @@ class Search {
     return last.free.size() > last.none.size();
   }
 
-  /// Leaves the core alone of the last effect, which was accepted on top of the fit `beneath`; false
-  /// where it has no more than that.
-  bool TakeOutOptions(const FitResult& beneath, Identification* found) const {
+  /// The fit without effect i of those found.
+  FitResult FitWithout(const Identification& found, size_t i, FreeModel* model) const {
+    const std::vector<double> values = ValuesWithout(found, i, model);
+    if (found.effects.size() == 1) return found.base;
+    return FitNear(problem_, *model, values, {}, {.max_steps = 8, .final_slopes = true});
+  }
+
+  /// Leaves the core alone of the last effect; false where it has no more than that.
+  bool TakeOutOptions(Identification* found) const {
     if (!HasOptions(*found)) return false;
+    FreeModel model;
+    const FitResult beneath = FitWithout(*found, found->effects.size() - 1, &model);
     AcceptedEffect& last = found->effects.back();
     const size_t core = last.candidate.none.size();
     const size_t options = last.candidate.free.size() - core;
@@ -198,7 +203,7 @@ class Search {
     values.resize(values.size() - options);
     found->after =
         FitNear(problem_, found->corrected, values, {}, {.max_steps = 8, .final_slopes = true});
-    if (!found->after.ok) return false;
+    if (!found->after.ok || !beneath.ok) return false;
     last.evidence = Compare(problem_, beneath, found->after, 1);
     return true;
   }
@@ -244,60 +249,19 @@ class Search {
     if (best < 0) return false;
     CandidateRecord& record = out_.candidates[first + static_cast<size_t>(best)];
     const FullTrial& trial = trials[static_cast<size_t>(best)];
-    AcceptedEffect effect = BesideRivals(trial, record.evidence, passed);
+    AcceptedEffect effect = BesideRivals(problem_, trial, record.evidence, passed);
     record.verdict = kAccepted;
     out_.corrected = WithCandidate(out_.corrected, trial.form);
-    beneath_last_ = std::exchange(out_.after, trial.fit);
+    out_.after = trial.fit;
     out_.effects.push_back(std::move(effect));
     return true;
-  }
-
-  static Rival Numbers(const FullTrial& trial) {
-    const auto own = static_cast<long>(trial.form.free.size());
-    return {trial.form, {trial.fit.values.end() - own, trial.fit.values.end()}};
-  }
-
-  /// By how much the criterion of `other` is above that of `best`; no more than what lies above the
-  /// known errors of what drives the model.
-  double Behind(const FitResult& other, const FitResult& best) const {
-    const double behind = Criterion(problem_, other.score, other.values.size()) -
-                          Criterion(problem_, best.score, best.values.size());
-    const Likelihood& likelihood = problem_.likelihood();
-    if (!likelihood.has_inputs()) return behind;
-    const double above =
-        Criterion(problem_, likelihood.MostGain(other.powers), other.values.size()) -
-        Criterion(problem_, likelihood.MostGain(best.powers), best.values.size());
-    return std::min(behind, above);
-  }
-
-  /// A trial as an accepted effect; what of the others that pass the rule themselves chance may
-  /// have put behind it is noted.
-  AcceptedEffect BesideRivals(const FullTrial& trial, const Evidence& evidence,
-                              const std::vector<FullTrial>& others) const {
-    AcceptedEffect accepted{trial.form, evidence, {}};
-    for (const FullTrial& other : others) {
-      const bool same = other.candidate->effect == trial.candidate->effect;
-      if (same && !IsElsewhere(other.form, trial.form)) continue;
-      if (IsBeyondChance(problem_.rule(), Behind(other.fit, trial.fit), 1)) continue;
-      const bool larger = problem_.rule().plain_first &&
-                          Contains(other.form, trial.form);  // it shows all that its part does
-      const std::string name = NameBeside(other.form, trial.form);
-      std::vector<std::string>& known =
-          larger ? accepted.special_case_of : accepted.confusable_with;
-      if (std::find(known.begin(), known.end(), name) == known.end()) known.push_back(name);
-      if (!larger) accepted.rivals.push_back(Numbers(other));
-    }
-    return accepted;
   }
 
   /// Every effect must still earn its place beside the others.
   void DropSuperfluous() {
     for (size_t i = 0; problem_.rule().superfluous && i < out_.effects.size() && !cancelled_;) {
       FreeModel model;
-      const std::vector<double> values = ValuesWithout(out_, i, &model);
-      FitResult rest = out_.effects.size() == 1 ? out_.base
-                                                : FitNear(problem_, model, values, {},
-                                                          {.max_steps = 8, .final_slopes = true});
+      FitResult rest = FitWithout(out_, i, &model);
       if (!rest.ok) return;
       const Evidence e = Compare(problem_, rest, out_.after, 1);
       const SearchRule& rule = problem_.rule();
@@ -348,29 +312,6 @@ class Search {
     return host ? out_.effects[*host].candidate.effect : "";
   }
 
-  /// What is said of the accepted among the candidates is what was accepted in the end; strongest
-  /// first; what stands beside an effect is not confused with it.
-  void UpdateRecords() {
-    for (AcceptedEffect& effect : out_.effects) {
-      std::erase_if(effect.confusable_with, [&](const std::string& name) {
-        return std::any_of(out_.effects.begin(), out_.effects.end(), [&](const auto& other) {
-          return NameBeside(other.candidate, effect.candidate) == name;
-        });
-      });
-      std::erase_if(effect.rivals, [&](const Rival& rival) {
-        return std::find(effect.confusable_with.begin(), effect.confusable_with.end(),
-                         NameBeside(rival.form, effect.candidate)) == effect.confusable_with.end();
-      });
-      for (CandidateRecord& record : out_.candidates) {
-        if (record.effect != effect.candidate.effect || record.verdict != kAccepted) continue;
-        record.evidence = effect.evidence;
-      }
-    }
-    std::stable_sort(out_.effects.begin(), out_.effects.end(), [](const auto& a, const auto& b) {
-      return a.evidence.delta_bic > b.evidence.delta_bic;
-    });
-  }
-
   std::function<bool(double)> Asks() {
     return [this](double part) { return GoOn(part); };
   }
@@ -388,7 +329,6 @@ class Search {
   FitProblem& problem_;
   FitProblem& coarse_;
   const SearchOptions options_;
-  FitResult beneath_last_;  ///< before the last effect was accepted
   const Progress progress_;
   Identification out_;
   std::mutex mutex_;

@@ -63,6 +63,29 @@ bool TakeOutEdges(Identification* found) {
   return found->after.values.size() < before;
 }
 
+void UpdateRecords(Identification* found) {
+  for (AcceptedEffect& effect : found->effects) {
+    std::erase_if(effect.confusable_with, [&](const std::string& name) {
+      return std::any_of(found->effects.begin(), found->effects.end(), [&](const auto& other) {
+        return NameBeside(other.candidate, effect.candidate) == name;
+      });
+    });
+    std::erase_if(effect.rivals, [&](const Rival& rival) {
+      return std::find(effect.confusable_with.begin(), effect.confusable_with.end(),
+                       NameBeside(rival.form, effect.candidate)) == effect.confusable_with.end();
+    });
+    for (CandidateRecord& record : found->candidates) {
+      if (record.effect != effect.candidate.effect || record.verdict != kAccepted) continue;
+      record.evidence = effect.evidence;
+      if (!effect.candidate.params.formula.empty()) continue;
+      record.variant = VariantName(effect.candidate);
+    }
+  }
+  std::stable_sort(found->effects.begin(), found->effects.end(), [](const auto& a, const auto& b) {
+    return a.evidence.delta_bic > b.evidence.delta_bic;
+  });
+}
+
 std::string NameBesideRivals(const AcceptedEffect& effect) {
   const std::string& name = effect.candidate.effect;
   const bool elsewhere =

@@ -58,6 +58,10 @@ bool IsToldInTheEnd(const Identification& found, size_t effect);
 /// be fitted anew, its values are those of the numbers that are left.
 bool TakeOutEdges(Identification* found);
 
+/// What is said of the accepted among the candidates is what was accepted in the end; strongest
+/// first; what stands beside an effect is not confused with it.
+void UpdateRecords(Identification* found);
+
 /// The effect, with its part where the same on another part explains the record, too.
 std::string NameBesideRivals(const AcceptedEffect& effect);
 
