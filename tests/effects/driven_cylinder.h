@@ -64,4 +64,11 @@ inline PhsParams Frictionless() {
   return p;
 }
 
+/// Oil alone in the lines, no friction, and one effect.
+inline PhsParams OilWith(const std::string& effect, std::map<std::string, double> values) {
+  PhsParams params = Frictionless();
+  for (auto& l : params.lines) l.gas_volume_m3 = 0;
+  return With(params, effect, std::move(values));
+}
+
 }  // namespace phs::effects
