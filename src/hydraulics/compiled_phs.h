@@ -86,6 +86,9 @@ struct CompiledPhs {
   }
   /// Volumes pushed into the nodes by pistons, flows and warmth.
   void CalcPushed(const double* state, Instant* at) const;
+  /// Those by pistons and warmth alone; and what the flows add.
+  void CalcDisplaced(const Instant& at, double* pushed) const;
+  void AddPassed(const double* state, double* pushed) const;
   /// Starts from the nodes of `near` where they have no closed form; may be null, may be `at`.
   void SolveNodes(const double* state, Instant* at, const Instant* near = nullptr) const;
   FrictionPlace Place(const Instant& at, int cylinder, const double* state) const;

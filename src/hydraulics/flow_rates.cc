@@ -55,7 +55,7 @@ PathInertances RingingInertances(const CompiledPhs& sys, double h, const Instant
       if (end != kOpen) stiffness += 1 / start.node[end].slope;
     }
     const double square = h * h * stiffness / out.value[k];
-    const double faded = 1 + std::pow(square / (kFollowed * kFollowed), 3);
+    const double far = square / (kFollowed * kFollowed), faded = 1 + far * far * far;
     out.value[k] /= 1 + kSlower * square / faded;
   }
   return out;
@@ -108,7 +108,8 @@ Stepped HeatStep(const CompiledPhs& sys, double time, double h, const Instant& s
   for (int i = first; i < count; ++i) next[i] = state[i] + h * k1[i];
   std::copy(state, state + first, next);
   Instant end = start;
-  PlaceAt(sys, time + h, way, start, next, &end);
+  MoveTo(sys, time + h, way, start, &end);
+  sys.CalcPushed(next, &end);
   sys.SolveNodes(next, &end, &end);
   CalcDerivative(sys, time + h, end, speeds.mean, next, k2, &ignored);
   for (int i = first; i < count; ++i) k2[i] -= 2 * k1[i];
@@ -169,7 +170,8 @@ void Step(const CompiledPhs& sys, double time, double h, const Instant& start,
   std::copy(state, state + count, middle);
   for (int i = first; i < count; ++i) middle[i] += half * rate[i];
   Instant at = start;
-  PlaceAt(sys, time + half, way, start, middle, &at);
+  MoveTo(sys, time + half, way, start, &at);
+  sys.CalcPushed(middle, &at);
   sys.SolveNodes(middle, &at);
   Step(sys, time + half, half, at, {late, speeds.end}, middle, second, halved + 1);
   for (int i = first; i < count; ++i) rate[i] = 0.5 * (rate[i] + second[i]);

@@ -77,8 +77,7 @@ void CalcDropSlopes(const CompiledPhs& sys, const Instant& at, PathSlopes* slope
 double StepNodes(const CompiledPhs& sys, const double* u, Instant* at) {
   double largest = 0;
   for (size_t n = 0; n < sys.nodes.size(); ++n) {
-    double moved;
-    at->node[n] = StepNode(sys.nodes[n], at->pushed[n], at->ambient, u, at->node[n], &moved);
+    const double moved = StepNode(sys.nodes[n], at->pushed[n], at->ambient, u, &at->node[n]);
     largest = std::max(largest, moved);
   }
   return largest;
@@ -198,11 +197,10 @@ void CalcAllNodeRates(const CompiledPhs& sys, const Instant& at, const double* s
   }
 }
 
-void PlaceAt(const CompiledPhs& sys, double time, const double* way, const Instant& start,
-             const double* u, Instant* at) {
+void MoveTo(const CompiledPhs& sys, double time, const double* way, const Instant& start,
+            Instant* at) {
   sys.SetWarmth(time, at);
   for (size_t i = 0; i < sys.cylinders.size(); ++i) at->piston[i] = start.piston[i] + way[i];
-  sys.CalcPushed(u, at);
 }
 
 bool SolveStage(const CompiledPhs& sys, const PathInertances& inertances, double time, double a,
@@ -221,8 +219,12 @@ bool SolveStage(const CompiledPhs& sys, const PathInertances& inertances, double
   constexpr int kMostIterations = 30, kStepped = 8;
   constexpr double kPoor = 1e4;  // 100 Pa on a chamber, 1 mK
   double largest = 0, before = 0;
+  double displaced[kMaxNodes];
+  MoveTo(sys, time, motion.way, start, at);
+  sys.CalcDisplaced(*at, displaced);
   for (int iteration = 0; iteration < kMostIterations; ++iteration) {
-    PlaceAt(sys, time, motion.way, start, u, at);
+    std::copy(displaced, displaced + sys.nodes.size(), at->pushed);
+    sys.AddPassed(u, at->pushed);
     // Pressures and flows by one Newton's method: 1e-8 of a pressure leaves nothing.
     // Should they not meet within a few steps, each pressure is solved inside its bracket.
     largest = 0;
@@ -240,7 +242,7 @@ bool SolveStage(const CompiledPhs& sys, const PathInertances& inertances, double
     // Heat answers to the flow as it will be: through a pipe that hardly resists, what the law
     // gives at pressures not yet settled is far off.
     for (const Path& path : sys.paths) F[path.volume] = (u[path.volume] - base[path.volume]) / a;
-    CalcAllNodeRates(sys, *at, motion.speed, u, F, &slow, slopes.heat);
+    if (first < first_flow) CalcAllNodeRates(sys, *at, motion.speed, u, F, &slow, slopes.heat);
     for (int i = first; i < first_flow; ++i) step[i] = base[i] + a * F[i] - u[i];
     slow.SolveShifted(a, first, first_flow, step);
     for (int i = first; i < first_flow; ++i) {

@@ -32,9 +32,9 @@ struct StageMotion {
   double way[kMaxCylinders] = {}, speed[kMaxCylinders] = {};
 };
 
-/// Pistons that have moved by `way`, and what is pushed into the nodes at time t by states `u`.
-void PlaceAt(const CompiledPhs& sys, double time, const double* way, const Instant& start,
-             const double* u, Instant* at);
+/// Warmth and pistons at time t, when these have moved by `way`.
+void MoveTo(const CompiledPhs& sys, double time, const double* way, const Instant& start,
+            Instant* at);
 
 /// Rates of volumes passed and of flows with inertance and their lags; slopes of the laws in a
 /// stage of length `a`, whose lags follow the flow (0: at an instant). `speed`: of the pistons;

@@ -50,8 +50,7 @@ class ClosedChambers final : public ChamberPressures {
   double Push(int node, double volume, double area) {
     if (node == kOpen) return 0;
     at_.pushed[node] += volume;
-    at_.node[node] =
-        SolveNode(sys_.nodes[node], at_.pushed[node], at_.ambient, state_, &at_.node[node]);
+    SolveNodeAt(sys_.nodes[node], at_.pushed[node], at_.ambient, state_, &at_.node[node]);
     return area * area / at_.node[node].slope;
   }
 

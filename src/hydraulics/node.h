@@ -57,7 +57,9 @@ struct Node {
   bool sequential = false;
   double law_compliance = 0;  ///< of the laws at p0 [m3/Pa], for the guess; set by Prepare
   double air_at_p0 = 0;       ///< volume of the free air at p0 [m3]; set by Prepare
+  double oil_compliance = 0;  ///< V_oil/beta [m3/Pa]; set by Prepare
   bool closed_form = false;   ///< set by Prepare
+  bool plain = false;         ///< set by Prepare: closed, and its gases are as warm as the surroundings
   bool real_gas = false;      ///< set by Prepare: the first gas is a reservoir by density
 
   void Prepare();
@@ -66,7 +68,7 @@ struct Node {
     return softening == 0 ? 1 : std::exp(softening * (ambient - temperature));
   }
   /// V_oil/beta [m3/Pa].
-  double Compliance(double ambient) const { return oil_volume / bulk_modulus * Softer(ambient); }
+  double Compliance(double ambient) const { return oil_compliance * Softer(ambient); }
 };
 
 /// Pressure and the state of the elements at it.

@@ -63,24 +63,32 @@ void CompiledPhs::SetWarmth(double time, Instant* at) const {
 }
 
 void CompiledPhs::CalcPushed(const double* state, Instant* at) const {
-  const double warmer = at->ambient - params.temperature_K;
+  CalcDisplaced(*at, at->pushed);
+  AddPassed(state, at->pushed);
+}
+
+void CompiledPhs::CalcDisplaced(const Instant& at, double* pushed) const {
+  const double warmer = at.ambient - params.temperature_K;
   for (size_t n = 0; n < nodes.size(); ++n)
-    at->pushed[n] = nodes[n].oil_volume * (nodes[n].expansion * warmer);
+    pushed[n] = nodes[n].oil_volume * (nodes[n].expansion * warmer);
   for (size_t i = 0; i < cylinders.size(); ++i) {
     const CompiledCylinder& c = cylinders[i];
-    if (c.bore != kOpen) at->pushed[c.bore] -= c.bore_area * at->piston[i];
-    if (c.rod != kOpen) at->pushed[c.rod] += c.rod_area * at->piston[i];
+    if (c.bore != kOpen) pushed[c.bore] -= c.bore_area * at.piston[i];
+    if (c.rod != kOpen) pushed[c.rod] += c.rod_area * at.piston[i];
   }
+}
+
+void CompiledPhs::AddPassed(const double* state, double* pushed) const {
   for (const Path& path : paths) {
-    if (path.from != kOpen) at->pushed[path.from] -= state[path.volume];
-    if (path.to != kOpen) at->pushed[path.to] += state[path.volume];
+    if (path.from != kOpen) pushed[path.from] -= state[path.volume];
+    if (path.to != kOpen) pushed[path.to] += state[path.volume];
   }
 }
 
 void CompiledPhs::SolveNodes(const double* state, Instant* at, const Instant* near) const {
   for (size_t n = 0; n < nodes.size(); ++n) {
-    const NodeState* from = near != nullptr ? &near->node[n] : nullptr;
-    at->node[n] = SolveNode(nodes[n], at->pushed[n], at->ambient, state, from);
+    at->node[n] = near != nullptr ? near->node[n] : NodeState{};
+    SolveNodeAt(nodes[n], at->pushed[n], at->ambient, state, &at->node[n]);
   }
 }
 

@@ -82,6 +82,34 @@ BoyleState SolveBoyle(const Node& node, double D, double ambient, const double* 
   return {p, pV, holds};
 }
 
+// The same at the static temperature, where no gas has one of its own.
+BoyleState SolvePlain(const Node& node, double D) {
+  const double compliance = node.oil_compliance;
+  double pV = node.air, at_p0 = node.air_at_p0, pushed = D;
+  const NodeGas* blow_off = nullptr;
+  const auto take = [&](const NodeGas& g) {
+    pV += g.boyle, at_p0 += g.boyle_at_p0, pushed += g.boyle_at_p0 - g.static_volume;
+  };
+  for (const NodeGas& g : node.gases) {
+    if (g.blow_off) {
+      blow_off = &g;
+    } else {
+      take(g);
+    }
+  }
+  double p = node.p0 + ClosedFormRise(node.p0, compliance, at_p0, pushed);
+  if (blow_off != nullptr && p * blow_off->gas.reference_volume > blow_off->boyle) {
+    take(*blow_off);
+    p = node.p0 + ClosedFormRise(node.p0, compliance, at_p0, pushed);
+  }
+  bool holds = true;
+  for (const NodeGas& g : node.gases) {
+    if (g.boyle < g.gas.min_volume * p) holds = false;
+    if (!g.blow_off && g.boyle > g.gas.max_volume * p) holds = false;
+  }
+  return {p, pV, holds};
+}
+
 // Newton's method on a rising function inside a bracket that is grown first; a step that leaves the
 // bracket is replaced by the geometric mean. Convergence is quadratic: a step below 1e-9 leaves an
 // error at rounding.
@@ -115,6 +143,10 @@ void Node::Prepare() {
     blow_offs += g.blow_off;
   }
   if (blow_offs > 1) closed_form = false;
+  plain = closed_form && std::all_of(gases.begin(), gases.end(), [&](const NodeGas& g) {
+            return g.state < 0 && g.gas.reference_temperature == temperature;
+          });
+  oil_compliance = oil_volume / bulk_modulus;
   double volume = 0;
   law_compliance = 0;
   for (const NodeLaw& l : laws) l.law->Add(p0, 0, &volume, &law_compliance);
@@ -141,41 +173,55 @@ double CalcAbsorbed(const Node& node, double p, double ambient, const double* st
   return volume;
 }
 
-NodeState SolveNode(const Node& node, double D, double ambient, const double* state,
-                    const NodeState* near) noexcept {
-  if (node.sequential) return SolveSequential(node, D, ambient, state);
-  if (near != nullptr && near->slope > 0 && !node.closed_form && !node.real_gas) {
-    const double guess = near->p + (D - near->pushed) / near->slope;
-    if (guess > 0.1 * near->p) return NewtonNode(node, D, ambient, state, guess);
+void SolveNodeAt(const Node& node, double D, double ambient, const double* state,
+                 NodeState* at) noexcept {
+  if (node.sequential) {
+    *at = SolveSequential(node, D, ambient, state);
+    return;
   }
-  const BoyleState boyle = SolveBoyle(node, D, ambient, state);
-  if (node.real_gas) {
-    NodeState real;
-    real.pushed = D;
-    if (SolveRealGasNode(node, D, ambient, state, boyle.p, &real)) return real;
-  }
-  if (!node.closed_form || !boyle.holds) return NewtonNode(node, D, ambient, state, boyle.p);
-  return {boyle.p, node.Compliance(ambient) + boyle.pV / (boyle.p * boyle.p), D, 0};
-}
-
-NodeState StepNode(const Node& node, double D, double ambient, const double* state,
-                   const NodeState& near, double* moved) noexcept {
-  constexpr double kFar = 0.1;
-  *moved = 0;
-  const bool solve = node.closed_form || node.real_gas || node.sequential || !(near.slope > 0);
-  if (solve) return SolveNode(node, D, ambient, state, &near);
-  const double guess = near.p + (D - near.pushed) / near.slope;
-  if (std::abs(guess - near.p) < 0.5 * near.p) {
-    NodeState out;
-    const double error = CalcAbsorbed(node, guess, ambient, state, &out.slope) - D;
-    const double step = -error / out.slope;
-    if (std::abs(step) < kFar * guess) {
-      out.p = guess + step, out.pushed = D;
-      *moved = std::abs(step) / guess;
-      return out;
+  if (at->slope > 0 && !node.closed_form && !node.real_gas) {
+    const double guess = at->p + (D - at->pushed) / at->slope;
+    if (guess > 0.1 * at->p) {
+      *at = NewtonNode(node, D, ambient, state, guess);
+      return;
     }
   }
-  return SolveNode(node, D, ambient, state, &near);
+  const bool plain = node.plain && ambient == node.temperature;
+  const BoyleState boyle = plain ? SolvePlain(node, D) : SolveBoyle(node, D, ambient, state);
+  at->pushed = D, at->gas_volume = 0;
+  if (node.real_gas && SolveRealGasNode(node, D, ambient, state, boyle.p, at)) return;
+  if (!node.closed_form || !boyle.holds) {
+    *at = NewtonNode(node, D, ambient, state, boyle.p);
+    return;
+  }
+  at->p = boyle.p;
+  at->slope = node.Compliance(ambient) + boyle.pV / (boyle.p * boyle.p);
+}
+
+NodeState SolveNode(const Node& node, double D, double ambient, const double* state,
+                    const NodeState* near) noexcept {
+  NodeState at = near != nullptr ? *near : NodeState{};
+  SolveNodeAt(node, D, ambient, state, &at);
+  return at;
+}
+
+double StepNode(const Node& node, double D, double ambient, const double* state,
+                NodeState* at) noexcept {
+  constexpr double kFar = 0.1;
+  if (!node.closed_form && !node.real_gas && !node.sequential && at->slope > 0) {
+    const double guess = at->p + (D - at->pushed) / at->slope;
+    if (std::abs(guess - at->p) < 0.5 * at->p) {
+      double slope;
+      const double error = CalcAbsorbed(node, guess, ambient, state, &slope) - D;
+      const double step = -error / slope;
+      if (std::abs(step) < kFar * guess) {
+        at->p = guess + step, at->slope = slope, at->pushed = D, at->gas_volume = 0;
+        return std::abs(step) / guess;
+      }
+    }
+  }
+  SolveNodeAt(node, D, ambient, state, at);
+  return 0;
 }
 
 double CalcNodeEnergy(const Node& node, double p, double ambient, const double* state) noexcept {

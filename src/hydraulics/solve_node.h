@@ -9,12 +9,15 @@ namespace phs::hydraulics {
 /// `near`: a solution close by, from which to start where there is no closed form; or null.
 NodeState SolveNode(const Node& node, double D, double ambient, const double* state,
                     const NodeState* near = nullptr) noexcept;
-/// One step of Newton's method about `near`, a solution or an iterate close by, for callers that
-/// iterate anyway; solved where the step would go far or there is a closed form. `moved`: how far
-/// the step led beyond the tangent of `near`, relative to p; what it leaves is of the order of its
+/// The same in place of `at`, from where it starts if it is a solution close by (slope > 0).
+void SolveNodeAt(const Node& node, double D, double ambient, const double* state,
+                 NodeState* at) noexcept;
+/// One step of Newton's method in place of `at`, a solution or an iterate close by, for callers that
+/// iterate anyway; solved where the step would go far or there is a closed form. Returns how far
+/// the step led beyond the tangent there, relative to p; what it leaves is of the order of its
 /// square.
-NodeState StepNode(const Node& node, double D, double ambient, const double* state,
-                   const NodeState& near, double* moved) noexcept;
+double StepNode(const Node& node, double D, double ambient, const double* state,
+                NodeState* at) noexcept;
 /// The same as SolveNode for a reservoir of real gas, with its density as the unknown: the pressure
 /// is explicit in it. False where the diaphragm rests on a stop (then the general solver takes
 /// over).

@@ -32,8 +32,7 @@ TEST(Node, StepsLeadQuadraticallyToTheSolution) {
     NodeState at = SolveNode(node, D - 1e-6, 293.15, nullptr);
     double before = 1;
     for (int i = 0; i < 4; ++i) {
-      double moved;
-      at = StepNode(node, D, 293.15, nullptr, at, &moved);
+      const double moved = StepNode(node, D, 293.15, nullptr, &at);
       EXPECT_LE(moved, std::max(10 * before * before, 1e-14)) << D << " step " << i;
       EXPECT_EQ(at.pushed, D);
       before = moved;
@@ -45,11 +44,40 @@ TEST(Node, StepsLeadQuadraticallyToTheSolution) {
 
 TEST(Node, AStepThatWouldGoFarIsSolved) {
   const Node node = StiffeningOilAndGas();
-  const NodeState far = SolveNode(node, -1.5e-5, 293.15, nullptr);
-  double moved = 1;
-  const NodeState at = StepNode(node, 1.2e-5, 293.15, nullptr, far, &moved);
-  EXPECT_EQ(moved, 0);
+  NodeState at = SolveNode(node, -1.5e-5, 293.15, nullptr);
+  EXPECT_EQ(StepNode(node, 1.2e-5, 293.15, nullptr, &at), 0);
   EXPECT_NEAR(at.p / SolveNode(node, 1.2e-5, 293.15, nullptr).p, 1, 1e-9);
+}
+
+/// A closed form has two ways: with sums made once, at the static temperature, and gas by gas.
+TEST(Node, SumsMadeOnceAreTheGasesOneByOne) {
+  Node node;
+  node.p0 = 2e6, node.oil_volume = 1.1e-3, node.bulk_modulus = 1.4e9, node.temperature = 293.15;
+  node.air = kTraceAir * node.oil_volume * kAtmosphere;
+  NodeGas reservoir, blow_off;
+  reservoir.gas.reference_volume = reservoir.static_volume = 16e-6;
+  reservoir.gas.reference_pressure = 2e6;
+  reservoir.gas.max_volume = 3.2e-4;
+  blow_off.gas.reference_volume = blow_off.gas.max_volume = blow_off.static_volume = 0.75e-3;
+  blow_off.gas.reference_pressure = 5e6, blow_off.blow_off = true;
+  for (NodeGas* gas : {&reservoir, &blow_off}) {
+    gas->gas.reference_temperature = 293.15;
+    gas->gas.SetMass();
+    node.gases.push_back(*gas);
+  }
+  node.Prepare();
+  ASSERT_TRUE(node.plain);
+  Node other = node;
+  other.plain = false;
+  for (double D = -1e-5; D < 6e-5; D += 3e-6) {
+    const NodeState one = SolveNode(node, D, 293.15, nullptr);
+    const NodeState all = SolveNode(other, D, 293.15, nullptr);
+    EXPECT_DOUBLE_EQ(one.p, all.p) << D;
+    EXPECT_DOUBLE_EQ(one.slope, all.slope) << D;
+    double slope;
+    EXPECT_NEAR(CalcAbsorbed(node, one.p, 293.15, nullptr, &slope), D, 1e-15) << D;
+    EXPECT_NEAR(slope / one.slope, 1, 1e-12) << D;
+  }
 }
 
 }  // namespace
