@@ -107,7 +107,7 @@ std::string FirstOf(double power, double amount, double start, double* fitted) {
   for (int k = 0; k < kDecoys; ++k) list.push_back(OfWave(k, as_decoys_are));
   list.push_back(OfWave(kDecoys, start));
   Effort effort;
-  effort.coarse_fits = 1;  // three are tried
+  effort.stepped = 3, effort.coarse_fits = 1;
   const Tried first = TriedOf(power, amount, list, effort).front();
   *fitted = first.fitted;
   return first.effect;

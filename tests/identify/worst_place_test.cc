@@ -116,7 +116,7 @@ TEST(WorstPlace, TheSealThatHoldsOtherwiseComesFirstOfAllFriction) {
   std::erase_if(list,
                 [](const Candidate& c) { return c.effect.find("friction") == std::string::npos; });
   Effort effort;
-  effort.coarse_fits = 4;
+  effort.stepped = 12, effort.coarse_fits = 4;
   const auto trials =
       ScreenCandidates(on.problem, on.model, {on.fit}, list, effort, [](double) { return true; });
   ASSERT_FALSE(trials.empty());

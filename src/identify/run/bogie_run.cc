@@ -69,6 +69,7 @@ SearchOptions ForBogie(const SearchOptions& asked, double step_s) {
   options.formula = false;  // no single cylinder whose force could follow one
   options.effort.elsewhere = false;
   options.effort.coarse_step_s = 2 * step_s;
+  options.effort.stepped = std::min(asked.effort.stepped, 9);
   options.effort.coarse_fits = std::min(asked.effort.coarse_fits, 3);
   options.effort.full_fits = std::min(asked.effort.full_fits, 3);
   options.effort.starts = 2;

@@ -150,7 +150,8 @@ class Search {
           PointsAbout(*screen, model, fit, out_.declared.free.size(), elsewhere);
       if (points.empty()) continue;
       reference_ = Criterion(*screen, points.front().score, points.front().values.size());
-      KnownAnswers* known = options_.effort.keep_answers && screen == &coarse_ ? &known_ : nullptr;
+      const bool kept = (options_.effort.keep_answers || twice_) && screen == &coarse_;
+      KnownAnswers* known = kept ? &known_ : nullptr;
       return TryEffects(problem_, *screen, model, fit, points, list, options_.effort, Asks(),
                         known);
     }
@@ -161,7 +162,9 @@ class Search {
   /// creeps ever more slowly, for a leak): so it is sought beside the core of that effect, too.
   bool Advance(int round) {
     const double begin = 0.02 + 0.2 * round;
-    Stage(begin, HasOptions(out_) ? 0.1 : 0.2);
+    twice_ = HasOptions(out_);
+    if (!options_.effort.keep_answers) known_.Clear();
+    Stage(begin, twice_ ? 0.1 : 0.2);
     Identification core = out_;
     if (!AddOne(round)) return false;
     if (cancelled_ || !TakeOutOptions(&core)) return true;
@@ -335,7 +338,8 @@ class Search {
   std::atomic<bool> cancelled_{false};
   std::atomic<double> part_{0};
   double begin_ = 0, length_ = 0.02;
-  KnownAnswers known_;    ///< on the coarse record
+  bool twice_ = false;    ///< this round is run beside the core of the last effect, too
+  KnownAnswers known_;    ///< on the coarse record, of this round or of all
   double reference_ = 0;  ///< criterion of the model beneath, on the coarse record
 };
 

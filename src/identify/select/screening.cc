@@ -179,7 +179,8 @@ Trial TakeSteps(const FitProblem& problem, const FreeModel& model, const std::ve
   if (probes.size() > starts) probes.resize(starts);
   probes.push_back(best.moved), probes.push_back(best.present);
   const NearFitOptions few{.first_own = static_cast<int>(points[0].values.size()),
-                           .max_steps = effort.steps};
+                           .max_steps = effort.steps,
+                           .enough = Criterion(problem, 0, 1)};
   for (const Probe& probe : probes) {
     if (probe.values.empty()) continue;
     const bool as_it_stands = &probe == &probes.back();
@@ -278,7 +279,7 @@ std::vector<Trial> ScreenCandidates(const FitProblem& coarse, const FreeModel& m
   });
   if (known != nullptr) known->EndRound();
   const std::vector<size_t> tried =
-      MostPromising(probes, PaidFor(coarse, points.front(), list, effort), 3 * effort.coarse_fits);
+      MostPromising(probes, PaidFor(coarse, points.front(), list, effort), effort.stepped);
   std::vector<Trial> trials(tried.size());
   done = 0;
   coarse.ForEach(static_cast<int>(tried.size()), [&](int i) {

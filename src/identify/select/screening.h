@@ -34,12 +34,13 @@ struct Effort {
   int threads = 2;
   int max_effects = 3;
   double coarse_step_s = 0.02;  ///< clock of the coarse record
-  int coarse_fits = 16;         ///< variants fitted to the coarse record per round
+  int stepped = 32;             ///< variants that take steps really, per round
+  int coarse_fits = 16;         ///< of these fitted to the coarse record
   int full_fits = 4;            ///< effects fitted to the whole one
   int starts = 3;               ///< of a variant, from which steps are really taken
   int steps = 6;                ///< so many at most
   bool elsewhere = true;        ///< candidates are tried away from the best fit too
-  bool keep_answers = false;    ///< of starts, from round to round (known_answers.h)
+  bool keep_answers = false;    ///< of starts, from effect to effect (known_answers.h)
   bool unpromising = false;     ///< what promises not to pay is tried and finished, too
 };
 
