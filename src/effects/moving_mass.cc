@@ -39,7 +39,8 @@ const EffectInfo& MovingMassInfo() {
       "element",
       "",
       "force m a beyond the declared mass, at the load cell",
-      {{"mass_kg", "kg", 1, 0, 1e6, 0, 4e3, "m"}},
+      {{"mass_kg", "kg", 1, 0, 1e6, 0, 1e4,
+        "m; a wheelset with its motor on the table weighs some 5 t"}},
       InstallMovingMass,
       {
           .rig =

@@ -40,6 +40,18 @@ TEST(Verdict, SaysThatNothingWasTried) {
   EXPECT_THAT(Judge(facts).reasons, Contains(HasSubstr("no effect was tried")));
 }
 
+TEST(Verdict, SaysWhatWouldExplainItBeyondWhatIsPlausible) {
+  VerdictFacts facts = Facts(40, 40);
+  facts.beyond = {"moving_mass", {"mass_kg (4000)"}, "load_cell_N", 0.88};
+  EXPECT_EQ(Judge(facts).word, "not_described");
+  EXPECT_THAT(Judge(facts).reasons,
+              Contains(HasSubstr("moving_mass would take 88 % of what load_cell_N shows")));
+  EXPECT_THAT(Judge(facts).reasons, Contains(HasSubstr("plausible in mass_kg (4000)")));
+  EXPECT_THAT(Judge(facts).reasons, Not(Contains("nothing that was tried explains it")));
+  facts.channels[0].after = 1;
+  EXPECT_THAT(Judge(facts).reasons, Not(Contains(HasSubstr("moving_mass"))));
+}
+
 TEST(Verdict, NoiseWithAColourIsNotWhatTheModelLacks) {
   VerdictFacts facts = Facts(2.8, 2.8);
   facts.channels[0].following = 0.3;

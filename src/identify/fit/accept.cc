@@ -1,5 +1,7 @@
 #include "identify/fit/accept.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -59,6 +61,17 @@ bool IsThere(const Candidate& form, const FitResult& fit, size_t base) {
     there |= ExcludesNone(p, form.none[k], value, fit.half_95[base + k]);
   }
   return there;
+}
+
+std::vector<std::string> AmountsAtEnd(const Candidate& form, const FitResult& fit, size_t base) {
+  std::vector<std::string> out;
+  for (size_t k = 0; k < static_cast<size_t>(form.mains); ++k) {
+    const FreeParameter& p = form.free[k];
+    const double value = fit.values[base + k];
+    if (!IsAtHigh(p, value) && (p.logarithmic || !IsAtLow(p, value))) continue;
+    out.push_back(fmt::format("{} ({:.4g})", p.name.substr(p.name.rfind('.') + 1), value));
+  }
+  return out;
 }
 
 bool IsOfInstrument(const Candidate& form) {

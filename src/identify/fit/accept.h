@@ -30,6 +30,9 @@ bool AreTold(const std::vector<FreeParameter>& free, const FitResult& fit, size_
 /// 95 % and none is on the far end of what is plausible.
 bool IsThere(const Candidate& form, const FitResult& fit, size_t base);
 
+/// Those of its amounts that are on the far end, with their values [SI], for people.
+std::vector<std::string> AmountsAtEnd(const Candidate& form, const FitResult& fit, size_t base);
+
 /// True of what a sensor says beyond the truth, not the rig.
 bool IsOfInstrument(const Candidate& form);
 

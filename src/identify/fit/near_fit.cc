@@ -207,15 +207,14 @@ FitResult FitNear(const FitProblem& problem, const FreeModel& model,
 }
 
 FitResult FitBothWays(const FitProblem& problem, const FreeModel& model, const FitResult& start,
-                      int first_own) {
-  constexpr int kSteps = 10;
-  FitResult sure = FitNear(problem, model, start.values, start.slopes,
-                           {.first_own = first_own, .max_steps = kSteps});
-  const FitResult large = FitNear(problem, model, start.values, start.slopes,
-                                  {.first_own = first_own, .max_steps = kSteps, .flat = true});
+                      int first_own, double enough) {
+  NearFitOptions way{.first_own = first_own, .max_steps = 10, .enough = enough};
+  FitResult sure = FitNear(problem, model, start.values, start.slopes, way);
+  way.flat = true;
+  const FitResult large = FitNear(problem, model, start.values, start.slopes, way);
   if (!large.ok) return sure;
-  FitResult both = FitNear(problem, model, large.values, large.slopes,
-                           {.first_own = first_own, .max_steps = kSteps});
+  way.flat = false;
+  FitResult both = FitNear(problem, model, large.values, large.slopes, way);
   return both.ok && (!sure.ok || both.score < sure.score) ? both : sure;
 }
 

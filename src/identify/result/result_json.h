@@ -2,6 +2,7 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,6 +39,9 @@ Json EffectList(const Identification& found);
 Json CandidateList(const Identification& found);
 /// The accepted effects and what explains as much.
 std::vector<NamedEffect> NamedEffects(const Identification& found);
+/// Of what was tried last and refused for amounts at the end of what is plausible alone: the one
+/// that explains most.
+std::optional<BeyondRange> WouldExplain(const Identification& found);
 /// The declared numbers after the last fit.
 std::vector<FittedNumber> FittedNumbers(const Identification& found);
 /// "verdict", "verdict_text" and "reasons".

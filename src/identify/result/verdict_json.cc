@@ -44,6 +44,19 @@ std::vector<NamedEffect> NamedEffects(const Identification& found) {
   return out;
 }
 
+std::optional<BeyondRange> WouldExplain(const Identification& found) {
+  const CandidateRecord* best = nullptr;
+  int last = 0;
+  for (const CandidateRecord& record : found.candidates) last = std::max(last, record.round);
+  for (const CandidateRecord& record : found.candidates) {
+    if (record.at_end.empty() || record.round != last) continue;
+    const bool more = best == nullptr || record.evidence.delta_bic > best->evidence.delta_bic;
+    if (more) best = &record;
+  }
+  if (best == nullptr) return std::nullopt;
+  return BeyondRange{best->effect, best->at_end, best->evidence.best_channel, best->evidence.share};
+}
+
 std::vector<FittedNumber> FittedNumbers(const Identification& found) {
   constexpr double kEdge = 1e-3;  // of the range
   std::vector<FittedNumber> out;

@@ -237,8 +237,12 @@ Result<IdentifyOutcome> SearchAndWrite(const Manifest& manifest, const FitData& 
   const Unexplained unexplained = FindUnexplained(data, after, validation.after, found);
   const std::vector<std::string> drives = WhatDrives(*problem, found);
   const std::vector<std::string> wrong = measurement::FindContradictions(after, data);
-  VerdictFacts facts{BothWindows(validation.Channels(), estimation.Channels()), NamedEffects(found),
-                     FittedNumbers(found), wrong, !found.candidates.empty()};
+  VerdictFacts facts{BothWindows(validation.Channels(), estimation.Channels()),
+                     NamedEffects(found),
+                     FittedNumbers(found),
+                     wrong,
+                     !found.candidates.empty(),
+                     WouldExplain(found)};
   facts.faults.insert(facts.faults.end(), drives.begin(), drives.end());
   facts.faults.insert(facts.faults.end(), data.faults.begin(), data.faults.end());
   result["channels"] = ScoresJson(validation.scores);

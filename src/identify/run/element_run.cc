@@ -163,8 +163,11 @@ VerdictFacts FactsOf(const BenchFindings& f, const FitProblem& problem, const Id
                       {{channel, f.fitted_before.over_noise, f.fitted_after.over_noise,
                         f.estimation_after.score.nrmse, f.fitted_after.following,
                         f.fitted_after.comes_and_goes}}),
-          search::NamedEffects(found), search::FittedNumbers(found), std::move(faults),
-          !found.candidates.empty()};
+          search::NamedEffects(found),
+          search::FittedNumbers(found),
+          std::move(faults),
+          !found.candidates.empty(),
+          search::WouldExplain(found)};
 }
 
 /// result.json up to the verdict. `faults`: of the data.

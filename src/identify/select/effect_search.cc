@@ -150,8 +150,7 @@ class Search {
           PointsAbout(*screen, model, fit, out_.declared.free.size(), elsewhere);
       if (points.empty()) continue;
       reference_ = Criterion(*screen, points.front().score, points.front().values.size());
-      const bool kept = (options_.effort.keep_answers || twice_) && screen == &coarse_;
-      KnownAnswers* known = kept ? &known_ : nullptr;
+      KnownAnswers* known = screen == &coarse_ ? &known_ : nullptr;
       return TryEffects(problem_, *screen, model, fit, points, list, options_.effort, Asks(),
                         known);
     }
@@ -162,9 +161,7 @@ class Search {
   /// creeps ever more slowly, for a leak): so it is sought beside the core of that effect, too.
   bool Advance(int round) {
     const double begin = 0.02 + 0.2 * round;
-    twice_ = HasOptions(out_);
-    if (!options_.effort.keep_answers) known_.Clear();
-    Stage(begin, twice_ ? 0.1 : 0.2);
+    Stage(begin, HasOptions(out_) ? 0.1 : 0.2);
     Identification core = out_;
     if (!AddOne(round)) return false;
     if (cancelled_ || !TakeOutOptions(&core)) return true;
@@ -237,6 +234,9 @@ class Search {
         record.evidence =
             Compare(problem_, out_.after, trial.fit, static_cast<double>(list.size()));
         record.verdict = Refusal(problem_.rule(), record.evidence, trial.form, trial.fit);
+        if (record.verdict == kNotTold) {
+          record.at_end = AmountsAtEnd(trial.form, trial.fit, out_.after.values.size());
+        }
       }
       if (record.verdict.empty()) {
         record.verdict = kBeaten;
@@ -338,8 +338,7 @@ class Search {
   std::atomic<bool> cancelled_{false};
   std::atomic<double> part_{0};
   double begin_ = 0, length_ = 0.02;
-  bool twice_ = false;    ///< this round is run beside the core of the last effect, too
-  KnownAnswers known_;    ///< on the coarse record, of this round or of all
+  KnownAnswers known_;    ///< on the coarse record
   double reference_ = 0;  ///< criterion of the model beneath, on the coarse record
 };
 

@@ -19,6 +19,8 @@ struct CandidateRecord {
   bool fitted = false;
   Evidence evidence;
   std::string verdict;  ///< "accepted", or why not
+  /// Refused for nothing but amounts at the end of what is plausible: these.
+  std::vector<std::string> at_end = {};
 };
 
 /// What explains as much as an accepted effect, with the numbers that it was fitted with.

@@ -25,11 +25,6 @@ void KnownAnswers::Keep(const Candidate& candidate, size_t start, KnownAnswer an
   new_.emplace(KeyOf(candidate, start), std::move(answer));
 }
 
-void KnownAnswers::Clear() {
-  known_.clear();
-  new_.clear();
-}
-
 void KnownAnswers::EndRound() {
   known_.merge(new_);
   new_.clear();

@@ -1,10 +1,9 @@
 // What the starts of candidates do, kept from round to round of a search.
 //
-// Much of a round goes into what each start does to the channels, and into its slopes. To first order
-// these are the same about a model whose last effect has fewer numbers, so that a round beside the core
-// of an effect takes them from the round beside all of it; where a run of the model is dear (a full rig),
-// a later round takes them as they were about the declared one. They order who takes real steps; what
-// is accepted is judged by fits alone.
+// Much of a round goes into what each start does to the channels, and into its slopes. To first
+// order these are the same about a model that has one more effect: so a later round takes them as
+// they were about the declared one. They order who takes real steps; what is accepted is judged by
+// fits alone.
 #pragma once
 
 #include <Eigen/Core>
@@ -26,7 +25,6 @@ struct KnownAnswer {
 /// hangs on which thread comes first.
 class KnownAnswers {
  public:
-  void Clear();
   /// Of start `start` of the candidate; null: not known.
   const KnownAnswer* Find(const Candidate& candidate, size_t start) const;
   void Keep(const Candidate& candidate, size_t start, KnownAnswer answer);

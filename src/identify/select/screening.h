@@ -40,7 +40,6 @@ struct Effort {
   int starts = 3;               ///< of a variant, from which steps are really taken
   int steps = 6;                ///< so many at most
   bool elsewhere = true;        ///< candidates are tried away from the best fit too
-  bool keep_answers = false;    ///< of starts, from effect to effect (known_answers.h)
   bool unpromising = false;     ///< what promises not to pay is tried and finished, too
 };
 

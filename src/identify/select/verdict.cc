@@ -84,6 +84,22 @@ void AddNumbers(const VerdictFacts& facts, bool at_end, std::vector<std::string>
   }
 }
 
+/// Of a record that nothing describes: what would, were its amount plausible.
+void AddBeyond(const VerdictFacts& facts, std::vector<std::string>* reasons) {
+  if (facts.beyond) {
+    reasons->push_back(
+        fmt::format("{} would take {:.0f} % of what {} shows beyond its noise, but ends at the "
+                    "edge of what is plausible in {}: "
+                    "is it that large here, or does it stand for something else?",
+                    facts.beyond->effect, 100 * facts.beyond->share, facts.beyond->channel,
+                    JoinWords(facts.beyond->amounts)));
+  } else if (facts.effects.empty()) {
+    reasons->push_back(
+        facts.tried ? "nothing that was tried explains it"
+                    : "no effect was tried: none promised to explain it, or none was asked for");
+  }
+}
+
 Verdict Undescribed(const VerdictFacts& facts, std::vector<std::string> reasons) {
   AddNumbers(facts, false, &reasons);
   return {"not_described", std::move(reasons)};
@@ -117,15 +133,14 @@ Verdict Judge(const VerdictFacts& facts) {
     const double excess = worst->before * worst->before - 1;
     const double removed =
         excess > 0 ? (worst->before * worst->before - worst->after * worst->after) / excess : 0;
-    if (facts.effects.empty()) {
-      reasons.push_back(
-          facts.tried ? "nothing that was tried explains it"
-                      : "no effect was tried: none promised to explain it, or none was asked for");
+    if (!facts.effects.empty()) {
+      reasons.push_back(fmt::format("the effects take {:.0f} % of what it showed beyond its noise",
+                                    100 * std::max(0.0, removed)));
+    }
+    if (facts.effects.empty() || removed <= kMost) {
+      AddBeyond(facts, &reasons);
       return Undescribed(facts, std::move(reasons));
     }
-    reasons.push_back(fmt::format("the effects take {:.0f} % of what it showed beyond its noise",
-                                  100 * std::max(0.0, removed)));
-    if (removed <= kMost) return Undescribed(facts, std::move(reasons));
   }
   for (const NamedEffect& effect : facts.effects) {
     if (!effect.special_case_of.empty()) {

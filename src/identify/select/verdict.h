@@ -13,6 +13,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -55,6 +56,14 @@ struct FittedNumber {
   bool told = true;     ///< its interval does not hold what is declared
 };
 
+/// A candidate that was refused for amounts at the end of what is plausible alone.
+struct BeyondRange {
+  std::string effect;
+  std::vector<std::string> amounts;  ///< with their values
+  std::string channel;               ///< that it mends most
+  double share = 0;                  ///< of what this shows beyond its noise
+};
+
 struct VerdictFacts {
   std::vector<ChannelLeft> channels;
   std::vector<NamedEffect> effects;
@@ -63,6 +72,8 @@ struct VerdictFacts {
   /// drives where it must dissipate.
   std::vector<std::string> faults;
   bool tried = true;  ///< any effect
+  /// What would have explained most of what is left.
+  std::optional<BeyondRange> beyond = {};
 };
 
 struct Verdict {
