@@ -207,8 +207,8 @@ FitResult FitNear(const FitProblem& problem, const FreeModel& model,
 }
 
 FitResult FitBothWays(const FitProblem& problem, const FreeModel& model, const FitResult& start,
-                      int first_own, double enough) {
-  NearFitOptions way{.first_own = first_own, .max_steps = 10, .enough = enough};
+                      int first_own) {
+  NearFitOptions way{.first_own = first_own, .max_steps = 10};
   FitResult sure = FitNear(problem, model, start.values, start.slopes, way);
   way.flat = true;
   const FitResult large = FitNear(problem, model, start.values, start.slopes, way);

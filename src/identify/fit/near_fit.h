@@ -49,6 +49,6 @@ FitResult FitNear(const FitProblem& problem, const FreeModel& model,
 /// From `start` by likelihood, and by plain least squares followed by likelihood: the better of the
 /// two. Where much is left, what is large shows the way; where little is, what is sure.
 FitResult FitBothWays(const FitProblem& problem, const FreeModel& model, const FitResult& start,
-                      int first_own, double enough);
+                      int first_own);
 
 }  // namespace phs::identify::search

@@ -17,8 +17,7 @@ FitResult FitOption(const FitProblem& problem, const FreeModel& model, const Fit
     std::vector<double> values = before.values;
     values.insert(values.end(), start.begin(), start.end());
     FitResult fit =
-        FitNear(problem, whole, values, before.slopes,
-                {.first_own = first, .max_steps = 6, .enough = Criterion(problem, 0, 1)});
+        FitNear(problem, whole, values, before.slopes, {.first_own = first, .max_steps = 6});
     if (fit.ok && (!best.ok || fit.score < best.score)) best = std::move(fit);
   }
   return best;

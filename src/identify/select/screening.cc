@@ -296,8 +296,7 @@ std::vector<Trial> ScreenCandidates(const FitProblem& coarse, const FreeModel& m
     if (!go_on(kShare + (1 - kShare) * done++ / static_cast<double>(fits))) return;
     Trial& t = trials[static_cast<size_t>(i)];
     const FreeModel whole = WithCandidate(model, *t.candidate);
-    t.coarse = FitBothWays(coarse, whole, t.coarse, static_cast<int>(model.free.size()),
-                           Criterion(coarse, 0, 1));
+    t.coarse = FitBothWays(coarse, whole, t.coarse, static_cast<int>(model.free.size()));
     t.promise = Criterion(coarse, t.coarse.score, t.coarse.values.size());
   });
   std::stable_sort(trials.begin(), trials.begin() + static_cast<long>(fits),
