@@ -59,7 +59,7 @@ struct Node {
   double air_at_p0 = 0;       ///< volume of the free air at p0 [m3]; set by Prepare
   double oil_compliance = 0;  ///< V_oil/beta [m3/Pa]; set by Prepare
   bool closed_form = false;   ///< set by Prepare
-  bool plain = false;         ///< set by Prepare: closed, and its gases are as warm as the surroundings
+  bool plain = false;         ///< set by Prepare: closed_form, no gas has a temperature of its own
   bool real_gas = false;      ///< set by Prepare: the first gas is a reservoir by density
 
   void Prepare();

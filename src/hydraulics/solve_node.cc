@@ -48,66 +48,45 @@ double ClosedFormRise(double p0, double compliance, double at_p0, double pushed)
   return B > 0 ? 2 * pushed * p0 / (B + root) : (root - B) / (2 * compliance);
 }
 
-// The isothermal balance solved: accumulators are open if a pressure without them would open one.
-BoyleState SolveBoyle(const Node& node, double D, double ambient, const double* state) {
-  BoyleGas gases[kMostGases];
-  const size_t count = std::min<size_t>(node.gases.size(), kMostGases);
+// The isothermal balance solved: an accumulator is open if the pressure without it would open it.
+// `gas`: p V of a gas as it is (BoyleGas).
+template <typename Gas>
+BoyleState Balance(const Node& node, double D, double compliance, const Gas& gas) {
   double pV = node.air, at_p0 = node.air_at_p0, pushed = D;
   const auto take = [&](bool blow_off) {
-    for (size_t k = 0; k < count; ++k) {
-      const NodeGas& g = node.gases[k];
+    for (const NodeGas& g : node.gases) {
       if (g.blow_off != blow_off) continue;
-      pV += gases[k].pV, at_p0 += gases[k].at_p0, pushed += gases[k].at_p0 - g.static_volume;
+      const BoyleGas now = gas(g);
+      pV += now.pV, at_p0 += now.at_p0, pushed += now.at_p0 - g.static_volume;
     }
   };
-  for (size_t k = 0; k < count; ++k) gases[k] = CalcBoyle(node.gases[k], ambient, state);
   take(false);
-  const double compliance = node.Compliance(ambient) + node.law_compliance;
   double p = node.p0 + ClosedFormRise(node.p0, compliance, at_p0, pushed);
   bool opens = false;
-  for (size_t k = 0; k < count; ++k) {
-    const NodeGas& g = node.gases[k];
-    opens |= g.blow_off && p * g.gas.reference_volume > gases[k].pV;
+  for (const NodeGas& g : node.gases) {
+    opens |= g.blow_off && p * g.gas.reference_volume > gas(g).pV;
   }
   if (opens) {
     take(true);
     p = node.p0 + ClosedFormRise(node.p0, compliance, at_p0, pushed);
   }
   bool holds = true;
-  for (size_t k = 0; k < count; ++k) {
-    const GasVolume& gas = node.gases[k].gas;
-    if (gases[k].pV < gas.min_volume * p) holds = false;
-    if (!node.gases[k].blow_off && gases[k].pV > gas.max_volume * p) holds = false;
+  for (const NodeGas& g : node.gases) {
+    const double now = gas(g).pV;
+    if (now < g.gas.min_volume * p) holds = false;
+    if (!g.blow_off && now > g.gas.max_volume * p) holds = false;
   }
   return {p, pV, holds};
 }
 
-// The same at the static temperature, where no gas has one of its own.
-BoyleState SolvePlain(const Node& node, double D) {
-  const double compliance = node.oil_compliance;
-  double pV = node.air, at_p0 = node.air_at_p0, pushed = D;
-  const NodeGas* blow_off = nullptr;
-  const auto take = [&](const NodeGas& g) {
-    pV += g.boyle, at_p0 += g.boyle_at_p0, pushed += g.boyle_at_p0 - g.static_volume;
-  };
-  for (const NodeGas& g : node.gases) {
-    if (g.blow_off) {
-      blow_off = &g;
-    } else {
-      take(g);
-    }
+BoyleState SolveBoyle(const Node& node, double D, double ambient, const double* state) {
+  if (node.plain && ambient == node.temperature) {
+    return Balance(node, D, node.oil_compliance, [](const NodeGas& g) {
+      return BoyleGas{g.boyle, g.boyle_at_p0};
+    });
   }
-  double p = node.p0 + ClosedFormRise(node.p0, compliance, at_p0, pushed);
-  if (blow_off != nullptr && p * blow_off->gas.reference_volume > blow_off->boyle) {
-    take(*blow_off);
-    p = node.p0 + ClosedFormRise(node.p0, compliance, at_p0, pushed);
-  }
-  bool holds = true;
-  for (const NodeGas& g : node.gases) {
-    if (g.boyle < g.gas.min_volume * p) holds = false;
-    if (!g.blow_off && g.boyle > g.gas.max_volume * p) holds = false;
-  }
-  return {p, pV, holds};
+  return Balance(node, D, node.Compliance(ambient) + node.law_compliance,
+                 [&](const NodeGas& g) { return CalcBoyle(g, ambient, state); });
 }
 
 // Newton's method on a rising function inside a bracket that is grown first; a step that leaves the
@@ -186,8 +165,7 @@ void SolveNodeAt(const Node& node, double D, double ambient, const double* state
       return;
     }
   }
-  const bool plain = node.plain && ambient == node.temperature;
-  const BoyleState boyle = plain ? SolvePlain(node, D) : SolveBoyle(node, D, ambient, state);
+  const BoyleState boyle = SolveBoyle(node, D, ambient, state);
   at->pushed = D, at->gas_volume = 0;
   if (node.real_gas && SolveRealGasNode(node, D, ambient, state, boyle.p, at)) return;
   if (!node.closed_form || !boyle.holds) {
