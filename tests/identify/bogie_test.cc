@@ -73,7 +73,8 @@ class BogieTest : public testing::Test {
   ordered_json Identified(const std::string& candidates) const {
     auto dir = ResultDir::Create(scratch_.File("out"), true);
     SearchOptions options;
-    options.effort.max_effects = 1, options.effort.stepped = 6, options.effort.coarse_fits = 2, options.effort.full_fits = 1;
+    options.effort.max_effects = 1, options.effort.stepped = 6, options.effort.coarse_fits = 2,
+    options.effort.full_fits = 1;
     const auto outcome = IdentifyBogie(ManifestWith(candidates), options, nullptr, dir.value());
     EXPECT_TRUE(outcome.ok()) << outcome.error().Line();
     EXPECT_TRUE(dir.value().Commit().ok());
