@@ -52,6 +52,18 @@ TEST(Verdict, SaysWhatWouldExplainItBeyondWhatIsPlausible) {
   EXPECT_THAT(Judge(facts).reasons, Not(Contains(HasSubstr("moving_mass"))));
 }
 
+TEST(Verdict, WhatWouldExplainWasTriedBesideAllThatIsThere) {
+  search::Identification found;
+  search::CandidateRecord beyond{"moving_mass", "mass_kg", 1, 0, true, {}, "refused"};
+  beyond.at_end = {"mass_kg (4000)"};
+  found.candidates = {beyond};
+  EXPECT_TRUE(search::WouldExplain(found).has_value());
+  found.candidates.push_back({"stribeck", "", 1, 0, true, {}, "accepted"});
+  EXPECT_FALSE(search::WouldExplain(found).has_value()) << "it was tried before that one came";
+  found.candidates.push_back({"presliding", "", 2, 0, true, {}, "refused"});
+  EXPECT_FALSE(search::WouldExplain(found).has_value()) << "the last round did not find it so";
+}
+
 TEST(Verdict, NoiseWithAColourIsNotWhatTheModelLacks) {
   VerdictFacts facts = Facts(2.8, 2.8);
   facts.channels[0].following = 0.3;

@@ -49,7 +49,9 @@ std::optional<BeyondRange> WouldExplain(const Identification& found) {
   int last = 0;
   for (const CandidateRecord& record : found.candidates) last = std::max(last, record.round);
   for (const CandidateRecord& record : found.candidates) {
-    if (record.at_end.empty() || record.round != last) continue;
+    if (record.round != last) continue;
+    if (record.verdict == "accepted") return std::nullopt;  // it was tried before this one came
+    if (record.at_end.empty()) continue;
     const bool more = best == nullptr || record.evidence.delta_bic > best->evidence.delta_bic;
     if (more) best = &record;
   }
