@@ -104,7 +104,8 @@ void CalcMountRates(const CompiledPhs& sys, double time, double h, const double*
 
 /// Rates of gas temperatures and flows over h (flow_rates.cc).
 void CalcHydraulicRates(const CompiledPhs& sys, double time, double h, const Instant& start,
-                        const StepSpeeds& piston, const double* state, double* rate);
+                        const StepSpeeds& piston, const double* state, StageMemory* memory,
+                        double* rate);
 /// Kinetic energy of oil with inertance, and work done on the atmosphere by oil that left [J].
 double CalcPathEnergy(const CompiledPhs& sys, const double* state);
 /// Available power lost in gases and paths [W].

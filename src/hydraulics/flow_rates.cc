@@ -39,8 +39,16 @@ constexpr double kGamma = 1 - M_SQRT1_2;
 void CalcDerivative(const CompiledPhs& sys, double time, const Instant& at, const double* speed,
                     const double* state, double* rate, SlowMatrix* slow) {
   PathSlopes slopes;
-  CalcPathRates(sys, OwnInertances(sys), time, at, 0, speed, state, nullptr, rate, &slopes);
+  StageLags lags;
+  CalcLags(sys, time, at, 0, &lags);
+  CalcPathRates(sys, OwnInertances(sys), time, at, lags, speed, state, nullptr, rate, &slopes);
   CalcAllNodeRates(sys, at, speed, state, rate, slow, slopes.heat);
+}
+
+/// Whether all that a step changes are flows with inertance: nothing then goes on as it does now.
+bool AllRings(const CompiledPhs& sys) {
+  return sys.first_slow == sys.paths[0].volume &&
+         std::all_of(sys.paths.begin(), sys.paths.end(), [](const Path& p) { return p.flow >= 0; });
 }
 
 // The inertances with which the columns of oil ring at their own frequencies in steps of h.
@@ -120,29 +128,31 @@ Stepped HeatStep(const CompiledPhs& sys, double time, double h, const Instant& s
 
 // One step by both stages: the mean rates over h.
 Stepped TwoStages(const CompiledPhs& sys, double time, double h, const Instant& start,
-                  const StepSpeeds& speeds, const double* state, double* rate) {
+                  const StepSpeeds& speeds, const double* state, StageMemory* memory,
+                  double* rate) {
   const int count = sys.num_states(), first = sys.first_slow;
   const double a = kGamma * h;
   double u[kMaxStates], base[kMaxStates], F1[kMaxStates], F2[kMaxStates];
   std::fill(base, base + first, 0.0);
   // First guess: what flows and warms now goes on; flows with inertance may change within less.
   SlowMatrix ignored(count);
-  CalcDerivative(sys, time, start, speeds.mean, state, F1, &ignored);
+  if (!AllRings(sys)) CalcDerivative(sys, time, start, speeds.mean, state, F1, &ignored);
   std::copy(state, state + count, u);
   for (int i = first; i < sys.paths[0].volume; ++i) u[i] += a * F1[i];
   for (const Path& path : sys.paths) {
     if (path.flow < 0) u[path.volume] += a * F1[path.volume];
   }
   Instant at = start;
+  StageLags lags;
   const PathInertances inertances = RingingInertances(sys, h, start);
   bool solved = SolveStage(sys, inertances, time + a, a, start, FirstStage(sys, h, speeds), state,
-                           u, F1, &at);
+                           u, F1, &at, &lags, memory);
   for (int i = first; i < count; ++i) {
     base[i] = state[i] + (1 - kGamma) * h * F1[i];
     u[i] = base[i] + a * F1[i];
   }
   solved = SolveStage(sys, inertances, time + h, a, start, LastStage(sys, h, speeds), base, u, F2,
-                      &at) &&
+                      &at, &lags, memory) &&
            solved;
   for (int i = first; i < count; ++i) rate[i] = (u[i] - state[i]) / h;
   if (!solved) return Stepped::kUnsolved;
@@ -152,10 +162,12 @@ Stepped TwoStages(const CompiledPhs& sys, double time, double h, const Instant& 
 // Where the stages find no solution (a valve that snaps), or a gas comes to its stop, two steps of
 // half the length, and so on.
 void Step(const CompiledPhs& sys, double time, double h, const Instant& start,
-          const StepSpeeds& speeds, const double* state, double* rate, int halved = 0) {
+          const StepSpeeds& speeds, const double* state, StageMemory* memory, double* rate,
+          int halved = 0) {
   constexpr int kMostUnsolved = 6, kMostAcross = 5;
-  const Stepped done = sys.paths.empty() ? HeatStep(sys, time, h, start, speeds, state, rate)
-                                         : TwoStages(sys, time, h, start, speeds, state, rate);
+  const Stepped done = sys.paths.empty()
+                           ? HeatStep(sys, time, h, start, speeds, state, rate)
+                           : TwoStages(sys, time, h, start, speeds, state, memory, rate);
   if (done == Stepped::kDone) return;
   if (halved >= (done == Stepped::kUnsolved ? kMostUnsolved : kMostAcross)) return;
   const int count = sys.num_states(), first = sys.first_slow;
@@ -166,22 +178,23 @@ void Step(const CompiledPhs& sys, double time, double h, const Instant& start,
     const double by = 0.5 * (speeds.end[i] - speeds.mean[i]);
     early[i] = speeds.mean[i] - by, late[i] = speeds.mean[i] + by, way[i] = half * early[i];
   }
-  Step(sys, time, half, start, {early, speeds.mean}, state, rate, halved + 1);
+  Step(sys, time, half, start, {early, speeds.mean}, state, memory, rate, halved + 1);
   std::copy(state, state + count, middle);
   for (int i = first; i < count; ++i) middle[i] += half * rate[i];
   Instant at = start;
   MoveTo(sys, time + half, way, start, &at);
   sys.CalcPushed(middle, &at);
   sys.SolveNodes(middle, &at);
-  Step(sys, time + half, half, at, {late, speeds.end}, middle, second, halved + 1);
+  Step(sys, time + half, half, at, {late, speeds.end}, middle, memory, second, halved + 1);
   for (int i = first; i < count; ++i) rate[i] = 0.5 * (rate[i] + second[i]);
 }
 
 }  // namespace
 
 void CalcHydraulicRates(const CompiledPhs& sys, double time, double h, const Instant& start,
-                        const StepSpeeds& speeds, const double* state, double* rate) {
-  if (h > 0) return Step(sys, time, h, start, speeds, state, rate);
+                        const StepSpeeds& speeds, const double* state, StageMemory* memory,
+                        double* rate) {
+  if (h > 0) return Step(sys, time, h, start, speeds, state, memory, rate);
   double now[kMaxStates];
   SlowMatrix ignored(sys.num_states());
   CalcDerivative(sys, time, start, speeds.mean, state, now, &ignored);

@@ -8,6 +8,8 @@
 namespace phs::hydraulics {
 namespace {
 
+constexpr double kPoor = 1e4;  // change in a stage: 100 Pa on a chamber, 1 mK
+
 // A square matrix of as many rows as there are paths.
 struct PathMatrix {
   explicit PathMatrix(size_t rows) : n(rows) {}
@@ -108,12 +110,10 @@ PathMatrix CalcPathMatrix(const CompiledPhs& sys, const PathInertances& inertanc
 }
 
 // Lags of a stage that belong to the flows in `u`: u_k = base_k + a rate (u_flow - u_k).
-void FollowFlows(const CompiledPhs& sys, const FlowPlace& place, double a, const double* base,
-                 double* u) {
+void FollowFlows(const CompiledPhs& sys, const StageLags& lags, const double* base, double* u) {
   for (const Path& path : sys.paths) {
-    for (int k = 0; k < path.num_lags; ++k) {
-      const double along = a * path.law->Lag(place, k).rate;
-      u[path.lag + k] = (base[path.lag + k] + along * u[path.flow]) / (1 + along);
+    for (int k = path.lag; k < path.lag + path.num_lags; ++k) {
+      u[k] = (base[k] + lags.at[k].along * u[path.flow]) * lags.at[k].keeps;
     }
   }
 }
@@ -141,6 +141,17 @@ double StepPaths(const CompiledPhs& sys, const PathInertances& inertances, doubl
   return largest;
 }
 
+/// Whether a first change leaves nothing, as the stages before contracted. They tell less with
+/// every stage that is not measured. A kink that none of them met is left at most as large as the
+/// change: 100 Pa on a chamber, in one stage.
+bool IsLast(double change, StageMemory* memory) {
+  constexpr double kNothing = 0.1;
+  if (memory->contraction <= 0 || change > kPoor) return false;
+  if (memory->contraction * change * change > kNothing) return false;
+  memory->contraction *= 2;
+  return true;
+}
+
 }  // namespace
 
 PathInertances OwnInertances(const CompiledPhs& sys) {
@@ -149,9 +160,22 @@ PathInertances OwnInertances(const CompiledPhs& sys) {
   return own;
 }
 
+void CalcLags(const CompiledPhs& sys, double time, const Instant& at, double a, StageLags* lags) {
+  if (lags->length == a && lags->viscosity == at.viscosity) return;
+  lags->length = a, lags->viscosity = at.viscosity;
+  const FlowPlace place = sys.WhereItFlows(time, at);
+  for (const Path& path : sys.paths) {
+    for (int k = 0; k < path.num_lags; ++k) {
+      const FlowLag lag = path.law->Lag(place, k);
+      const double along = a * lag.rate;
+      lags->at[path.lag + k] = {lag.rate, lag.resistance, along, 1 / (1 + along)};
+    }
+  }
+}
+
 void CalcPathRates(const CompiledPhs& sys, const PathInertances& inertances, double time,
-                   const Instant& at, double a, const double* speed, const double* state,
-                   const double* flows, double* rate, PathSlopes* slopes) {
+                   const Instant& at, const StageLags& lags, const double* speed,
+                   const double* state, const double* flows, double* rate, PathSlopes* slopes) {
   FlowPlace place = sys.WhereItFlows(time, at);
   for (size_t k = 0; k < sys.paths.size(); ++k) {
     const Path& path = sys.paths[k];
@@ -162,12 +186,12 @@ void CalcPathRates(const CompiledPhs& sys, const PathInertances& inertances, dou
     if (path.flow >= 0) {
       const double flow = state[path.flow];
       double drop = path.law->Drop(place, flow, slope);
-      for (int l = 0; l < path.num_lags; ++l) {
-        const FlowLag lag = path.law->Lag(place, l);
-        const double behind = flow - state[path.lag + l];
+      for (int l = path.lag; l < path.lag + path.num_lags; ++l) {
+        const StageLags::Lag& lag = lags.at[l];
+        const double behind = flow - state[l];
         drop += lag.resistance * behind;
-        *slope += lag.resistance / (1 + a * lag.rate);
-        rate[path.lag + l] = lag.rate * behind;
+        *slope += lag.resistance * lag.keeps;
+        rate[l] = lag.rate * behind;
       }
       rate[path.flow] = (dp - drop) / inertances.value[k];
       rate[path.volume] = flow;
@@ -205,7 +229,7 @@ void MoveTo(const CompiledPhs& sys, double time, const double* way, const Instan
 
 bool SolveStage(const CompiledPhs& sys, const PathInertances& inertances, double time, double a,
                 const Instant& start, const StageMotion& motion, const double* base, double* u,
-                double* F, Instant* at, PathSlopes* found) {
+                double* F, Instant* at, StageLags* lags, StageMemory* memory, PathSlopes* found) {
   const int count = sys.num_states(), first = sys.first_slow;
   const int first_flow = sys.paths[0].volume;
   double flow[kMaxStates], step[kMaxStates];
@@ -217,11 +241,12 @@ bool SolveStage(const CompiledPhs& sys, const PathInertances& inertances, double
     if (path.flow >= 0) u[path.volume] = base[path.volume] + a * u[path.flow];
   }
   constexpr int kMostIterations = 30, kStepped = 8;
-  constexpr double kPoor = 1e4;  // 100 Pa on a chamber, 1 mK
   double largest = 0, before = 0;
   double displaced[kMaxNodes];
   MoveTo(sys, time, motion.way, start, at);
   sys.CalcDisplaced(*at, displaced);
+  CalcLags(sys, time, *at, a, lags);
+  FollowFlows(sys, *lags, base, u);
   for (int iteration = 0; iteration < kMostIterations; ++iteration) {
     std::copy(displaced, displaced + sys.nodes.size(), at->pushed);
     sys.AddPassed(u, at->pushed);
@@ -234,11 +259,11 @@ bool SolveStage(const CompiledPhs& sys, const PathInertances& inertances, double
       sys.SolveNodes(u, at, at);
     }
     for (int i = first_flow; i < count; ++i) flow[i] = (u[i] - base[i]) / a;
-    FollowFlows(sys, sys.WhereItFlows(time, *at), a, base, u);
-    CalcPathRates(sys, inertances, time, *at, a, motion.speed, u, flow, F, &slopes);
+    CalcPathRates(sys, inertances, time, *at, *lags, motion.speed, u, flow, F, &slopes);
     CalcDropSlopes(sys, *at, &slopes);
     // 1e-14 m3 is 0.01 Pa on a chamber.
     largest = std::max(largest, 1e14 * StepPaths(sys, inertances, a, slopes, base, F, u));
+    FollowFlows(sys, *lags, base, u);
     // Heat answers to the flow as it will be: through a pipe that hardly resists, what the law
     // gives at pressures not yet settled is far off.
     for (const Path& path : sys.paths) F[path.volume] = (u[path.volume] - base[path.volume]) / a;
@@ -249,8 +274,11 @@ bool SolveStage(const CompiledPhs& sys, const PathInertances& inertances, double
       u[i] += step[i];
       largest = std::max(largest, std::abs(step[i]) * 1e7);
     }
+    if (iteration == 1) memory->contraction = largest / (before * before);
+    if (largest <= 1) break;
+    if (iteration == 0 && IsLast(largest, memory)) break;
     // What is left is at most the share of this change that this is of the one before.
-    if (largest <= 1 || (largest < before && largest * largest <= before)) break;
+    if (largest < before && largest * largest <= before) break;
     before = largest;
   }
   // The derivative that the solved stage stands for.

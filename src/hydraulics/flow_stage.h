@@ -27,6 +27,18 @@ struct PathSlopes {
   double heat[kMaxNodes];             ///< what the heat of compression adds to dD/dp of the nodes
 };
 
+/// Lags of the flows in a stage of length a, by their states: `along` = a rate, `keeps` = 1/(1 +
+/// along).
+struct StageLags {
+  double length = -1, viscosity = 0;  ///< they hold for; as yet for none
+  struct Lag {
+    double rate, resistance, along, keeps;
+  } at[kMaxStates];
+};
+
+/// Those at the warmth of `at`; nothing where they hold already.
+void CalcLags(const CompiledPhs& sys, double time, const Instant& at, double a, StageLags* lags);
+
 /// How the pistons move in a stage of a step: by how much since its start, and with what speed.
 struct StageMotion {
   double way[kMaxCylinders] = {}, speed[kMaxCylinders] = {};
@@ -37,11 +49,11 @@ void MoveTo(const CompiledPhs& sys, double time, const double* way, const Instan
             Instant* at);
 
 /// Rates of volumes passed and of flows with inertance and their lags; slopes of the laws in a
-/// stage of length `a`, whose lags follow the flow (0: at an instant). `speed`: of the pistons;
+/// stage whose `lags` follow the flow (of no length: at an instant). `speed`: of the pistons;
 /// `flows`: those of the last iterate by state, or null.
 void CalcPathRates(const CompiledPhs& sys, const PathInertances& inertances, double time,
-                   const Instant& at, double a, const double* speed, const double* state,
-                   const double* flows, double* rate, PathSlopes* slopes);
+                   const Instant& at, const StageLags& lags, const double* speed,
+                   const double* state, const double* flows, double* rate, PathSlopes* slopes);
 
 /// Rates of the nodes' states, given those of the volumes passed; `heat` of PathSlopes.
 void CalcAllNodeRates(const CompiledPhs& sys, const Instant& at, const double* speed,
@@ -49,10 +61,12 @@ void CalcAllNodeRates(const CompiledPhs& sys, const Instant& at, const double* s
 
 /// Solves a stage; `u` holds a guess and gets the solution, `F` the derivative there, `at`
 /// pressures close by and those of the solution, `slopes` (may be null) those there. False if it
-/// was not found.
+/// was not found. `lags`: of an earlier stage, or as yet of none. One iteration is enough where what the stages before left of a change says that
+/// nothing is left of this one; `memory` says how, and learns.
 bool SolveStage(const CompiledPhs& sys, const PathInertances& inertances, double time, double a,
                 const Instant& start, const StageMotion& motion, const double* base, double* u,
-                double* F, Instant* at, PathSlopes* slopes = nullptr);
+                double* F, Instant* at, StageLags* lags, StageMemory* memory,
+                PathSlopes* slopes = nullptr);
 
 /// d(pressure force)/d(way) of one piston [N/m] about a solved stage, the flows answering.
 double CalcStageStiffness(const CompiledPhs& sys, const PathInertances& inertances, double a,

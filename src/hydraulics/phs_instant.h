@@ -10,6 +10,12 @@ inline constexpr int kMaxCylinders = 16;
 inline constexpr int kMaxNodes = 32;
 inline constexpr int kMaxStates = 192;
 
+/// How fast Newton's method converged in the stages before (flow_stage.h): of a change c it left
+/// `contraction` c². 0: not known.
+struct StageMemory {
+  double contraction = 0;
+};
+
 /// Everything known at one instant.
 struct Instant {
   double time = 0;               ///< [s]
@@ -19,6 +25,7 @@ struct Instant {
   double piston[kMaxCylinders];  ///< y [m]
   double pushed[kMaxNodes];      ///< D [m3]
   NodeState node[kMaxNodes];
+  StageMemory stages;
 };
 
 }  // namespace phs::hydraulics

@@ -287,7 +287,8 @@ void PhsSystem::CalcStateRateAt(const Instant& at, double h, const double* x, co
   for (size_t i = 0; i < sys.cylinders.size(); ++i) {
     end[i] = before != nullptr ? GoneOn(before[i], speed[i]) : speed[i];
   }
-  CalcHydraulicRates(sys, at.time, h, at, {speed, end}, state, rate);
+  StageMemory memory = at.stages;
+  CalcHydraulicRates(sys, at.time, h, at, {speed, end}, state, &memory, rate);
 }
 
 void PhsSystem::CalcHydraulics(double time, double h, const double* x, const StepSpeeds& v,
@@ -302,7 +303,11 @@ void PhsSystem::CalcHydraulics(double time, double h, const double* x, const Ste
     p_bore[i] = sys.Pressure(at, sys.cylinders[i].bore);
     p_rod[i] = sys.Pressure(at, sys.cylinders[i].rod);
   }
-  if (sys.num_states() > sys.first_slow) CalcHydraulicRates(sys, time, h, at, v, state, rate);
+  if (sys.num_states() > sys.first_slow) {
+    StageMemory memory = at.stages;
+    CalcHydraulicRates(sys, time, h, at, v, state, &memory, rate);
+    at.stages = memory;
+  }
 }
 
 void PhsSystem::CalcForces(double time, const double* x, const double* v, const double* state,

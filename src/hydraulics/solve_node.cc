@@ -90,8 +90,8 @@ BoyleState SolveBoyle(const Node& node, double D, double ambient, const double* 
 }
 
 // Newton's method on a rising function inside a bracket that is grown first; a step that leaves the
-// bracket is replaced by the geometric mean. Convergence is quadratic: a step below 1e-9 leaves an
-// error at rounding.
+// bracket is replaced by the geometric mean. Convergence is quadratic: a step below 1e-7 leaves an
+// error at rounding. (There the end of a step may well be the end of the bracket.)
 NodeState NewtonNode(const Node& node, double D, double ambient, const double* state,
                      double guess) {
   double low = 0, high = 0;
@@ -99,14 +99,17 @@ NodeState NewtonNode(const Node& node, double D, double ambient, const double* s
   NodeState out;
   for (int i = 0; i < 200; ++i) {
     const double error = CalcAbsorbed(node, p, ambient, state, &out.slope) - D;
-    if (error == 0) break;
-    (error > 0 ? high : low) = p;
     double next = p - error / out.slope;
+    if (std::abs(next - p) <= 1e-7 * p) {
+      p = next;
+      break;
+    }
+    (error > 0 ? high : low) = p;
     const bool inside = next > low && (high == 0 || next < high) && std::isfinite(next);
     if (!inside) next = low == 0 ? p / 16 : (high == 0 ? p * 16 : std::sqrt(low * high));
     const double move = std::abs(next - p);
     p = next;
-    if (move <= (inside ? 1e-9 : 4e-15) * p || p < 1e-12 || p > 1e15) break;
+    if (move <= 4e-15 * p || p < 1e-12 || p > 1e15) break;
   }
   out.p = p, out.pushed = D;
   return out;
