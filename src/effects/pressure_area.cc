@@ -14,21 +14,24 @@ using hydraulics::Extension;
 using hydraulics::Places;
 using hydraulics::Walk;
 
-/// A p (|p| / 10 MPa)^(n - 1).
+/// A (g(p) - g(z p0)), g(p) = p (|p| / 10 MPa)^(n - 1), of the rise of p above `p0`.
 class Thrust {
  public:
-  explicit Thrust(const EffectParams& effect)
-      : area_m2_(effect.values.at("area_m2")), exponent_(effect.values.at("exponent")) {}
-  double At(double pressure) const {
-    constexpr double kReference = 1e7;  // [Pa]
-    if (exponent_ == 1) return area_m2_ * pressure;
-    return area_m2_ *
-           std::copysign(kReference * std::pow(std::abs(pressure) / kReference, exponent_),
-                         pressure);
-  }
+  Thrust(const EffectParams& effect, double p0)
+      : area_m2_(effect.values.at("area_m2")),
+        exponent_(effect.values.at("exponent")),
+        p0_(p0),
+        unseen_(Bent(effect.values.at("zeroed_over_static") * p0)) {}
+  double At(double rise) const { return area_m2_ * (Bent(p0_ + rise) - unseen_); }
 
  private:
-  double area_m2_, exponent_;
+  double Bent(double pressure) const {
+    constexpr double kReference = 1e7;  // [Pa]
+    if (exponent_ == 1) return pressure;
+    return std::copysign(kReference * std::pow(std::abs(pressure) / kReference, exponent_),
+                         pressure);
+  }
+  double area_m2_, exponent_, p0_, unseen_;
 };
 
 /// T dp'/dt = p - p' over h at a constant p.
@@ -83,19 +86,19 @@ class PressedChamber final : public hydraulics::ForceLaw {
 };
 
 Status InstallPressureArea(const EffectParams& effect, Extension* extension) {
-  const Thrust thrust(effect);
   const double late_s = effect.values.at("late_s");
   const auto& params = extension->params();
   if (IsBenchPart(params)) {
-    extension->AddLoad(std::make_unique<PressedArea>(thrust, late_s));
+    extension->AddLoad(std::make_unique<PressedArea>(Thrust(effect, 0), late_s));
     return {};
   }
   for (const int line : TargetLines(effect, params)) {
-    const std::string& name = params.lines[static_cast<size_t>(line)].name;
+    const hydraulics::LineParams& l = params.lines[static_cast<size_t>(line)];
+    const Thrust thrust(effect, l.static_pressure_Pa);
     for (size_t i = 0; i < params.cylinders.size(); ++i) {
       const auto& cylinder = params.cylinders[i];
       for (const bool bore : {true, false}) {
-        if ((bore ? cylinder.bore_line : cylinder.rod_line) != name) continue;
+        if ((bore ? cylinder.bore_line : cylinder.rod_line) != l.name) continue;
         extension->AddForce(static_cast<int>(i),
                             std::make_unique<PressedChamber>(thrust, bore, late_s));
       }
@@ -111,10 +114,14 @@ const EffectInfo& PressureAreaInfo() {
       "pressure_area",
       "element",
       "lines",
-      "force A p (|p|/10 MPa)^(n-1): of a chamber's rise, on a bench of its channel",
+      "force A g(p), g = p (|p|/10 MPa)^(n-1): of a chamber, beyond that at static pressure; on a "
+      "bench "
+      "of its channel",
       {{"area_m2", "m2", 1e-4, -10, 10, -0.1, 0.1, "A"},
        {"exponent", "-", 1, 0.1, 5, 0.4, 2.5, "n"},
-       {"late_s", "s", 0, 0, 1e6, 0, 10, "of p behind a narrow gap; 0: at once"}},
+       {"late_s", "s", 0, 0, 1e6, 0, 10, "of p behind a narrow gap; 0: at once"},
+       {"zeroed_over_static", "-", 1, -10, 10, -1, 3,
+        "pressure at which the load cell shows none of it, over the static one; not on a bench"}},
       InstallPressureArea,
       {
           .rig = {{.free = {{"area_m2", 0}}, .places = Places::kEach}},
@@ -124,7 +131,9 @@ const EffectInfo& PressureAreaInfo() {
                    .needs = {"p_Pa"},
                    .beside = {"element.pressure_area"}},
               },
-          .options = {{.free = {{"exponent", 0.7, 1.5, 2}}}, {.free = {{"late_s", 0.03, 0.3, 2}}}},
+          .options = {{.free = {{"exponent", 0.7, 1.5, 2}}},
+                      {.free = {{"late_s", 0.03, 0.3, 2}}},
+                      {.free = {{"zeroed_over_static", 0}}}},
           .over = {"N", "pq"},
       }};
   return info;

@@ -31,20 +31,22 @@ constexpr double kParts[] = {-1.224744871391589, 0, 1.224744871391589};
 
 void AddReservoir(const LineParams& line, double T, Node* node) {
   const double p0 = line.static_pressure_Pa, least = line.reservoir.min_gas_volume_m3;
-  const double spread = line.reservoir.stop_spread;
-  // `share` of the reservoir, its gas held at `min_gas_volume` of the whole; 0: not held.
-  const auto add = [&](double share, double min_gas_volume) {
+  const double most = line.reservoir.port_gas_volume_m3, spread = line.reservoir.stop_spread;
+  const bool stops = least > 0 || most > 0;
+  // `share` of the reservoir, its stops at `least` and `most` of the whole times `part`; 0: none.
+  const auto add = [&](double share, double part) {
     GasChargeParams charge = line.reservoir;
     const double volume = share * line.gas_volume_m3;
     charge.volume_m3 *= share;
-    charge.min_gas_volume_m3 = std::clamp(share * min_gas_volume, 0.0, volume);
+    if (most > 0 && part > 0) charge.volume_m3 = std::min(charge.volume_m3, share * most * part);
+    charge.min_gas_volume_m3 = std::clamp(share * least * part, 0.0, volume);
     node->gases.push_back(CompileGas(charge, volume, p0, T));
   };
-  const double held = least == 0 ? 1 : line.reservoir.stop_share;
+  const double held = stops ? line.reservoir.stop_share : 1;
   if (held < 1) add(1 - held, 0);
   if (held <= 0) return;
-  if (spread == 0 || least == 0) return add(held, least);
-  for (const double part : kParts) add(held / 3, least * (1 + part * spread));
+  if (spread == 0 || !stops) return add(held, 1);
+  for (const double part : kParts) add(held / 3, 1 + part * spread);
 }
 
 void AddAccumulator(const LineParams& line, double T, Node* node) {

@@ -156,6 +156,8 @@ TEST(EnergyOfForms, WorkIsStoredPlusLost) {
       {"accumulator_precharge", {{"precharge_Pa", 2.6e6}, {"spread_Pa", 4e5}}},
       {"diaphragm_stop", {{"min_gas_volume_m3", 12e-6}, {"spread", 0.3}}},
       {"diaphragm_stop", {{"min_gas_volume_m3", 14e-6}, {"spread", 0.3}, {"share", 0.6}}},
+      {"diaphragm_stop",
+       {{"min_gas_volume_m3", 0}, {"precharge_Pa", 1.7e6}, {"spread", 0.1}, {"share", 0.8}}},
       {"check_restriction", {{"out_Pas_per_m3", 3e8}, {"cracking_out_Pa", 5e4}}},
       {"line_resistance", {{"cracking_Pa", 2e4}}},
       {"reservoir_drag", {{"friction_Pa", 2e4}, {"turbulent_Pas2_per_m6", 3e13}}},

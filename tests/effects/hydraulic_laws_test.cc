@@ -254,6 +254,27 @@ TEST(DiaphragmStop, LeavesOnlyTheOilAtTheStop) {
   EXPECT_NEAR(k / (l.bulk_modulus_Pa / l.oil_volume_m3), 1, 1e-3);
 }
 
+// Below the reservoir's precharge its gas stays at V_g0 p0/p_c: the oil alone takes up what is pulled.
+TEST(DiaphragmStop, RestsOnTheOilPortBelowThePrecharge) {
+  PhsParams params = Frictionless();
+  const auto& l = params.lines[1];
+  const double precharge = 0.8 * l.static_pressure_Pa,
+               compliance = l.oil_volume_m3 / l.bulk_modulus_Pa;
+  const PhsSystem s = Compile(
+      With(params, "diaphragm_stop", {{"min_gas_volume_m3", 0}, {"precharge_Pa", precharge}}));
+  const double grown = l.gas_volume_m3 * (l.static_pressure_Pa / precharge - 1);
+  for (const double below : {0.1, 0.5}) {
+    const double p = (1 - below) * precharge;
+    const double pulled = grown + compliance * (l.static_pressure_Pa - p);
+    const double x = pulled / params.cylinders[0].BoreArea();
+    EXPECT_NEAR(Hold(s, x, 0).p_bore / p, 1, 2e-3) << "a trace of air";
+  }
+  const double above = 1.2 * precharge, gas = l.gas_volume_m3 * (l.static_pressure_Pa / above - 1);
+  const double x =
+      (gas + compliance * (l.static_pressure_Pa - above)) / params.cylinders[0].BoreArea();
+  EXPECT_NEAR(Hold(s, x, 0).p_bore / above, 1, 2e-3) << "afloat";
+}
+
 // V_oil/K' ln(1 + K' (p - p0)/beta).
 TEST(OilStiffening, TakesUpWhatItsLogarithmSays) {
   PhsParams params = Frictionless();

@@ -68,24 +68,48 @@ TEST(PressureArea, OnABenchTrappedPressureThrustsLate) {
   }
 }
 
+/// Channels of a quarter rig that makes a sine of 1 mm.
+std::vector<std::vector<double>> ChannelsOfASine(const PhsParams& params) {
+  rigs::RigMotion motion;
+  motion.step_s = 0.001;
+  motion.position_m.resize(1);
+  for (int i = 0; i < 4000; ++i) motion.position_m[0].push_back(1e-3 * std::sin(0.004 * i));
+  const auto rig = rigs::RigModel::Create(rigs::RigKind::kQuarter, params);
+  EXPECT_TRUE(rig.ok());
+  rigs::RigPrediction out;
+  EXPECT_TRUE(rig.value().Run(motion, &out).ok());
+  return out.channels;
+}
+
+/// F = A (g(p) - g(z p0)), g = p (p/10 MPa)^0.4: what shows of it where the load cell was set to zero
+/// with empty lines, and with full ones.
+TEST(PressureArea, OfAChamberAThrustIsThatBeyondWhereTheLoadCellWasZeroed) {
+  const PhsParams p = Quarter();
+  const auto plain = ChannelsOfASine(p);
+  const std::string line = p.cylinders[0].rod_line;
+  double p0 = 0;
+  for (const auto& l : p.lines) p0 = l.name == line ? l.static_pressure_Pa : p0;
+  const auto g = [](double pressure) { return pressure * std::pow(pressure / 1e7, 0.4); };
+  for (const double zeroed : {0.0, 1.0}) {
+    PhsParams with = With(p, "pressure_area",
+                          {{"area_m2", 3e-4}, {"exponent", 1.4}, {"zeroed_over_static", zeroed}});
+    with.effects.back().targets = {line};
+    const auto shown = ChannelsOfASine(with);
+    EXPECT_NEAR(shown[1][0] - plain[1][0], zeroed == 1 ? 0 : 3e-4 * g(p0), 1e-6);
+    for (size_t i = 0; i < plain[3].size(); i += 50) {
+      EXPECT_NEAR(shown[1][i] - plain[1][i], 3e-4 * (g(plain[3][i]) - g(zeroed * p0)), 1e-6) << i;
+    }
+    EXPECT_EQ(shown[3], plain[3]) << "a force alone";
+  }
+}
+
 /// Of a chamber, against the same equation in steps fifty times finer. In a rig's step the pressure
 /// is that of its begin, so the thrust is half a step late.
 TEST(PressureArea, OfAChamberTrappedPressureThrustsLate) {
-  const auto shown = [](const PhsParams& params) {
-    rigs::RigMotion motion;
-    motion.step_s = 0.001;
-    motion.position_m.resize(1);
-    for (int i = 0; i < 4000; ++i) motion.position_m[0].push_back(1e-3 * std::sin(0.004 * i));
-    const auto rig = rigs::RigModel::Create(rigs::RigKind::kQuarter, params);
-    EXPECT_TRUE(rig.ok());
-    rigs::RigPrediction out;
-    EXPECT_TRUE(rig.value().Run(motion, &out).ok());
-    return out.channels;
-  };
   const PhsParams p = Quarter();
   PhsParams with = With(p, "pressure_area", {{"area_m2", 3e-4}, {"late_s", 0.1}});
   with.effects.back().targets = {p.cylinders[0].bore_line};
-  const auto plain = shown(p), late = shown(with);
+  const auto plain = ChannelsOfASine(p), late = ChannelsOfASine(with);
   double behind = 0, most = 0;
   for (size_t i = 0; i + 1 < plain[2].size(); ++i) {
     const double before = behind;

@@ -89,6 +89,19 @@ TEST(OilSearchTest, FindsAStopThatIsMetSeldom) {
   EXPECT_NEAR(ValueOf(found, "effects.diaphragm_stop.min_gas_volume_m3"), 4.5e-6, 0.05e-6);
 }
 
+// A reservoir whose precharge is met when its line is pulled. With no limit to the gas but the shell's
+// such records ended as not described.
+TEST(OilSearchTest, FindsADiaphragmOnItsOilPort) {
+  hydraulics::PhsParams truth = OffDeclared();
+  truth.effects.push_back(
+      {"diaphragm_stop", {"L2"}, {{"min_gas_volume_m3", 0}, {"precharge_Pa", 1.1e6}}});
+  const Identification found =
+      FindAmong({"diaphragm_stop", "entrained_air", "cavitation", "hose_expansion"}, Record(truth));
+  ASSERT_EQ(found.effects.size(), 1u) << Said(found);
+  EXPECT_EQ(found.effects[0].candidate.effect, "diaphragm_stop");
+  EXPECT_NEAR(ValueOf(found, "effects.diaphragm_stop.precharge_Pa"), 1.1e6, 0.03e6);
+}
+
 // Beside what else takes volume over the pressure: a hose, air, a stop.
 TEST(OilSearchTest, FindsOilThatStiffens) {
   hydraulics::PhsParams truth = OffDeclared();
