@@ -75,9 +75,9 @@ const EffectInfo& CavitationInfo() {
       {
           .rig =
               {
-                  {.free = {{"release_Pa", 8e4, 8e5, 3}, {"solubility", 0.05}},
+                  {.free = {{"release_Pa", 8e4, 1.2e6, 4}, {"solubility", 0.05}},
                    .places = Places::kEach},
-                  {.free = {{"release_Pa", 2.5e5, 6e5, 2},
+                  {.free = {{"release_Pa", 2.5e5, 1.2e6, 3},
                             {"solubility", 0.05},
                             {"dissolving_time_s", 1, 3, 2}},
                    .held = {{"release_time_s", 0.3}},
