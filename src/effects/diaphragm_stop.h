@@ -4,8 +4,8 @@
 // p0/p_c (by Boyle; p0, V_g0 as filled), and again only the oil yields.
 // It lays itself on the wall part by part: three equal parts of the gas stop at volumes whose
 // standard deviation over their mean is `spread`; 0 = all at once. What it meets may give way (a
-// rubber bead): beyond the stop the gas changes by `1 - share` of each further volume only, as if this
-// part of it met no stop.
+// rubber bead): beyond the stop the gas changes by `1 - share` of each further volume only, as if
+// this part of it met no stop.
 #pragma once
 
 #include "hydraulics/extension.h"

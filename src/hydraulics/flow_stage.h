@@ -60,9 +60,10 @@ void CalcAllNodeRates(const CompiledPhs& sys, const Instant& at, const double* s
                       const double* state, double* rate, SlowMatrix* slow, double* heat);
 
 /// Solves a stage; `u` holds a guess and gets the solution, `F` the derivative there, `at`
-/// pressures close by and those of the solution, `slopes` (may be null) those there. False if it
-/// was not found. `lags`: of an earlier stage, or as yet of none. One iteration is enough where what the stages before left of a change says that
-/// nothing is left of this one; `memory` says how, and learns.
+/// pressures close by and those of the solution, `slopes` (may be null) those there. `lags`: of an
+/// earlier stage, or as yet of none. One iteration is enough where what the stages before left of a
+/// change says that nothing is left of this one; `memory` says how, and learns. False if no solution
+/// was found.
 bool SolveStage(const CompiledPhs& sys, const PathInertances& inertances, double time, double a,
                 const Instant& start, const StageMotion& motion, const double* base, double* u,
                 double* F, Instant* at, StageLags* lags, StageMemory* memory,

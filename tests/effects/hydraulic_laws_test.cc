@@ -254,7 +254,8 @@ TEST(DiaphragmStop, LeavesOnlyTheOilAtTheStop) {
   EXPECT_NEAR(k / (l.bulk_modulus_Pa / l.oil_volume_m3), 1, 1e-3);
 }
 
-// Below the reservoir's precharge its gas stays at V_g0 p0/p_c: the oil alone takes up what is pulled.
+// Below the reservoir's precharge its gas stays at V_g0 p0/p_c: the oil alone takes up what is
+// pulled.
 TEST(DiaphragmStop, RestsOnTheOilPortBelowThePrecharge) {
   PhsParams params = Frictionless();
   const auto& l = params.lines[1];

@@ -81,8 +81,8 @@ std::vector<std::vector<double>> ChannelsOfASine(const PhsParams& params) {
   return out.channels;
 }
 
-/// F = A (g(p) - g(z p0)), g = p (p/10 MPa)^0.4: what shows of it where the load cell was set to zero
-/// with empty lines, and with full ones.
+/// F = A (g(p) - g(z p0)), g = p (p/10 MPa)^0.4: what shows of it where the load cell was set to
+/// zero with empty lines, and with full ones.
 TEST(PressureArea, OfAChamberAThrustIsThatBeyondWhereTheLoadCellWasZeroed) {
   const PhsParams p = Quarter();
   const auto plain = ChannelsOfASine(p);
