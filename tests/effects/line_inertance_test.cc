@@ -40,6 +40,33 @@ std::complex<double> ModifiedBessel(int order, std::complex<double> z) {
   return sum;
 }
 
+// Steps that know how the stages before them converged end after one iteration; lags of the flow
+// are those of the flow that is found then.
+TEST(LineInertance, StepsThatKnowHowOthersConvergedAreTheSame) {
+  const PhsSystem s = Compile(
+      With(Frictionless(), "line_inertance",
+           {{"inertance_kg_per_m4", 1e8}, {"laminar_Pas_per_m3", 4e8}, {"unsteady_share", 1}}));
+  const auto states = static_cast<size_t>(s.num_states());
+  std::vector<double> kept_state(states, 0.0), state(states, 0.0), rate(states, 0.0);
+  hydraulics::Instant kept;
+  double p[2], other[2], most = 0, least = 1e9;
+  const double h = 5e-4;
+  for (int i = 0; i < 4000; ++i) {
+    const auto at = [&](int k) { return 1e-3 * std::sin(2 * M_PI * 3 * h * k); };
+    const double t = i * h, x = at(i), v = (at(i + 1) - x) / h;
+    const double end = 1e-3 * 2 * M_PI * 3 * std::cos(2 * M_PI * 3 * h * (i + 1));
+    s.CalcHydraulics(t, h, &x, {&v, &end}, kept_state.data(), &kept, rate.data(), p, p + 1);
+    for (size_t j = 0; j < states; ++j) kept_state[j] += h * rate[j];
+    hydraulics::Instant fresh;
+    s.CalcHydraulics(t, h, &x, {&v, &end}, state.data(), &fresh, rate.data(), other, other + 1);
+    for (size_t j = 0; j < states; ++j) state[j] += h * rate[j];
+    EXPECT_NEAR(p[0], other[0], 0.1) << i;
+    EXPECT_NEAR(p[1], other[1], 0.1) << i;
+    most = std::max(most, p[1]), least = std::min(least, p[1]);
+  }
+  EXPECT_GT(most - least, 1e6);
+}
+
 // Laminar oil that swings in a round pipe: Z = s I I0(z)/I2(z), z² = s r²/nu (Zielke 1968, from the
 // equations of Navier and Stokes), R/I = 8 nu/r². From a tenth to 700 of w r²/nu.
 TEST(LineInertance, UnsteadyFrictionIsThatOfZielkeWithin02Percent) {
