@@ -115,8 +115,7 @@ const EffectInfo& PressureAreaInfo() {
       "element",
       "lines",
       "force A g(p), g = p (|p|/10 MPa)^(n-1): of a chamber, beyond that at static pressure; on a "
-      "bench "
-      "of its channel",
+      "bench of its channel",
       {{"area_m2", "m2", 1e-4, -10, 10, -0.1, 0.1, "A"},
        {"exponent", "-", 1, 0.1, 5, 0.4, 2.5, "n"},
        {"late_s", "s", 0, 0, 1e6, 0, 10, "of p behind a narrow gap; 0: at once"},

@@ -55,8 +55,8 @@ struct GasChargeParams {
   double density_exponent = 0;   ///< of the time constant; set by gas_thermal
   double wall_time_s = 60.0;     ///< of the wall with its surroundings; set by gas_thermal
   double min_gas_volume_m3 = 0;  ///< diaphragm on its stop
-  double port_gas_volume_m3 =
-      0;  ///< diaphragm on its oil port; 0: the shell's; set by diaphragm_stop
+  /// Diaphragm on its oil port; 0: at the shell's volume; set by diaphragm_stop.
+  double port_gas_volume_m3 = 0;
   /// Standard deviation of both over the parts of a diaphragm that come to rest one after the
   /// other, relative to their mean; set by diaphragm_stop.
   double stop_spread = 0;
