@@ -49,7 +49,7 @@ const EffectInfo& DiaphragmStopInfo() {
                   {.free = {{"min_gas_volume_m3", 1e-6, 1e-5, 5}}, .places = Places::kEach},
                   {.free = {{"min_gas_volume_m3", 3e-6, 1e-5, 2}, {"share", 0.6}},
                    .places = Places::kAlone},
-                  {.free = {{"precharge_Pa", 3e5, 1.5e6, 3}},
+                  {.free = {{"precharge_Pa", 2.5e5, 1.6e6, 6}},
                    .held = {{"min_gas_volume_m3", 0}},
                    .places = Places::kEach},
               },

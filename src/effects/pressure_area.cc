@@ -14,24 +14,25 @@ using hydraulics::Extension;
 using hydraulics::Places;
 using hydraulics::Walk;
 
-/// A (g(p) - g(z p0)), g(p) = p (|p| / 10 MPa)^(n - 1), of the rise of p above `p0`.
+/// A g(p - z p0), g(p) = p (|p| / 10 MPa)^(n - 1), of the rise of p above `p0`.
 class Thrust {
  public:
   Thrust(const EffectParams& effect, double p0)
       : area_m2_(effect.values.at("area_m2")),
         exponent_(effect.values.at("exponent")),
-        p0_(p0),
-        unseen_(Bent(effect.values.at("zeroed_over_static") * p0)) {}
-  double At(double rise) const { return area_m2_ * (Bent(p0_ + rise) - unseen_); }
-
- private:
-  double Bent(double pressure) const {
+        above_(p0 * (1 - effect.values.at("zeroed_over_static"))) {}
+  double At(double rise) const {
     constexpr double kReference = 1e7;  // [Pa]
-    if (exponent_ == 1) return pressure;
-    return std::copysign(kReference * std::pow(std::abs(pressure) / kReference, exponent_),
+    const double pressure = rise + above_;
+    if (exponent_ == 1) return area_m2_ * pressure;
+    return area_m2_ *
+           std::copysign(kReference * std::pow(std::abs(pressure) / kReference, exponent_),
                          pressure);
   }
-  double area_m2_, exponent_, p0_, unseen_;
+
+ private:
+  double area_m2_, exponent_;
+  double above_;  ///< of the static pressure over that of no thrust [Pa]
 };
 
 /// T dp'/dt = p - p' over h at a constant p.
@@ -114,13 +115,12 @@ const EffectInfo& PressureAreaInfo() {
       "pressure_area",
       "element",
       "lines",
-      "force A g(p), g = p (|p|/10 MPa)^(n-1): of a chamber, beyond that at static pressure; on a "
-      "bench of its channel",
+      "force A p (|p|/10 MPa)^(n-1): of a chamber's rise, on a bench of its channel",
       {{"area_m2", "m2", 1e-4, -10, 10, -0.1, 0.1, "A"},
        {"exponent", "-", 1, 0.1, 5, 0.4, 2.5, "n"},
        {"late_s", "s", 0, 0, 1e6, 0, 10, "of p behind a narrow gap; 0: at once"},
        {"zeroed_over_static", "-", 1, -10, 10, -1, 3,
-        "pressure at which the load cell shows none of it, over the static one; not on a bench"}},
+        "pressure at which it shows no thrust, over the static one; not on a bench"}},
       InstallPressureArea,
       {
           .rig = {{.free = {{"area_m2", 0}}, .places = Places::kEach}},

@@ -81,15 +81,15 @@ std::vector<std::vector<double>> ChannelsOfASine(const PhsParams& params) {
   return out.channels;
 }
 
-/// F = A (g(p) - g(z p0)), g = p (p/10 MPa)^0.4: what shows of it where the load cell was set to
-/// zero with empty lines, and with full ones.
+/// F = A g(p - z p0), g = p (|p|/10 MPa)^0.4: where the load cell was set to zero with empty lines,
+/// and with full ones.
 TEST(PressureArea, OfAChamberAThrustIsThatBeyondWhereTheLoadCellWasZeroed) {
   const PhsParams p = Quarter();
   const auto plain = ChannelsOfASine(p);
   const std::string line = p.cylinders[0].rod_line;
   double p0 = 0;
   for (const auto& l : p.lines) p0 = l.name == line ? l.static_pressure_Pa : p0;
-  const auto g = [](double pressure) { return pressure * std::pow(pressure / 1e7, 0.4); };
+  const auto g = [](double p) { return p * std::pow(std::abs(p) / 1e7, 0.4); };
   for (const double zeroed : {0.0, 1.0}) {
     PhsParams with = With(p, "pressure_area",
                           {{"area_m2", 3e-4}, {"exponent", 1.4}, {"zeroed_over_static", zeroed}});
@@ -97,7 +97,7 @@ TEST(PressureArea, OfAChamberAThrustIsThatBeyondWhereTheLoadCellWasZeroed) {
     const auto shown = ChannelsOfASine(with);
     EXPECT_NEAR(shown[1][0] - plain[1][0], zeroed == 1 ? 0 : 3e-4 * g(p0), 1e-6);
     for (size_t i = 0; i < plain[3].size(); i += 50) {
-      EXPECT_NEAR(shown[1][i] - plain[1][i], 3e-4 * (g(plain[3][i]) - g(zeroed * p0)), 1e-6) << i;
+      EXPECT_NEAR(shown[1][i] - plain[1][i], 3e-4 * g(plain[3][i] - zeroed * p0), 1e-6) << i;
     }
     EXPECT_EQ(shown[3], plain[3]) << "a force alone";
   }
