@@ -145,7 +145,7 @@ double StepPaths(const CompiledPhs& sys, const PathInertances& inertances, doubl
 /// every stage that is not measured. A kink that none of them met is left at most as large as the
 /// change: 100 Pa on a chamber, in one stage.
 bool IsLast(double change, StageMemory* memory) {
-  constexpr double kNothing = 0.1;
+  constexpr double kNothing = 0.1;  // 1 mPa on a chamber
   if (memory->contraction <= 0 || change > kPoor) return false;
   if (memory->contraction * change * change > kNothing) return false;
   memory->contraction *= 2;

@@ -2,6 +2,8 @@
 // effects are judged on.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <cmath>
 #include <map>
 #include <string>
@@ -9,6 +11,7 @@
 #include <vector>
 
 #include "effects/catalogue.h"
+#include "rigs/rig_model.h"
 #include "tests/hydraulics/test_systems.h"
 
 namespace phs::effects {
@@ -52,6 +55,20 @@ Held Drive(const PhsSystem& s, double duration, double h, Motion motion) {
   s.Calc(duration, &x, &v, state.data(), &e.out);
   return {e.force[0],  e.pressure_force[0], e.friction[0], e.piston[0],
           e.p_bore[0], e.p_rod[0],          state};
+}
+/// Channels of a quarter rig that makes a sine of 1 mm and 4 rad/s.
+inline std::vector<std::vector<double>> ChannelsOfASine(const PhsParams& params, double step_s,
+                                                        int samples) {
+  rigs::RigMotion motion;
+  motion.step_s = step_s;
+  motion.position_m.resize(1);
+  for (int i = 0; i < samples; ++i) {
+    motion.position_m[0].push_back(1e-3 * std::sin(4 * step_s * i));
+  }
+  const auto rig = rigs::RigModel::Create(rigs::RigKind::kQuarter, params);
+  rigs::RigPrediction out;
+  EXPECT_TRUE(rig.ok() && rig.value().Run(motion, &out).ok());
+  return out.channels;
 }
 /// Holds x from the start.
 inline Held Hold(const PhsSystem& s, double x, double duration, double h = 1e-3) {

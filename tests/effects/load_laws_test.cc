@@ -68,33 +68,20 @@ TEST(PressureArea, OnABenchTrappedPressureThrustsLate) {
   }
 }
 
-/// Channels of a quarter rig that makes a sine of 1 mm.
-std::vector<std::vector<double>> ChannelsOfASine(const PhsParams& params) {
-  rigs::RigMotion motion;
-  motion.step_s = 0.001;
-  motion.position_m.resize(1);
-  for (int i = 0; i < 4000; ++i) motion.position_m[0].push_back(1e-3 * std::sin(0.004 * i));
-  const auto rig = rigs::RigModel::Create(rigs::RigKind::kQuarter, params);
-  EXPECT_TRUE(rig.ok());
-  rigs::RigPrediction out;
-  EXPECT_TRUE(rig.value().Run(motion, &out).ok());
-  return out.channels;
-}
-
 /// F = A g(p - z p0), g = p (|p|/10 MPa)^0.4: where the load cell was set to zero with empty lines,
 /// and with full ones.
 TEST(PressureArea, OfAChamberAThrustIsThatBeyondWhereTheLoadCellWasZeroed) {
   const PhsParams p = Quarter();
-  const auto plain = ChannelsOfASine(p);
+  const auto plain = ChannelsOfASine(p, 0.001, 4000);
   const std::string line = p.cylinders[0].rod_line;
   double p0 = 0;
   for (const auto& l : p.lines) p0 = l.name == line ? l.static_pressure_Pa : p0;
-  const auto g = [](double p) { return p * std::pow(std::abs(p) / 1e7, 0.4); };
+  const auto g = [](double above) { return above * std::pow(std::abs(above) / 1e7, 0.4); };
   for (const double zeroed : {0.0, 1.0}) {
     PhsParams with = With(p, "pressure_area",
                           {{"area_m2", 3e-4}, {"exponent", 1.4}, {"zeroed_over_static", zeroed}});
     with.effects.back().targets = {line};
-    const auto shown = ChannelsOfASine(with);
+    const auto shown = ChannelsOfASine(with, 0.001, 4000);
     EXPECT_NEAR(shown[1][0] - plain[1][0], zeroed == 1 ? 0 : 3e-4 * g(p0), 1e-6);
     for (size_t i = 0; i < plain[3].size(); i += 50) {
       EXPECT_NEAR(shown[1][i] - plain[1][i], 3e-4 * g(plain[3][i] - zeroed * p0), 1e-6) << i;
@@ -109,7 +96,7 @@ TEST(PressureArea, OfAChamberTrappedPressureThrustsLate) {
   const PhsParams p = Quarter();
   PhsParams with = With(p, "pressure_area", {{"area_m2", 3e-4}, {"late_s", 0.1}});
   with.effects.back().targets = {p.cylinders[0].bore_line};
-  const auto plain = ChannelsOfASine(p), late = ChannelsOfASine(with);
+  const auto plain = ChannelsOfASine(p, 0.001, 4000), late = ChannelsOfASine(with, 0.001, 4000);
   double behind = 0, most = 0;
   for (size_t i = 0; i + 1 < plain[2].size(); ++i) {
     const double before = behind;

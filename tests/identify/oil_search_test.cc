@@ -89,8 +89,8 @@ TEST(OilSearchTest, FindsAStopThatIsMetSeldom) {
   EXPECT_NEAR(ValueOf(found, "effects.diaphragm_stop.min_gas_volume_m3"), 4.5e-6, 0.05e-6);
 }
 
-// A reservoir whose precharge is met when its line is pulled. With no limit to the gas but the
-// shell's such records ended as not described.
+// A reservoir whose precharge is met when its line is pulled. Three starts of the precharge between 3
+// and 15 bar were too few: it came out as a formula.
 TEST(OilSearchTest, FindsADiaphragmOnItsOilPort) {
   hydraulics::PhsParams truth = OffDeclared();
   truth.effects.push_back(

@@ -50,7 +50,7 @@ std::optional<BeyondRange> WouldExplain(const Identification& found) {
   for (const CandidateRecord& record : found.candidates) last = std::max(last, record.round);
   for (const CandidateRecord& record : found.candidates) {
     if (record.round != last) continue;
-    if (record.verdict == "accepted") return std::nullopt;  // it was tried before this one came
+    if (record.verdict == kAccepted) return std::nullopt;  // it was tried before this one came
     if (record.at_end.empty()) continue;
     const bool more = best == nullptr || record.evidence.delta_bic > best->evidence.delta_bic;
     if (more) best = &record;

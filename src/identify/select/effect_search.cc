@@ -194,17 +194,11 @@ class Search {
     if (!HasOptions(*found)) return false;
     FreeModel model;
     const FitResult beneath = FitWithout(*found, found->effects.size() - 1, &model);
-    AcceptedEffect& last = found->effects.back();
-    const size_t core = last.candidate.none.size();
-    const size_t options = last.candidate.free.size() - core;
-    last.candidate.free.resize(core);
-    found->corrected.free.resize(found->corrected.free.size() - options);
-    std::vector<double> values = found->after.values;
-    values.resize(values.size() - options);
-    found->after =
-        FitNear(problem_, found->corrected, values, {}, {.max_steps = 8, .final_slopes = true});
+    KeepCore(found);
+    found->after = FitNear(problem_, found->corrected, found->after.values, {},
+                           {.max_steps = 8, .final_slopes = true});
     if (!found->after.ok || !beneath.ok) return false;
-    last.evidence = Compare(problem_, beneath, found->after, 1);
+    found->effects.back().evidence = Compare(problem_, beneath, found->after, 1);
     return true;
   }
 

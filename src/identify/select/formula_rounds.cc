@@ -57,15 +57,6 @@ std::optional<size_t> FormOf(const FitProblem& problem, const FormulaTrial& tria
   return info->search.over.begins ? host : std::nullopt;
 }
 
-/// The numbers of the core alone of the only effect: those of its form go.
-void KeepCore(Identification* only) {
-  Candidate& effect = only->effects.front().candidate;
-  const size_t options = effect.free.size() - effect.none.size();
-  effect.free.resize(effect.none.size());
-  only->corrected.free.resize(only->corrected.free.size() - options);
-  only->after.values.resize(only->after.values.size() - options);
-}
-
 /// `found` with the core of effect `kept` alone, and what a formula says beside it.
 Identification FormBeside(const FitProblem& problem, const FitProblem& coarse, const Effort& effort,
                           const std::function<bool(double)>& go_on, size_t kept,

@@ -47,6 +47,14 @@ void TakeOut(size_t number, FreeModel* model, FitResult* fit) {
 
 }  // namespace
 
+void KeepCore(Identification* found) {
+  Candidate& last = found->effects.back().candidate;
+  const size_t options = last.free.size() - last.none.size();
+  last.free.resize(last.none.size());
+  found->corrected.free.resize(found->corrected.free.size() - options);
+  found->after.values.resize(found->after.values.size() - options);
+}
+
 bool TakeOutEdges(Identification* found) {
   const size_t before = found->after.values.size();
   size_t base = found->declared.free.size();

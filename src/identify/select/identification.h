@@ -55,6 +55,10 @@ std::vector<double> ValuesWithout(const Identification& found, size_t dropped, F
 /// False if beside the later ones an amount of the effect has gone to the end of its range, or to none.
 bool IsToldInTheEnd(const Identification& found, size_t effect);
 
+/// Leaves the core alone of the effect accepted last: the further numbers of its form go. Then `after`
+/// is to be fitted anew.
+void KeepCore(Identification* found);
+
 /// Takes the further numbers of the effects' forms out that have gone to the end of their range since
 /// (effect_form.h asks the same when an effect is tried); true if there were any: then `after` is to
 /// be fitted anew, its values are those of the numbers that are left.
