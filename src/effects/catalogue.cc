@@ -36,6 +36,7 @@
 #include "effects/sensor_hysteresis.h"
 #include "effects/sensor_offset.h"
 #include "effects/sensor_slew.h"
+#include "effects/snap_through.h"
 #include "effects/stribeck.h"
 #include "effects/temperature_drift.h"
 #include "effects/temperature_friction.h"
@@ -56,7 +57,7 @@ class Table final : public hydraulics::EffectTable {
                  LineInertanceInfo(), CheckRestrictionInfo(), ThrottleInfo(), EntrainedAirInfo(),
                  HoseExpansionInfo(), GasVolumeInfo(), GasThermalInfo(), GasLossInfo(),
                  AccumulatorPrechargeInfo(), DiaphragmStopInfo(), CavitationInfo(),
-                 OilStiffeningInfo(), SealShuttleInfo(), ReservoirDragInfo(),
+                 OilStiffeningInfo(), SealShuttleInfo(), SnapThroughInfo(), ReservoirDragInfo(),
                  // friction
                  SealFrictionInfo(), StribeckInfo(), PreslidingInfo(), PressureFrictionInfo(),
                  PositionFrictionInfo(), DwellFrictionInfo(), ViscousFrictionInfo(),

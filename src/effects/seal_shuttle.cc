@@ -1,9 +1,8 @@
 #include "effects/seal_shuttle.h"
 
-#include <algorithm>
-#include <cmath>
 #include <memory>
 
+#include "effects/snap_flow.h"
 #include "effects/targets.h"
 
 namespace phs::effects {
@@ -12,54 +11,7 @@ namespace {
 using hydraulics::EffectInfo;
 using hydraulics::EffectParams;
 using hydraulics::Extension;
-using hydraulics::FlowPlace;
 using hydraulics::Port;
-
-class ShuttleFlow final : public hydraulics::FlowLaw {
- public:
-  /// `rest`: d in the static state, where the ring stands without friction.
-  ShuttleFlow(double volume, double width, double centre, double friction, double time, double rest)
-      : half_(volume / 2),
-        width_(width),
-        centre_(centre),
-        friction_(friction),
-        time_(time),
-        rest_(half_ * std::tanh((rest - centre) / width)) {}
-
-  double Flow(const FlowPlace& at, double dp, double* slope) const noexcept override {
-    const double stands = rest_ + at.passed, moved = Pushed(stands, dp);
-    *slope = 0;
-    if (moved == 0) return 0;
-    const double u = (rest_ + at.passed + moved) / half_;
-    *slope = half_ * std::max(1 - u * u, 0.0) / (width_ * time_);
-    return moved / time_;
-  }
-  double Return(const FlowPlace& at, double dp) const noexcept override {
-    return Pushed(rest_ + at.passed, dp) == 0 ? 0 : 1 / time_;
-  }
-  double Stored(double passed) const noexcept override {
-    return Energy(rest_ + passed) - Energy(rest_);
-  }
-  double Held(double passed) const noexcept override {
-    return centre_ + width_ * std::atanh(Share(rest_ + passed));
-  }
-
- private:
-  // How far the ring would go from where it stands [m3].
-  double Pushed(double stands, double dp) const {
-    const double up = half_ * std::tanh((dp - centre_ - friction_) / width_) - stands;
-    const double down = half_ * std::tanh((dp - centre_ + friction_) / width_) - stands;
-    return up > 0 ? up : std::min(down, 0.0);
-  }
-  double Share(double stands) const { return std::clamp(stands / half_, -kMost, kMost); }
-  double Energy(double stands) const {
-    const double u = Share(stands);
-    return centre_ * stands + width_ * half_ * (u * std::atanh(u) + 0.5 * std::log1p(-u * u));
-  }
-  static constexpr double kMost = 1 - 1e-12;
-
-  double half_, width_, centre_, friction_, time_, rest_;
-};
 
 Status InstallSealShuttle(const EffectParams& effect, Extension* extension) {
   if (!(effect.values.at("volume_m3") > 0)) return {};
@@ -68,10 +20,14 @@ Status InstallSealShuttle(const EffectParams& effect, Extension* extension) {
     const double rest = StaticPressure(cylinder.bore_line, *extension) -
                         StaticPressure(cylinder.rod_line, *extension);
     extension->AddFlow(Port::kBore, Port::kRod, i, -1, "seal_shuttle",
-                       std::make_unique<ShuttleFlow>(
-                           effect.values.at("volume_m3"), effect.values.at("width_Pa"),
-                           effect.values.at("centre_Pa"), effect.values.at("friction_Pa"),
-                           effect.values.at("slide_s"), rest));
+                       std::make_unique<SnapFlow>(SnapParams{
+                           .volume_m3 = effect.values.at("volume_m3"),
+                           .width_Pa = effect.values.at("width_Pa"),
+                           .centre_Pa = effect.values.at("centre_Pa"),
+                           .friction_Pa = effect.values.at("friction_Pa"),
+                           .time_s = effect.values.at("slide_s"),
+                           .rest_Pa = rest,
+                       }));
   }
   return {};
 }

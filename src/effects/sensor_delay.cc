@@ -4,6 +4,7 @@
 #include <memory>
 #include <utility>
 
+#include "effects/formula_laws.h"
 #include "effects/targets.h"
 
 namespace phs::effects {
@@ -68,20 +69,66 @@ class Filter final : public hydraulics::ReadingLaw {
   double delay_s_, poles_;
 };
 
+/// T² y'' + 2 D T y' + y = u, D < 1, exact where u is straight between samples. Behind a bubble T
+/// goes with the pressure that is shown; over a step it is that of its middle.
+class Ringing final : public hydraulics::ReadingLaw {
+ public:
+  Ringing(double time_s, double damping, double bubble)
+      : time_(time_s), damping_(damping), bubble_(bubble) {}
+  void Lag(double step, std::vector<double>* values) const override {
+    Swing swing = Over(step, time_);
+    double before = values->empty() ? 0 : values->front(), shown = before, rate = 0;
+    for (double& u : *values) {
+      if (bubble_ != 0) swing = Over(step, At(shown + 0.5 * step * rate));
+      // On u = u_0 + u' t it goes after u - 2 D T u'; what it is off by, e, rings out.
+      const double rise = (u - before) / step, behind = 2 * damping_ * swing.time * rise;
+      const double e = shown - (before - behind), de = rate - rise;
+      shown = u - behind + e * (swing.cosine + swing.decay * swing.sine) + de * swing.sine;
+      rate = rise - e * swing.sine / (swing.time * swing.time) +
+             de * (swing.cosine - swing.decay * swing.sine);
+      before = u, u = shown;
+    }
+  }
+
+ private:
+  struct Swing {
+    double time, decay;   ///< T, D/T
+    double cosine, sine;  ///< exp(-D h/T) cos(w h), exp(-D h/T) sin(w h)/w, w = √(1 - D²)/T
+  };
+  Swing Over(double step, double time) const {
+    const double w = std::sqrt(1 - damping_ * damping_) / time, decay = damping_ / time;
+    const double fade = std::exp(-decay * step);
+    return {time, decay, fade * std::cos(w * step), fade * std::sin(w * step) / w};
+  }
+  double At(double pressure) const {
+    constexpr double kStatedAt = 2e6, kLeast = 1e4;  // Pa
+    return time_ * std::pow(std::max(pressure, kLeast) / kStatedAt, -bubble_);
+  }
+  double time_, damping_, bubble_;
+};
+
 Status InstallSensorDelay(const EffectParams& effect, Extension* extension) {
-  const double poles = effect.values.at("poles");
+  const double poles = effect.values.at("poles"), damping = effect.values.at("damping");
+  if (poles > 0 && damping > 0) {
+    return RefuseEffect(effect, "poles and damping", "one of them: a filter, or one that rings");
+  }
   for (const int i : TargetCylinders(effect, extension->params())) {
     for (const auto& [sensor, key] : {std::pair(Sensor::kLoad, "load_s"),
                                       {Sensor::kBorePressure, "p_bore_s"},
                                       {Sensor::kRodPressure, "p_rod_s"},
                                       {Sensor::kPiston, "piston_s"}}) {
-      const double delay = effect.values.at(key);
-      if (delay == 0) continue;
-      if (poles == 0) {
-        extension->AddReading(i, sensor, std::make_unique<Delay>(delay));
+      const double time = effect.values.at(key);
+      if (time == 0) continue;
+      const bool gauge = sensor == Sensor::kBorePressure || sensor == Sensor::kRodPressure;
+      std::unique_ptr<const hydraulics::ReadingLaw> law;
+      if (damping > 0) {
+        law = std::make_unique<Ringing>(time, damping, gauge ? effect.values.at("bubble") : 0);
+      } else if (poles > 0) {
+        law = std::make_unique<Filter>(time, poles);
       } else {
-        extension->AddReading(i, sensor, std::make_unique<Filter>(delay, poles));
+        law = std::make_unique<Delay>(time);
       }
+      extension->AddReading(i, sensor, std::move(law));
     }
   }
   return {};
@@ -94,7 +141,7 @@ const EffectInfo& SensorDelayInfo() {
       "sensor_delay",
       "instrument",
       "cylinders",
-      "shown(t) = true(t - delay), or as a filter with that delay of slow signals",
+      "shown(t) = true(t - delay), or as a filter with that delay of slow signals, or ringing",
       {
           {"load_s", "s", 0, 0, 100, 0, 0.2, "load cell"},
           {"p_bore_s", "s", 0, 0, 100, 0, 0.2, "bore pressure"},
@@ -102,6 +149,9 @@ const EffectInfo& SensorDelayInfo() {
           {"piston_s", "s", 0, 0, 100, 0, 0.2, "piston"},
           {"poles", "-", 0, 0, 20, 0.8, 10,
            "of the filter, all alike, 1 at least; 0: a pure delay"},
+          {"damping", "-", 0, 0, 0.99, 0.02, 0.8,
+           "D of a channel that rings, T = its time: T² y'' + 2 D T y' + y = true; 0: it does not"},
+          {"bubble", "-", 0, -2, 2, -0.2, 1, "n of a gauge that rings, T at 2 MPa: T ~ p^-n"},
       },
       InstallSensorDelay,
       {
@@ -113,6 +163,9 @@ const EffectInfo& SensorDelayInfo() {
                   {.free = {{"p_bore_s", 2e-3, 0.02, 2},
                             {"p_rod_s", 2e-3, 0.02, 2, Walk::kInStep}}},
                   {.free = {{"piston_s", 2e-3, 0.02, 2}}},
+                  {.free = {{"load_s", 4e-3, 0.05, 4}, {"damping", 0.3}}},
+                  {.free = {{"p_bore_s", 4e-3, 0.05, 4}, {"damping", 0.3}}},
+                  {.free = {{"p_rod_s", 4e-3, 0.05, 4}, {"damping", 0.3}}},
               },
           .bench =
               {
@@ -120,7 +173,8 @@ const EffectInfo& SensorDelayInfo() {
               },
           .options =
               {
-                  {.free = {{"poles", 2}}},
+                  {.free = {{"poles", 2}}, .without = "damping"},
+                  {.free = {{"bubble", 0.4}}, .with = "damping"},
               },
       }};
   return info;

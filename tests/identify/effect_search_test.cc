@@ -207,6 +207,19 @@ TEST(EffectSearchTest, FindsAnAmplifierThatCannotFollow) {
   EXPECT_NEAR(ValueOf(found, "effects.sensor_slew.load_N_per_s") / 4e4, 1, 0.03) << Said(found);
 }
 
+// A gauge on a tube with a bubble in it rings; beside delays, creep and a loop.
+TEST(EffectSearchTest, FindsAGaugeThatRings) {
+  hydraulics::PhsParams truth = OffDeclared();
+  truth.effects.push_back({"sensor_delay", {}, {{"p_rod_s", 0.03}, {"damping", 0.15}}});
+  const Identification found = FindAmong(
+      {"sensor_slew", "sensor_delay", "sensor_creep", "sensor_hysteresis", "line_inertance"},
+      Record(truth));
+  ASSERT_EQ(found.effects.size(), 1u) << Said(found);
+  EXPECT_EQ(found.effects[0].candidate.effect, "sensor_delay");
+  EXPECT_NEAR(ValueOf(found, "effects.sensor_delay.p_rod_s") / 0.03, 1, 0.03) << Said(found);
+  EXPECT_NEAR(ValueOf(found, "effects.sensor_delay.damping") / 0.15, 1, 0.1) << Said(found);
+}
+
 // A hall door that opens: what is warm cools again, and does not run away beyond the window.
 TEST(EffectSearchTest, FindsAWarmingThatComesBack) {
   hydraulics::PhsParams truth = OffDeclared();

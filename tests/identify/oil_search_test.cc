@@ -126,6 +126,21 @@ TEST(OilSearchTest, FindsASealThatGivesWayInItsGroove) {
   EXPECT_NEAR(ValueOf(found, "effects.seal_shuttle.width_Pa") / 1e6, 1, 0.1);
 }
 
+// A cover plate with a slack bolt. Beside hoses, air and a stop.
+TEST(OilSearchTest, FindsAWallThatSnapsOver) {
+  hydraulics::PhsParams truth = OffDeclared();
+  truth.effects.push_back(
+      {"snap_through", {"L1"}, {{"volume_m3", 4e-7}, {"centre_Pa", 5.5e6}, {"snap_Pa", 9e5}}});
+  const Identification found = FindAmong(
+      {"snap_through", "hose_expansion", "entrained_air", "diaphragm_stop", "seal_shuttle"},
+      Record(truth));
+  ASSERT_EQ(found.effects.size(), 1u) << Said(found);
+  EXPECT_EQ(found.effects[0].candidate.effect, "snap_through");
+  EXPECT_EQ(found.effects[0].candidate.params.targets, Targets{"L1"});
+  EXPECT_NEAR(ValueOf(found, "effects.snap_through.volume_m3") / 4e-7, 1, 0.1) << Said(found);
+  EXPECT_NEAR(ValueOf(found, "effects.snap_through.centre_Pa") / 5.5e6, 1, 0.05) << Said(found);
+}
+
 // Beside a resistance, a warm gas and a stop.
 TEST(OilSearchTest, FindsGasBehindAPistonThatDrags) {
   hydraulics::PhsParams truth = OffDeclared();

@@ -59,7 +59,7 @@ class PlaceTerms final : public TermLibrary {
   /// which takes most beside the model's own numbers.
   void AddForResidual(const Eigen::VectorXd& residual) override {
     if (!places_known_) CollectRows();
-    const Variable x{"x", "m", scale_.x, row_x_, 1.5};
+    const Variable x{"x", "m", scale_.x, row_x_, 1.5}, load{"F", "N", scale_.F, row_F_, 0};
     if (!data_.has_friction) {
       AddWave(residual, x, Wave::kZeroed);
       // Bits of a converter that stick: its error comes back with its own reading.
@@ -70,10 +70,13 @@ class PlaceTerms final : public TermLibrary {
         AddWave(residual, x, kind);
       }
     }
-    if (data_.has_friction) AddNotch(residual);
+    if (data_.has_friction) AddLocal(residual, x, Local::kNotch);
+    if (!data_.has_friction) AddLocal(residual, x, Local::kStep);
+    if (data_.has_load) AddLocal(residual, load, Local::kStep);
+    if (data_.own != 0) AddLocal(residual, OwnPressure(), Local::kStep);
     for (const bool squared : {false, true}) {
       if (data_.has_friction) AddRamp(residual, x, squared);
-      if (data_.has_load) AddRamp(residual, {"F", "N", scale_.F, row_F_, 0}, squared);
+      if (data_.has_load) AddRamp(residual, load, squared);
       if (data_.own != 0) AddRamp(residual, OwnPressure(), squared);
     }
     if (data_.has_time_waves) AddTimeWave(residual);
@@ -174,30 +177,32 @@ class PlaceTerms final : public TermLibrary {
     Add(text(best, best_above), "", squared ? 3 : 2, std::log(2 * kPositions));
   }
 
-  /// A place that holds or pushes away (a detent, a burr that a spring rides over), as a bump over
-  /// x and its slope.
-  void AddNotch(const Eigen::VectorXd& residual) {
+  enum class Local {
+    kNotch,  ///< a place that holds or pushes away: a detent, a burr that a spring rides over
+    kStep,  ///< another value beyond a place: a joint of a scale, an amplifier that cannot cross zero
+  };
+
+  /// A bump over a variable and its slope, or a step of finite width: where and how wide it takes most.
+  void AddLocal(const Eigen::VectorXd& residual, const Variable& over, Local shape) {
     constexpr int kPositions = 12, kWidths = 5;
-    constexpr double kFlank = 2;  // widths: the bump is down to e^-4
-    std::vector<double> x = row_x_;
+    std::vector<double> x = over.rows;
     if (x.size() < 2 * kPositions) return;
     std::sort(x.begin(), x.end());
-    const auto texts = [&](double at, double width) {
-      const std::string away =
-          fmt::format("((x{}{:.4g}[m])/{:.4g}[m])", at < 0 ? "+" : "-", std::abs(at), width);
+    const auto texts = [&](double at, double width) -> std::pair<std::string, std::string> {
+      const std::string away = fmt::format("(({0}{1}{2:.4g}[{3}])/{4:.4g}[{3}])", over.symbol,
+                                           at < 0 ? "+" : "-", std::abs(at), over.unit, width);
+      if (shape == Local::kStep) return {"tanh" + away, "(1+tanh" + away + ")"};
       const std::string bump = "exp(-" + away + "^2)";
-      return std::pair(bump, away + "*" + bump);
+      return {bump, away + "*" + bump};
     };
-    // Of one whose flanks are not both seen nobody knows that it ends.
-    const auto is_seen = [&](double at, double width) {
-      return at - kFlank * width > x_low_ && at + kFlank * width < x_high_;
-    };
+    // Of one whose flanks are not both seen nobody knows that it ends. Within two widths a bump is
+    // down to e^-4, a step at 0.96 of its height.
     const auto taken_at = [&](double at, double width) {
-      if (!is_seen(at, width)) return 0.0;
-      const auto [bump, slope] = texts(at, width);
-      return TakenOff(residual, bump, slope);
+      if (!(at - 2 * width > x.front() && at + 2 * width < x.back())) return 0.0;
+      const auto [first, second] = texts(at, width);
+      return TakenOff(residual, first, second);
     };
-    const double span = x_high_ - x_low_;
+    const double span = x.back() - x.front();
     double best = 0, wide = 0, most = 0;
     for (int k = 1; k <= kPositions; ++k) {
       const double at = x[static_cast<size_t>(k) * x.size() / (kPositions + 1)];
@@ -214,8 +219,11 @@ class PlaceTerms final : public TermLibrary {
       wide = std::exp(Refine(std::log(wide), 0.3, 7,
                              [&](double log) { return taken_at(best, std::exp(log)); }));
     }
-    const auto [bump, slope] = texts(best, wide);
-    Add(bump, slope, 3, std::log(kPositions * kWidths));
+    const auto [first, second] = texts(best, wide);
+    const double looked_at = std::log(kPositions * kWidths);
+    if (shape == Local::kNotch) return Add(first, second, 3, looked_at);
+    // To either side alike, or beyond the place only.
+    Add(first, "", 3, looked_at), Add(second, "", 3, looked_at);
   }
 
   void AddTimeWave(const Eigen::VectorXd& residual) {
@@ -367,7 +375,6 @@ class PlaceTerms final : public TermLibrary {
       row_.push_back(static_cast<size_t>(i)), row_weight_.push_back(w[i]);
       row_x_.push_back(wx[i] / w[i]), row_s_.push_back(std::clamp(ws[i] / w[i], -1.0, 1.0));
       row_F_.push_back(wF[i] / w[i]), row_own_.push_back(wp[i] / w[i]);
-      x_low_ = std::min(x_low_, row_x_.back()), x_high_ = std::max(x_high_, row_x_.back());
     }
   }
 
@@ -377,7 +384,7 @@ class PlaceTerms final : public TermLibrary {
   bool places_known_ = false;
   std::vector<size_t> row_;
   std::vector<double> row_x_, row_s_, row_F_, row_own_, row_weight_;
-  double x_low_ = INFINITY, x_high_ = -INFINITY, waves_ = 1;
+  double waves_ = 1;
 };
 
 }  // namespace
