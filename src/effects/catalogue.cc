@@ -30,6 +30,7 @@
 #include "effects/seal_friction.h"
 #include "effects/seal_shuttle.h"
 #include "effects/sensor_creep.h"
+#include "effects/sensor_crosstalk.h"
 #include "effects/sensor_delay.h"
 #include "effects/sensor_drift.h"
 #include "effects/sensor_gain.h"
@@ -66,7 +67,7 @@ class Table final : public hydraulics::EffectTable {
                  BacklashInfo(), MountComplianceInfo(), BushViscoelasticInfo(),
                  // instrument
                  SensorOffsetInfo(), SensorDriftInfo(), SensorDelayInfo(), SensorGainInfo(),
-                 SensorCreepInfo(), SensorHysteresisInfo(), SensorSlewInfo(),
+                 SensorCreepInfo(), SensorHysteresisInfo(), SensorSlewInfo(), SensorCrosstalkInfo(),
                  // environment
                  TemperatureDriftInfo(),
                  // a part on a bench

@@ -41,7 +41,7 @@ const EffectInfo& SealShuttleInfo() {
       "cylinders",
       "V/2 tanh((d -+ P_h - d_c)/P) from bore to rod, d = p_bore - p_rod, with the seal's ring",
       {
-          {"volume_m3", "m3", 5e-7, 0, 1e-4, 1e-9, 1e-5, "V: clearance of the groove, ring area"},
+          {"volume_m3", "m3", 5e-7, 0, 1e-2, 1e-9, 1e-4, "V: clearance of the groove, ring area"},
           {"width_Pa", "Pa", 5e5, 1e3, 1e8, 1e4, 1e7,
            "P: half the difference that moves it across"},
           {"centre_Pa", "Pa", 0, -1e8, 1e8, -1e7, 1e7, "d_c: where it stands in the middle"},
@@ -53,6 +53,7 @@ const EffectInfo& SealShuttleInfo() {
           .rig =
               {
                   {.free = {{"volume_m3", 3e-7}, {"width_Pa", 2e5, 3e6, 3}}},
+                  {.free = {{"volume_m3", 1e-5}}, .held = {{"width_Pa", 3e7}}},
               },
           .options =
               {

@@ -87,10 +87,16 @@ class Instruments {
     std::vector<double>& y = channels_[static_cast<size_t>(channel)];
     for (const auto& law : laws) law->Lag(step_s_, &y);
     TrueState state(system_, source, truth_, step_s_);
+    std::vector<double> memory(laws.size(), 0.0);
+    hydraulics::ForcePlace before;
     for (size_t i = 0; i < y.size(); ++i) {
       const auto place = state.At(i, t0_s_ + static_cast<double>(i) * step_s_);
+      if (i == 0) before = place;
       for (const auto& law : laws) y[i] = law->Scaled(y[i]);
-      for (const auto& law : laws) y[i] += law->Error(place);
+      for (size_t k = 0; k < laws.size(); ++k) {
+        y[i] += laws[k]->ErrorAfter(before, place, step_s_, &memory[k]);
+      }
+      before = place;
     }
   }
 

@@ -220,6 +220,19 @@ TEST(EffectSearchTest, FindsAGaugeThatRings) {
   EXPECT_NEAR(ValueOf(found, "effects.sensor_delay.damping") / 0.15, 1, 0.1) << Said(found);
 }
 
+// A damp plug: what is quick in the other gauge. Beside a gain, creep, a loop and the seal's ring.
+TEST(EffectSearchTest, FindsAGaugeThatPicksUpTheOther) {
+  hydraulics::PhsParams truth = OffDeclared();
+  truth.effects.push_back({"sensor_crosstalk", {}, {{"p_rod_of_p_bore", 0.04}, {"time_s", 0.6}}});
+  const Identification found = FindAmong(
+      {"sensor_crosstalk", "sensor_gain", "sensor_creep", "sensor_hysteresis", "seal_shuttle"},
+      Record(truth));
+  ASSERT_EQ(found.effects.size(), 1u) << Said(found);
+  EXPECT_EQ(found.effects[0].candidate.effect, "sensor_crosstalk");
+  EXPECT_NEAR(ValueOf(found, "effects.sensor_crosstalk.p_rod_of_p_bore") / 0.04, 1, 0.1);
+  EXPECT_NEAR(ValueOf(found, "effects.sensor_crosstalk.time_s") / 0.6, 1, 0.15) << Said(found);
+}
+
 // A hall door that opens: what is warm cools again, and does not run away beyond the window.
 TEST(EffectSearchTest, FindsAWarmingThatComesBack) {
   hydraulics::PhsParams truth = OffDeclared();

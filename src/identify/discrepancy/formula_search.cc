@@ -71,7 +71,7 @@ class PlaceTerms final : public TermLibrary {
       }
     }
     if (data_.has_friction) AddLocal(residual, x, Local::kNotch);
-    if (!data_.has_friction) AddLocal(residual, x, Local::kStep);
+    if (!data_.has_friction && data_.own == 0) AddLocal(residual, x, Local::kStep);
     if (data_.has_load) AddLocal(residual, load, Local::kStep);
     if (data_.own != 0) AddLocal(residual, OwnPressure(), Local::kStep);
     for (const bool squared : {false, true}) {
@@ -179,10 +179,10 @@ class PlaceTerms final : public TermLibrary {
 
   enum class Local {
     kNotch,  ///< a place that holds or pushes away: a detent, a burr that a spring rides over
-    kStep,  ///< another value beyond a place: a joint of a scale, an amplifier that cannot cross zero
+    kStep,   ///< another value beyond a place: a scale's joint, an amplifier with a dead zone
   };
 
-  /// A bump over a variable and its slope, or a step of finite width: where and how wide it takes most.
+  /// A bump and its slope, or a step of finite width, where and as wide as it takes most.
   void AddLocal(const Eigen::VectorXd& residual, const Variable& over, Local shape) {
     constexpr int kPositions = 12, kWidths = 5;
     std::vector<double> x = over.rows;
@@ -191,26 +191,26 @@ class PlaceTerms final : public TermLibrary {
     const auto texts = [&](double at, double width) -> std::pair<std::string, std::string> {
       const std::string away = fmt::format("(({0}{1}{2:.4g}[{3}])/{4:.4g}[{3}])", over.symbol,
                                            at < 0 ? "+" : "-", std::abs(at), over.unit, width);
-      if (shape == Local::kStep) return {"tanh" + away, "(1+tanh" + away + ")"};
+      if (shape == Local::kStep) return {"tanh" + away, "1"};
       const std::string bump = "exp(-" + away + "^2)";
       return {bump, away + "*" + bump};
     };
+    // A step counts beyond what an offset takes: at the end of the motion it is one.
+    const double offset = shape == Local::kStep ? TakenOff(residual, "1") : 0;
     // Of one whose flanks are not both seen nobody knows that it ends. Within two widths a bump is
     // down to e^-4, a step at 0.96 of its height.
     const auto taken_at = [&](double at, double width) {
       if (!(at - 2 * width > x.front() && at + 2 * width < x.back())) return 0.0;
       const auto [first, second] = texts(at, width);
-      return TakenOff(residual, first, second);
+      return TakenOff(residual, first, second) - offset;
     };
-    const double span = x.back() - x.front();
     double best = 0, wide = 0, most = 0;
     for (int k = 1; k <= kPositions; ++k) {
       const double at = x[static_cast<size_t>(k) * x.size() / (kPositions + 1)];
       for (int i = 0; i < kWidths; ++i) {
-        const double width = span / 40 * std::pow(10.0, i / (kWidths - 1.0));
-        if (const double taken = taken_at(at, width); taken > most) {
-          most = taken, best = at, wide = width;
-        }
+        const double width = (x.back() - x.front()) / 40 * std::pow(10.0, i / (kWidths - 1.0));
+        const double taken = taken_at(at, width);
+        if (taken > most) most = taken, best = at, wide = width;
       }
     }
     if (!(most > 0)) return;
@@ -222,8 +222,10 @@ class PlaceTerms final : public TermLibrary {
     const auto [first, second] = texts(best, wide);
     const double looked_at = std::log(kPositions * kWidths);
     if (shape == Local::kNotch) return Add(first, second, 3, looked_at);
-    // To either side alike, or beyond the place only.
-    Add(first, "", 3, looked_at), Add(second, "", 3, looked_at);
+    // To either side alike, or to one alone.
+    for (const std::string& step : {first, "(1+" + first + ")", "(1-" + first + ")"}) {
+      if (taken_at(best, wide) > 0.5 * TakenOff(residual, step)) Add(step, "", 3, looked_at);
+    }
   }
 
   void AddTimeWave(const Eigen::VectorXd& residual) {
