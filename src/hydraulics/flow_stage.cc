@@ -15,24 +15,29 @@ struct PathMatrix {
   explicit PathMatrix(size_t rows) : n(rows) {}
   double& operator()(size_t i, size_t k) { return value[i][k]; }
 
-  // Solves M x = b in place of b, by elimination with partial pivoting; M is lost. Paths couple only
-  // where they share a node, so most shares are zero and are left out. Eigen's PartialPivLU cannot
-  // know that: a step with resistances takes 12 … 32 % longer with it, up to 12 % with sizes fixed.
-  void Solve(double* b) {
+  // By elimination with partial pivoting, in place. Paths couple only where they share a node, so
+  // most shares are zero and are left out. Eigen's PartialPivLU cannot know that: a step with
+  // resistances takes 12 … 32 % longer with it, up to 12 % with sizes fixed.
+  void Factor() {
     for (size_t k = 0; k < n; ++k) {
-      size_t pivot = k;
+      size_t& pivot = pivots[k] = k;
       for (size_t i = k + 1; i < n; ++i) {
         if (std::abs(value[i][k]) > std::abs(value[pivot][k])) pivot = i;
       }
-      if (pivot != k) {
-        std::swap_ranges(value[k], value[k] + n, value[pivot]);
-        std::swap(b[k], b[pivot]);
-      }
+      if (pivot != k) std::swap_ranges(value[k], value[k] + n, value[pivot]);
       for (size_t i = k + 1; i < n; ++i) {
-        const double share = value[i][k] / value[k][k];
+        const double share = value[i][k] /= value[k][k];
         if (share == 0) continue;
         for (size_t j = k + 1; j < n; ++j) value[i][j] -= share * value[k][j];
-        b[i] -= share * b[k];
+      }
+    }
+  }
+  // Solves M x = b in place of b, once M is factored.
+  void Solve(double* b) const {
+    for (size_t k = 0; k < n; ++k) std::swap(b[k], b[pivots[k]]);
+    for (size_t k = 0; k < n; ++k) {
+      for (size_t i = k + 1; i < n; ++i) {
+        if (value[i][k] != 0) b[i] -= value[i][k] * b[k];
       }
     }
     for (size_t i = n; i-- > 0;) {
@@ -42,6 +47,7 @@ struct PathMatrix {
   }
 
   size_t n;
+  size_t pivots[kMaxPaths];
   double value[kMaxPaths][kMaxPaths];
 };
 
@@ -130,7 +136,9 @@ double StepPaths(const CompiledPhs& sys, const PathInertances& inertances, doubl
         path.flow < 0 ? a * F[path.volume] : a * (base[path.flow] + a * F[path.flow]);
     change[k] = base[path.volume] + passed - u[path.volume];
   }
-  CalcPathMatrix(sys, inertances, a, slopes).Solve(change);
+  PathMatrix matrix = CalcPathMatrix(sys, inertances, a, slopes);
+  matrix.Factor();
+  matrix.Solve(change);
   double largest = 0;
   for (size_t k = 0; k < n; ++k) {
     const Path& path = sys.paths[k];
@@ -286,29 +294,37 @@ bool SolveStage(const CompiledPhs& sys, const PathInertances& inertances, double
   return largest < kPoor;
 }
 
-double CalcStageStiffness(const CompiledPhs& sys, const PathInertances& inertances, double a,
-                          const Instant& at, const PathSlopes& slopes, int cylinder) {
-  const CompiledCylinder& c = sys.cylinders[cylinder];
-  double rise[kMaxNodes] = {};  // of each node's pressure with the way, no flow answering
+void CalcStageStiffness(const CompiledPhs& sys, const PathInertances& inertances, double a,
+                        const Instant& at, const PathSlopes& slopes, const int* moved, int count,
+                        double (*of_each)[kMaxCylinders]) {
+  PathMatrix matrix = CalcPathMatrix(sys, inertances, a, slopes);
+  matrix.Factor();
   const auto give = [&](int node) { return 1 / (at.node[node].slope + slopes.heat[node]); };
-  if (c.bore != kOpen) rise[c.bore] -= c.bore_area * give(c.bore);
-  if (c.rod != kOpen) rise[c.rod] += c.rod_area * give(c.rod);
-  double passed[kMaxPaths] = {};
-  for (size_t k = 0; k < sys.paths.size(); ++k) {
-    const Path& path = sys.paths[k];
-    const double from = path.from == kOpen ? 0 : rise[path.from];
-    const double to = path.to == kOpen ? 0 : rise[path.to];
-    passed[k] =
-        (from - to) * CalcGain(path, inertances.value[k], a, slopes.law[k], slopes.back[k]).gain;
+  for (int m = 0; m < count; ++m) {
+    const CompiledCylinder& c = sys.cylinders[moved[m]];
+    double rise[kMaxNodes] = {};  // of each node's pressure with the way, no flow answering
+    if (c.bore != kOpen) rise[c.bore] -= c.bore_area * give(c.bore);
+    if (c.rod != kOpen) rise[c.rod] += c.rod_area * give(c.rod);
+    double passed[kMaxPaths] = {};
+    for (size_t k = 0; k < sys.paths.size(); ++k) {
+      const Path& path = sys.paths[k];
+      const double from = path.from == kOpen ? 0 : rise[path.from];
+      const double to = path.to == kOpen ? 0 : rise[path.to];
+      passed[k] =
+          (from - to) * CalcGain(path, inertances.value[k], a, slopes.law[k], slopes.back[k]).gain;
+    }
+    matrix.Solve(passed);
+    for (size_t k = 0; k < sys.paths.size(); ++k) {
+      const Path& path = sys.paths[k];
+      if (path.from != kOpen) rise[path.from] -= passed[k] * give(path.from);
+      if (path.to != kOpen) rise[path.to] += passed[k] * give(path.to);
+    }
+    for (size_t i = 0; i < sys.cylinders.size(); ++i) {
+      const CompiledCylinder& other = sys.cylinders[i];
+      of_each[m][i] = (other.rod == kOpen ? 0 : rise[other.rod] * other.rod_area) -
+                      (other.bore == kOpen ? 0 : rise[other.bore] * other.bore_area);
+    }
   }
-  CalcPathMatrix(sys, inertances, a, slopes).Solve(passed);
-  for (size_t k = 0; k < sys.paths.size(); ++k) {
-    const Path& path = sys.paths[k];
-    if (path.from != kOpen) rise[path.from] -= passed[k] * give(path.from);
-    if (path.to != kOpen) rise[path.to] += passed[k] * give(path.to);
-  }
-  const double bore = c.bore == kOpen ? 0 : rise[c.bore], rod = c.rod == kOpen ? 0 : rise[c.rod];
-  return rod * c.rod_area - bore * c.bore_area;
 }
 
 }  // namespace phs::hydraulics

@@ -69,8 +69,10 @@ bool SolveStage(const CompiledPhs& sys, const PathInertances& inertances, double
                 double* F, Instant* at, StageLags* lags, StageMemory* memory,
                 PathSlopes* slopes = nullptr);
 
-/// d(pressure force)/d(way) of one piston [N/m] about a solved stage, the flows answering.
-double CalcStageStiffness(const CompiledPhs& sys, const PathInertances& inertances, double a,
-                          const Instant& at, const PathSlopes& slopes, int cylinder);
+/// d(pressure force of each piston)/d(way of those that are moved) [N/m] about a solved stage, the
+/// flows answering: a row of `of_each` for each of the `count` that are `moved`.
+void CalcStageStiffness(const CompiledPhs& sys, const PathInertances& inertances, double a,
+                        const Instant& at, const PathSlopes& slopes, const int* moved, int count,
+                        double (*of_each)[kMaxCylinders]);
 
 }  // namespace phs::hydraulics

@@ -1,10 +1,14 @@
 // How pistons move behind mountings that yield (mount_law.h): u = x - y is a state. The piston has
 // no mass worth a state: F = pressure force + end stop + friction(dy/dt), which is solved for the
 // piston's move over the step by backward Euler. The sum rises with the move, so a bracketed Newton
-// finds it; cylinders that share lines are swept until none moves any more (descent in one convex
-// potential, one block at a time). Oil flows meanwhile (flow_stage.h).
+// finds it. Oil flows meanwhile (flow_stage.h). Pistons that share lines stand in one convex potential
+// of their moves: where oil flows all are moved at once, by Newton's method with a search along its
+// way; else, or should that not end, they are swept, one at a time, until none moves any more.
+#include <Eigen/Cholesky>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 
 #include "hydraulics/compiled_phs.h"
 #include "hydraulics/flow_stage.h"
@@ -78,20 +82,33 @@ class FlowingChambers final : public ChamberPressures {
 
   double Calc(double move, double* slope) override {
     Move(cylinder_, move);
-    double rate[kMaxStates];
-    PathSlopes slopes;
-    SolveStage(sys_, inertances_, time_ + h_, h_, start_, motion_, state_, end_, rate, &at_, &lags_,
-               &memory_, &slopes);
-    *slope = CalcStageStiffness(sys_, inertances_, h_, at_, slopes, cylinder_);
+    const PathSlopes slopes = Solve();
+    double of_each[1][kMaxCylinders];
+    Stiffness(slopes, &cylinder_, 1, of_each);
+    *slope = of_each[0][cylinder_];
     return CalcPressureForce(sys_, at_, cylinder_);
   }
   const Instant& at() const override { return at_; }
-
- private:
   void Move(int cylinder, double way) {
     motion_.way[cylinder] = way, motion_.speed[cylinder] = way / h_;
   }
+  /// The stage at the moves. To the end each time: what the stages of large moves contracted by says
+  /// nothing of small ones, and what was left, 10 Pa, sent Newton's method of the moves in circles.
+  PathSlopes Solve() {
+    double rate[kMaxStates];
+    PathSlopes slopes;
+    StageMemory none;
+    SolveStage(sys_, inertances_, time_ + h_, h_, start_, motion_, state_, end_, rate, &at_, &lags_,
+               &none, &slopes);
+    return slopes;
+  }
+  /// d(pressure force of each piston)/d(way of those moved) there.
+  void Stiffness(const PathSlopes& slopes, const int* moved, int count,
+                 double (*of_each)[kMaxCylinders]) const {
+    CalcStageStiffness(sys_, inertances_, h_, at_, slopes, moved, count, of_each);
+  }
 
+ private:
   const double time_, h_;
   const Instant& start_;
   const double* state_;
@@ -99,46 +116,44 @@ class FlowingChambers final : public ChamberPressures {
   double* end_;
   Instant& at_;
   StageLags lags_;
-  StageMemory memory_;
   StageMotion motion_;
 };
 
-// Force balance of one piston that moves by `move` during h: value rises with `move`.
-class PistonBalance {
+// What holds one piston beside its pressures, when it moves by `move` during h: rises with `move`.
+class PistonHold {
  public:
-  PistonBalance(const CompiledPhs& sys, double h, double start, double x_end, int cylinder,
-                const double* state, ChamberPressures* chambers)
+  PistonHold(const CompiledPhs& sys, double h, double start, double x_end, int cylinder,
+             const double* state)
       : sys_(sys),
         c_(sys.cylinders[cylinder]),
         h_(h),
         start_(start),
         x_end_(x_end),
         state_(state),
-        chambers_(*chambers),
         cylinder_(cylinder) {}
 
-  double Calc(double move, double* slope) {
-    double pressure_slope, friction_slope, mount_slope;
-    const double pressure = chambers_.Calc(move, &pressure_slope);
+  /// `at`: pressures at the end of the step.
+  double Calc(const Instant& at, double move, double* slope) const {
+    double friction_slope, mount_slope;
     const EndStopForce stop = CalcEndStop(c_.stop, start_ + move, move / h_);
-    const double friction = FrictionAfter(move, &friction_slope);
+    const double friction = FrictionAfter(at, move, &friction_slope);
     const double mount =
         c_.mount.Force(x_end_ - start_ - move, c_.Branches(state_), h_, &mount_slope);
-    *slope = pressure_slope + stop.slope + friction_slope + mount_slope;
-    return pressure + stop.force + friction - mount;
+    *slope = stop.slope + friction_slope + mount_slope;
+    return stop.force + friction - mount;
   }
 
  private:
-  double FrictionOnly(double move) const {
-    const FrictionPlace place = sys_.Place(chambers_.at(), cylinder_, state_);
+  double FrictionOnly(const Instant& at, double move) const {
+    const FrictionPlace place = sys_.Place(at, cylinder_, state_);
     double z = 0;
     if (c_.bristle >= 0) z = c_.friction.Advance(h_, move / h_, state_[c_.bristle], place);
     return c_.friction.Calc(move / h_, z, place).force;
   }
-  double FrictionAfter(double move, double* slope) const {
+  double FrictionAfter(const Instant& at, double move, double* slope) const {
     const double nudge = std::max(1e-7 * std::abs(move), 1e-13);
-    const double force = FrictionOnly(move);
-    *slope = std::max((FrictionOnly(move + nudge) - force) / nudge, 0.0);
+    const double force = FrictionOnly(at, move);
+    *slope = std::max((FrictionOnly(at, move + nudge) - force) / nudge, 0.0);
     return force;
   }
 
@@ -146,18 +161,22 @@ class PistonBalance {
   const CompiledCylinder& c_;
   double h_, start_, x_end_;
   const double* state_;
-  ChamberPressures& chambers_;
   int cylinder_;
 };
 
-/// The move over h that balances, the last that the balance was calculated at. What friction makes
-/// of an error goes with its speed: 1e-12 m over 5 ms, 0.01 Pa in a chamber.
-double SolveMove(PistonBalance* balance, double h, double guess) {
-  const double enough = std::max(1e-15, 2e-10 * h);
+/// How well a move over h is met. What friction makes of an error goes with its speed: 1e-12 m over
+/// 5 ms, 0.01 Pa in a chamber.
+double Enough(double h) { return std::max(1e-15, 2e-10 * h); }
+
+/// The move over h that balances, the last that the balance was calculated at.
+double SolveMove(const PistonHold& hold, ChamberPressures* chambers, double h, double guess) {
+  const double enough = Enough(h);
   double low = -INFINITY, high = INFINITY, move = guess;
   for (int i = 0;; ++i) {
-    double slope;
-    const double force = balance->Calc(move, &slope);
+    double of_pressure, of_rest;
+    const double pressure = chambers->Calc(move, &of_pressure);
+    const double force = pressure + hold.Calc(chambers->at(), move, &of_rest);
+    const double slope = of_pressure + of_rest;
     if (std::abs(force) <= enough * slope) break;
     (force > 0 ? high : low) = move;
     double next = move - force / slope;
@@ -171,6 +190,101 @@ double SolveMove(PistonBalance* balance, double h, double guess) {
     move = next;
   }
   return move;
+}
+
+/// All pistons behind mountings at once.
+class JointBalance {
+ public:
+  using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMaxCylinders, 1>;
+  using Matrix =
+      Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMaxCylinders, kMaxCylinders>;
+
+  JointBalance(const CompiledPhs& sys, FlowingChambers* chambers)
+      : sys_(sys), chambers_(*chambers) {}
+  void Add(int cylinder, const PistonHold& hold) {
+    cylinder_[count_] = cylinder;
+    hold_[count_++].emplace(hold);
+  }
+
+  /// Moves for which all balance, from `move`; none where Newton's method does not end.
+  std::optional<Vector> Solve(Vector move, double enough) {
+    Matrix slopes;
+    Vector force = Calc(move, &slopes);
+    for (int i = 0; i < 40; ++i) {
+      const Vector way = slopes.ldlt().solve(-force);
+      if (!way.allFinite()) return {};
+      if (way.lpNorm<Eigen::Infinity>() <= enough) return move;
+      // Along the way the potential falls at first; past its lowest point it rises.
+      const double falls = way.dot(force);
+      double low = 0, high = 1, at_low = falls, share = 1;
+      Vector next = move + way;
+      Vector there = Calc(next, &slopes);
+      for (int k = 0; k < 20; ++k) {
+        const double rises = way.dot(there);
+        if (std::abs(rises) <= 0.5 * std::abs(falls)) break;
+        if (rises < 0 && share == 1) break;  // Newton's own step, still falling
+        if (rises > 0) {
+          high = share;
+        } else {
+          low = share, at_low = rises;
+        }
+        const double secant = low + (share - low) * at_low / (at_low - rises);
+        share = rises > 0 && secant > low && secant < high ? secant : 0.5 * (low + high);
+        share = std::clamp(share, low + 0.05 * (high - low), high - 0.05 * (high - low));
+        next = move + share * way;
+        there = Calc(next, &slopes);
+      }
+      move = next, force = there;
+    }
+    return {};
+  }
+
+ private:
+  Vector Calc(const Vector& move, Matrix* slopes) {
+    for (int i = 0; i < count_; ++i) chambers_.Move(cylinder_[i], move[i]);
+    const PathSlopes path_slopes = chambers_.Solve();
+    Vector force(count_);
+    slopes->resize(count_, count_);
+    double of_each[kMaxCylinders][kMaxCylinders];
+    chambers_.Stiffness(path_slopes, cylinder_.data(), count_, of_each);
+    for (int i = 0; i < count_; ++i) {
+      double of_rest;
+      for (int k = 0; k < count_; ++k) (*slopes)(k, i) = of_each[i][cylinder_[k]];
+      force[i] = CalcPressureForce(sys_, chambers_.at(), cylinder_[i]) +
+                 hold_[i]->Calc(chambers_.at(), move[i], &of_rest);
+      (*slopes)(i, i) += of_rest;
+    }
+    *slopes = 0.5 * (*slopes + slopes->transpose().eval());
+    return force;
+  }
+
+  const CompiledPhs& sys_;
+  FlowingChambers& chambers_;
+  int count_ = 0;
+  std::array<int, kMaxCylinders> cylinder_;
+  std::array<std::optional<PistonHold>, kMaxCylinders> hold_;
+};
+
+/// The moves of all pistons at once; false where Newton's method does not end.
+bool MoveTogether(const CompiledPhs& sys, double h, const double* start, const double* x,
+                  const double* v, const double* state, FlowingChambers* chambers, double* move) {
+  JointBalance balance(sys, chambers);
+  JointBalance::Vector guess(static_cast<Eigen::Index>(sys.cylinders.size()));
+  int mounted = 0;
+  for (size_t i = 0; i < sys.cylinders.size(); ++i) {
+    if (sys.cylinders[i].mount_state < 0) continue;
+    const int cylinder = static_cast<int>(i);
+    balance.Add(cylinder, PistonHold(sys, h, start[i], x[i] + v[i] * h, cylinder, state));
+    guess[mounted++] = v[i] * h;
+  }
+  guess.conservativeResize(mounted);
+  const auto found = balance.Solve(guess, Enough(h));
+  if (!found) return false;
+  int next = 0;
+  for (size_t i = 0; i < sys.cylinders.size(); ++i) {
+    if (sys.cylinders[i].mount_state >= 0) move[i] = (*found)[next++];
+  }
+  return true;
 }
 
 }  // namespace
@@ -198,15 +312,20 @@ void CalcMountRates(const CompiledPhs& sys, double time, double h, const double*
     sys.CalcPushed(state, &at);
     sys.SolveNodes(state, &at, near);
   }
-  for (int sweep = 0; sweep < 60; ++sweep) {
+  const auto mounted = std::count_if(sys.cylinders.begin(), sys.cylinders.end(),
+                                     [](const CompiledCylinder& c) { return c.mount_state >= 0; });
+  bool together = false;
+  if (flowing && mounted > 1) {
+    FlowingChambers chambers(sys, time, step, 0, *near, state, move, end, &at);
+    together = MoveTogether(sys, step, start, x, v, state, &chambers, move);
+  }
+  for (int sweep = 0; sweep < 60 && !together; ++sweep) {
     double largest = 0;
-    int mounted = 0;
     for (int i = 0; i < count; ++i) {
       if (sys.cylinders[i].mount_state < 0) continue;
-      ++mounted;
+      const PistonHold hold(sys, step, start[i], x[i] + v[i] * step, i, state);
       const auto solve = [&](ChamberPressures&& chambers) {
-        PistonBalance balance(sys, step, start[i], x[i] + v[i] * step, i, state, &chambers);
-        return SolveMove(&balance, step, sweep == 0 ? v[i] * step : move[i]);
+        return SolveMove(hold, &chambers, step, sweep == 0 ? v[i] * step : move[i]);
       };
       double next;
       if (flowing) {
