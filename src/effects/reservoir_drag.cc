@@ -31,7 +31,8 @@ class DragFlow final : public hydraulics::FlowLaw {
     const double dragged = flow != 0 ? std::copysign(friction_, flow) : 0;
     return dragged + (R + turbulent_ * size) * flow;
   }
-  bool SolvedByDrop() const noexcept override { return friction_ == 0 && turbulent_ > 0; }
+  bool SolvedByDrop() const noexcept override { return turbulent_ > 0; }
+  bool Sticks() const noexcept override { return friction_ > 0; }
 
  private:
   double Resistance(const FlowPlace& at) const { return resistance_ * at.viscosity; }

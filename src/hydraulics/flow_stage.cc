@@ -55,7 +55,8 @@ struct PathMatrix {
 // the law is solved by its drop, q + (dp - Drop(q))/Drop'(q).
 double CalcFlow(const FlowLaw& law, const FlowPlace& at, double dp, const double* q,
                 double* slope) {
-  if (q == nullptr || !law.SolvedByDrop()) return law.Flow(at, dp, slope);
+  const bool by_drop = q != nullptr && (law.Sticks() ? *q != 0 : law.SolvedByDrop());
+  if (!by_drop) return law.Flow(at, dp, slope);
   constexpr double kLeast = 1e3;  // [Pa s/m3] at rest without laminar resistance
   double rise;
   const double drop = law.Drop(at, *q, &rise);
@@ -142,6 +143,10 @@ double StepPaths(const CompiledPhs& sys, const PathInertances& inertances, doubl
   double largest = 0;
   for (size_t k = 0; k < n; ++k) {
     const Path& path = sys.paths[k];
+    if (path.flow < 0 && path.law->Sticks()) {
+      const double went = u[path.volume] - base[path.volume];
+      if (went * (went + change[k]) < 0) change[k] = -went;
+    }
     u[path.volume] += change[k];
     if (path.flow >= 0) u[path.flow] = (u[path.volume] - base[path.volume]) / a;
     largest = std::max(largest, std::abs(change[k]));

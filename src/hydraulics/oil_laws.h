@@ -70,6 +70,10 @@ class FlowLaw {
   /// zero), so that a step is solved for the flow: Newton on dp = Drop(q) does not circle about
   /// zero.
   virtual bool SolvedByDrop() const noexcept { return false; }
+  /// True where it holds up to a pressure difference, so that Drop jumps at rest. A step that flows
+  /// is then solved for the flow, and what would turn the flow brings it to rest first: Newton by
+  /// Flow goes to and fro between rest and the steep slope beyond.
+  virtual bool Sticks() const noexcept { return false; }
   /// By how much the flow falls with the volume that has gone through, -dq/d(passed) [1/s] >= 0.
   virtual double Return(const FlowPlace& /*at*/, double /*dp*/) const noexcept { return 0; }
   /// Energy held by what gave way [J], and its derivative over `passed` [Pa].

@@ -28,6 +28,27 @@ TEST(ReservoirDrag, HoldsTheGasUntilItsFriction) {
   }
 }
 
+// In steps of 20 ms beside a mounting: the line stands P_f above the gas while it is pushed in, P_f
+// below it on the way back, and the mounting carries what the pressures give.
+TEST(ReservoirDrag, SlidesInLongStepsBesideAMounting) {
+  const double P_f = 1e5, h = 0.02, k = 5e7;
+  const PhsParams params = With(Frictionless(), "mount_compliance", {{"stiffness_N_per_m", k}});
+  const PhsSystem s = Compile(With(params, "reservoir_drag", {{"friction_Pa", P_f}}));
+  const auto& l = params.lines[1];
+  const double area = params.cylinders[0].BoreArea(), oil = l.oil_volume_m3 / l.bulk_modulus_Pa;
+  const auto motion = [](double t) { return -1.5e-3 * std::sin(3 * t); };
+  for (const double t : {0.2, 0.4, 0.8, 0.9, 1.24, 1.4}) {
+    const Held at = Drive(s, t, h, motion);
+    const double sign = std::cos(3 * t) > 0 ? 1 : -1;  // pushed in, drawn out
+    const double gas = at.p_bore - sign * P_f;
+    const double taken = 0.99 * oil * (at.p_bore - l.static_pressure_Pa) +
+                         0.01 * oil * (gas - l.static_pressure_Pa) +
+                         l.gas_volume_m3 * (1 - l.static_pressure_Pa / gas);
+    EXPECT_NEAR(taken / (-at.piston * area), 1, 5e-3) << t;
+    EXPECT_NEAR(k * (motion(t) - at.piston) / at.force, 1, 5e-3) << t;
+  }
+}
+
 // A neck: the line relaxes to the gas with R times the compliances of both in series.
 TEST(ReservoirDrag, ANeckLetsThePressureRelax) {
   const PhsParams params = Frictionless();
