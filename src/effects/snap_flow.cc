@@ -34,7 +34,7 @@ double SnapFlow::Flow(const FlowPlace& at, double dp, double* slope) const noexc
   return moved / p_.time_s;
 }
 
-// Of a wall that helps itself over less, even a rise; a step takes that as it stands at its begin.
+// Of a wall that helps itself over this is too much; a step iterates what is left.
 double SnapFlow::Return(const FlowPlace& at, double dp) const noexcept {
   return Pushed(rest_ + at.passed, dp) == 0 ? 0 : 1 / p_.time_s;
 }

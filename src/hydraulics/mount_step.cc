@@ -1,9 +1,10 @@
 // How pistons move behind mountings that yield (mount_law.h): u = x - y is a state. The piston has
 // no mass worth a state: F = pressure force + end stop + friction(dy/dt), which is solved for the
 // piston's move over the step by backward Euler. The sum rises with the move, so a bracketed Newton
-// finds it. Oil flows meanwhile (flow_stage.h). Pistons that share lines stand in one convex potential
-// of their moves: where oil flows all are moved at once, by Newton's method with a search along its
-// way; else, or should that not end, they are swept, one at a time, until none moves any more.
+// finds it. Oil flows meanwhile (flow_stage.h). Pistons that share lines stand in one convex
+// potential of their moves: where oil flows all are moved at once, by Newton's method with a search
+// along its way; else, or should that not end, they are swept, one at a time, until none moves any
+// more.
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <array>
