@@ -317,7 +317,8 @@ void CalcMountRates(const CompiledPhs& sys, double time, double h, const double*
                                      [](const CompiledCylinder& c) { return c.mount_state >= 0; });
   bool together = false;
   if (flowing && mounted > 1) {
-    FlowingChambers chambers(sys, time, step, 0, *near, state, move, end, &at);
+    constexpr int kNoneAlone = 0;  // whose chambers they are counts where one is solved for
+    FlowingChambers chambers(sys, time, step, kNoneAlone, *near, state, move, end, &at);
     together = MoveTogether(sys, step, start, x, v, state, &chambers, move);
   }
   for (int sweep = 0; sweep < 60 && !together; ++sweep) {

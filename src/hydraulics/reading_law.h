@@ -25,8 +25,8 @@ class ReadingLaw {
   /// Added to what is shown, in the unit of the channel; of `place`, the true one, time, piston, its
   /// speed, pressures and what the load cell carries are set.
   virtual double Error(const ForcePlace& /*place*/) const noexcept { return 0; }
-  /// The same of a law with a memory, one number, 0 at the first sample; `before`: a sample of
-  /// `step_s` [s] earlier.
+  /// The same of a law with a memory, one number, 0 at the first sample; `before`: of the sample
+  /// `step_s` [s] earlier, but for further channels, which are those of `place`.
   virtual double ErrorAfter(const ForcePlace& /*before*/, const ForcePlace& place,
                             double /*step_s*/, double* /*memory*/) const noexcept {
     return Error(place);
