@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "hydraulics/carried_body.h"
 #include "hydraulics/end_stop.h"
 #include "hydraulics/extension.h"
 #include "hydraulics/friction.h"
@@ -98,9 +99,16 @@ struct CompiledPhs {
 double CalcPressureForce(const CompiledPhs& sys, const Instant& at, int cylinder);
 
 /// Mean piston speeds over h and rates of the mount states (mount_step.cc). `near`: solved nodes
-/// close by, or null; where oil flows, the solved start of the step.
+/// close by, or null; where oil flows, the solved start of the step. `piston_way`: a guess of the
+/// pistons' ways, and the solution; null: each goes as its driven end.
 void CalcMountRates(const CompiledPhs& sys, double time, double h, const double* x, const double* v,
-                    const double* state, const Instant* near, double* piston_speed, double* rate);
+                    const double* state, const Instant* near, double* piston_speed, double* rate,
+                    double* piston_way = nullptr);
+
+/// PhsSystem::BalanceBody.
+bool BalanceBody(const CompiledPhs& sys, double time, double h, const double* x, const double* v,
+                 const double* state, const Instant* near, const CarriedBody& body,
+                 double* piston_way, double* body_way);
 
 /// Rates of gas temperatures and flows over h (flow_rates.cc).
 void CalcHydraulicRates(const CompiledPhs& sys, double time, double h, const Instant& start,

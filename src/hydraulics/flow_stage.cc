@@ -125,17 +125,44 @@ void FollowFlows(const CompiledPhs& sys, const StageLags& lags, const double* ba
   }
 }
 
+// Between which volumes what a path passes in a stage lies, as the steps from these say. Beside a
+// gas that opens or closes Newton's step may lead too far from either side, and back again.
+class PathBracket {
+ public:
+  // What has passed next after `went`, which Newton's step would change by `change`. What `sticks` and
+  // would turn comes to rest first, to the last digit: what were left would be a flow, and the law
+  // asked beyond its drag.
+  double Next(double went, double change, bool sticks) {
+    const double next = went + change;
+    if (sticks && !turned_ && went * next < 0) {
+      turned_ = true;
+      return 0;
+    }
+    constexpr int kSettled = 4;  // the first steps follow what other paths and pressures do
+    if (!turned_ && steps_++ < kSettled) return next;
+    (change > 0 ? low_ : high_) = went;
+    if (next > low_ && next < high_) return next;
+    return std::isfinite(low_) && std::isfinite(high_) ? 0.5 * (low_ + high_) : next;
+  }
+
+ private:
+  bool turned_ = false;
+  int steps_ = 0;
+  double low_ = -INFINITY, high_ = INFINITY;
+};
+
 // One Newton step of the paths of a stage, as equations for the volumes passed; the largest change
 // [m3]. Flows with inertance in `u` follow from these.
 double StepPaths(const CompiledPhs& sys, const PathInertances& inertances, double a,
-                 const PathSlopes& slopes, const double* base, const double* F, double* u) {
+                 const PathSlopes& slopes, const double* base, const double* F,
+                 PathBracket* brackets, double* u) {
   const size_t n = sys.paths.size();
   double change[kMaxPaths];
   for (size_t k = 0; k < n; ++k) {
     const Path& path = sys.paths[k];
-    const double passed =
+    const double passes =
         path.flow < 0 ? a * F[path.volume] : a * (base[path.flow] + a * F[path.flow]);
-    change[k] = base[path.volume] + passed - u[path.volume];
+    change[k] = base[path.volume] + passes - u[path.volume];
   }
   PathMatrix matrix = CalcPathMatrix(sys, inertances, a, slopes);
   matrix.Factor();
@@ -143,11 +170,14 @@ double StepPaths(const CompiledPhs& sys, const PathInertances& inertances, doubl
   double largest = 0;
   for (size_t k = 0; k < n; ++k) {
     const Path& path = sys.paths[k];
-    if (path.flow < 0 && path.law->Sticks()) {
-      const double went = u[path.volume] - base[path.volume];
-      if (went * (went + change[k]) < 0) change[k] = -went;
+    double& passed = u[path.volume];
+    double next = passed + change[k];
+    if (path.flow < 0) {
+      const double went = passed - base[path.volume];
+      const double kept = brackets[k].Next(went, change[k], path.law->Sticks());
+      if (kept != went + change[k]) next = base[path.volume] + kept, change[k] = kept - went;
     }
-    u[path.volume] += change[k];
+    passed = next;
     if (path.flow >= 0) u[path.flow] = (u[path.volume] - base[path.volume]) / a;
     largest = std::max(largest, std::abs(change[k]));
   }
@@ -255,6 +285,7 @@ bool SolveStage(const CompiledPhs& sys, const PathInertances& inertances, double
   }
   constexpr int kMostIterations = 30, kStepped = 8;
   double largest = 0, before = 0;
+  PathBracket brackets[kMaxPaths];
   double displaced[kMaxNodes];
   MoveTo(sys, time, motion.way, start, at);
   sys.CalcDisplaced(*at, displaced);
@@ -275,7 +306,7 @@ bool SolveStage(const CompiledPhs& sys, const PathInertances& inertances, double
     CalcPathRates(sys, inertances, time, *at, *lags, motion.speed, u, flow, F, &slopes);
     CalcDropSlopes(sys, *at, &slopes);
     // 1e-14 m3 is 0.01 Pa on a chamber.
-    largest = std::max(largest, 1e14 * StepPaths(sys, inertances, a, slopes, base, F, u));
+    largest = std::max(largest, 1e14 * StepPaths(sys, inertances, a, slopes, base, F, brackets, u));
     FollowFlows(sys, *lags, base, u);
     // Heat answers to the flow as it will be: through a pipe that hardly resists, what the law
     // gives at pressures not yet settled is far off.

@@ -270,14 +270,14 @@ void PhsSystem::CalcStateRate(double time, double h, const double* x, const doub
 }
 
 void PhsSystem::CalcStateRateAt(const Instant& at, double h, const double* x, const double* v,
-                                const double* state, double* rate,
-                                const double* before) const noexcept {
+                                const double* state, double* rate, const double* before,
+                                double* piston_way) const noexcept {
   const CompiledPhs& sys = *impl_;
   double speed[kMaxCylinders];
   std::copy(v, v + sys.cylinders.size(), speed);
   if (sys.has_mounts) {
     const Instant* near = NeedsPressures(sys) ? &at : nullptr;
-    CalcMountRates(sys, at.time, h, x, v, state, near, speed, rate);
+    CalcMountRates(sys, at.time, h, x, v, state, near, speed, rate, piston_way);
   }
   for (size_t i = 0; i < sys.cylinders.size(); ++i) {
     CalcCylinderFrictionRate(sys, at, static_cast<int>(i), h, speed[i], state, rate);
@@ -289,6 +289,13 @@ void PhsSystem::CalcStateRateAt(const Instant& at, double h, const double* x, co
   }
   StageMemory memory = at.stages;
   CalcHydraulicRates(sys, at.time, h, at, {speed, end}, state, &memory, rate);
+}
+
+bool PhsSystem::BalanceBody(const Instant& at, double h, const double* x, const double* v,
+                            const double* state, const CarriedBody& body, double* piston_way,
+                            double* body_way) const noexcept {
+  const Instant* near = NeedsPressures(*impl_) ? &at : nullptr;
+  return hydraulics::BalanceBody(*impl_, at.time, h, x, v, state, near, body, piston_way, body_way);
 }
 
 void PhsSystem::CalcHydraulics(double time, double h, const double* x, const StepSpeeds& v,

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/result.h"
+#include "hydraulics/carried_body.h"
 #include "hydraulics/extension.h"
 #include "hydraulics/friction.h"
 #include "hydraulics/mount.h"
@@ -67,13 +68,20 @@ class PhsSystem {
   /// (leaks, a failure) and every other state stays as it is.
   void SettleChambers(double time, const double* x, double* state) const;
   /// Calc and CalcStateRate in parts: Solve finds pistons and pressures, which do not ask for speeds,
-  /// from `at` as made or near by; `x` and `state` below are those of Solve.
+  /// from `at` as made or near by; `x` and `state` below are those of Solve. `piston_way`: ways of the
+  /// pistons behind yielding mountings over h, a guess and the solution.
   void Solve(double time, const double* x, const double* state, Instant* at) const noexcept;
   void CalcAt(const Instant& at, const double* x, const double* v, const double* state,
               PhsOutputs* out) const noexcept;
   void CalcStateRateAt(const Instant& at, double h, const double* x, const double* v,
-                       const double* state, double* rate,
-                       const double* before = nullptr) const noexcept;
+                       const double* state, double* rate, const double* before = nullptr,
+                       double* piston_way = nullptr) const noexcept;
+  /// Where a body that carries driven ends along goes over h, with yielding mountings: its way and
+  /// those of the pistons behind them, both guesses, and the solution by one stage of backward Euler.
+  /// `v`: mean speeds of the driven ends that are given. False: not found.
+  bool BalanceBody(const Instant& at, double h, const double* x, const double* v,
+                   const double* state, const CarriedBody& body, double* piston_way,
+                   double* body_way) const noexcept;
   /// Without yielding mountings the pressures follow from the motion alone, whatever the friction:
   /// chamber pressures at an instant [Pa, absolute; per cylinder] and mean rates of the hydraulic
   /// states over the coming step h; other rates are left as they are. `instant`: of the step before,

@@ -2,8 +2,11 @@
 //   I theta'' = -c theta' - M_h(theta') - lever (F3 - F4),   x3 = lever theta, x4 = -lever theta
 // F tension forces, theta > 0 extends cylinder 3. M_h: hinge friction, regularised over 1e-4 rad/s.
 // One step is backward Euler in theta with all PHS states advanced along the trial motion; the
-// moments rise with the move, so secants find it (implicit_move.h). Play in the joints: effect `backlash`
-// on cylinders 3 and 4.
+// moments rise with the move, so secants find it (implicit_move.h). Where the beam's own mountings
+// yield they begin where beam and pistons balance together (PhsSystem::BalanceBody). Play in the
+// joints: effect `backlash` on cylinders 3 and 4.
+// A bristle that was bent farther than its speed holds gives way as it slides: about a turn a long
+// step (20 ms) may so have two solutions, some micrometres apart, both as near to that of short steps.
 #pragma once
 
 #include <vector>
@@ -27,12 +30,13 @@ class HingedBeam {
   double angle() const { return angle_; }
 
  private:
-  double Imbalance(double h, double move, double* v);
+  double Imbalance(const hydraulics::CarriedBody& beam, double h, double move, double* v);
 
   const hydraulics::PhsSystem& system_;
   BeamParams params_;
   double x_[4];            ///< of the cylinders [m]
   double before_[4] = {};  ///< mean speeds of the cylinders over the last step [m/s]
+  double way_[4] = {};     ///< of pistons behind yielding mountings, over the last step [m]
   double angle_ = 0, speed_ = 0, last_speed_ = 0;  ///< now, and speed one step before
   MoveGuess guess_;
   std::vector<double> state_, rate_, next_;
