@@ -1,5 +1,7 @@
 #include "identify/select/effect_form.h"
 
+#include <algorithm>
+
 #include "identify/fit/accept.h"
 #include "identify/fit/evidence.h"
 #include "identify/fit/near_fit.h"
@@ -7,20 +9,26 @@
 namespace phs::identify::search {
 namespace {
 
-/// Best fit of `form` from any of the starts of its last `option`.
-FitResult FitOption(const FitProblem& problem, const FreeModel& model, const FitResult& before,
-                    const Candidate& form, const EffectOption& option) {
-  const FreeModel whole = WithCandidate(model, form);
+/// An option of a form, and the best fit with it so far.
+struct OptionTrial {
+  Candidate form;
+  FitResult fit;
+};
+
+/// The form with one more `option`: from each of its starts one step, the best of them goes on.
+OptionTrial TryOption(const FitProblem& problem, const FreeModel& model, const FitResult& before,
+                      const Candidate& form, size_t option) {
+  OptionTrial trial{WithOption(form, option), {}};
+  const FreeModel whole = WithCandidate(model, trial.form);
   const int first = static_cast<int>(before.values.size());
-  FitResult best;
-  for (const std::vector<double>& start : option.starts) {
+  for (const std::vector<double>& start : form.options[option].starts) {
     std::vector<double> values = before.values;
     values.insert(values.end(), start.begin(), start.end());
     FitResult fit =
-        FitNear(problem, whole, values, before.slopes, {.first_own = first, .max_steps = 6});
-    if (fit.ok && (!best.ok || fit.score < best.score)) best = std::move(fit);
+        FitNear(problem, whole, values, before.slopes, {.first_own = first, .max_steps = 1});
+    if (fit.ok && (!trial.fit.ok || fit.score < trial.fit.score)) trial.fit = std::move(fit);
   }
-  return best;
+  return trial;
 }
 
 }  // namespace
@@ -28,24 +36,35 @@ FitResult FitOption(const FitProblem& problem, const FreeModel& model, const Fit
 FitResult AddOptions(const FitProblem& problem, const FreeModel& model, FitResult now,
                      Candidate* form) {
   while (problem.rule().options && !form->options.empty()) {
-    std::vector<FitResult> fits(form->options.size());
-    problem.ForEach(static_cast<int>(fits.size()), [&](int k) {
+    constexpr size_t kGoOn = 3;  // options that are fitted, of those tried by a step
+    const size_t first = now.values.size(), core = form->free.size();
+    std::vector<OptionTrial> trials(form->options.size());
+    problem.ForEach(static_cast<int>(trials.size()), [&](int k) {
       const auto i = static_cast<size_t>(k);
-      fits[i] = FitOption(problem, model, now, WithOption(*form, i), form->options[i]);
+      trials[i] = TryOption(problem, model, now, *form, i);
     });
-    FitResult best;
-    size_t chosen = 0;
-    for (size_t k = 0; k < fits.size(); ++k) {
-      const size_t added = form->options[k].free.size();
-      if (!fits[k].ok || !AreTold(WithOption(*form, k).free, fits[k], added)) continue;
-      if (!best.ok || fits[k].score < best.score) best = std::move(fits[k]), chosen = k;
+    const auto tried = static_cast<double>(trials.size());
+    std::erase_if(trials, [](const OptionTrial& t) { return !t.fit.ok; });
+    std::stable_sort(trials.begin(), trials.end(), [](const OptionTrial& a, const OptionTrial& b) {
+      return a.fit.score < b.fit.score;
+    });
+    trials.resize(std::min(trials.size(), kGoOn));
+    problem.ForEach(static_cast<int>(trials.size()), [&](int k) {
+      OptionTrial& t = trials[static_cast<size_t>(k)];
+      FitResult on = FitNear(problem, WithCandidate(model, t.form), t.fit.values, t.fit.slopes,
+                             {.first_own = static_cast<int>(first), .max_steps = 6});
+      if (on.ok && on.score <= t.fit.score) t.fit = std::move(on);
+    });
+    OptionTrial* best = nullptr;
+    for (OptionTrial& t : trials) {
+      if (!AreTold(t.form.free, t.fit, t.form.free.size() - core)) continue;
+      if (best == nullptr || t.fit.score < best->fit.score) best = &t;
     }
-    if (!best.ok) return now;
+    if (best == nullptr) return now;
     const double gain = Criterion(problem, now.score, now.values.size()) -
-                        Criterion(problem, best.score, best.values.size());
-    if (!IsBeyondChance(problem.rule(), gain, static_cast<double>(fits.size()))) return now;
-    *form = WithOption(*form, chosen);
-    now = std::move(best);
+                        Criterion(problem, best->fit.score, best->fit.values.size());
+    if (!IsBeyondChance(problem.rule(), gain, tried)) return now;
+    *form = std::move(best->form), now = std::move(best->fit);
   }
   return now;
 }
