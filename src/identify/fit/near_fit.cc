@@ -44,7 +44,7 @@ class Fitter {
       first_ = 0;
       at_.ok = TakeColumns();
     }
-    if (at_.ok) SetIntervals(problem_, &at_);
+    if (at_.ok && options_.intervals) SetIntervals(problem_, &at_);
     return std::move(at_);
   }
 
@@ -208,7 +208,7 @@ FitResult FitNear(const FitProblem& problem, const FreeModel& model,
 
 FitResult FitBothWays(const FitProblem& problem, const FreeModel& model, const FitResult& start,
                       int first_own) {
-  NearFitOptions way{.first_own = first_own, .max_steps = 10};
+  NearFitOptions way{.first_own = first_own, .max_steps = 10, .intervals = false};
   FitResult sure = FitNear(problem, model, start.values, start.slopes, way);
   way.flat = true;
   const FitResult large = FitNear(problem, model, start.values, start.slopes, way);

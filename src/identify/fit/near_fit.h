@@ -39,6 +39,7 @@ struct NearFitOptions {
   bool flat = false;
   bool final_slopes = false;  ///< all columns at the end
   double enough = 0.5;        ///< less to be had ends the fit [-2 ln L]: a comparison asks for more
+  bool intervals = true;      ///< half_95 and channel_ms of the result; else they stay empty
 };
 
 /// `kept`: columns of the numbers before `first_own`, as coefficients, at or near `start`.
@@ -47,7 +48,8 @@ FitResult FitNear(const FitProblem& problem, const FreeModel& model,
                   const NearFitOptions& options);
 
 /// From `start` by likelihood, and by plain least squares followed by likelihood: the better of the
-/// two. Where much is left, what is large shows the way; where little is, what is sure.
+/// two, without intervals. Where much is left, what is large shows the way; where little is, what is
+/// sure.
 FitResult FitBothWays(const FitProblem& problem, const FreeModel& model, const FitResult& start,
                       int first_own);
 

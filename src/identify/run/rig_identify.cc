@@ -100,7 +100,11 @@ Status WritePhsModel(const ResultDir& dir, const std::string& file, const FitDat
 SearchOptions ForRig(const SearchOptions& options, const FitData& data) {
   SearchOptions asked = options;
   // Four cylinders and a beam: a run costs ten times as much, and there are more places to try.
-  if (data.kind == rigs::RigKind::kFull) asked.effort.elsewhere = false, asked.effort.steps = 2;
+  if (data.kind == rigs::RigKind::kFull) {
+    asked.effort.elsewhere = false;
+    asked.effort.steps = 2;
+    asked.effort.option_fits = 3;
+  }
   asked.formula =
       data.candidates.empty() || std::find(data.candidates.begin(), data.candidates.end(),
                                            effects::UnlistedInfo().name) != data.candidates.end();

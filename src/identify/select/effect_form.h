@@ -4,13 +4,14 @@
 
 #include "identify/fit/effect_variants.h"
 #include "identify/fit/search_fit.h"
+#include "identify/select/screening.h"
 
 namespace phs::identify::search {
 
 /// Frees options of `form` (fitted as `now` on top of `model`) as long as the best of them passes
 /// the rule of acceptance (acceptance.h) among all that were tried. Gives the fit.
 FitResult AddOptions(const FitProblem& problem, const FreeModel& model, FitResult now,
-                     Candidate* form);
+                     Candidate* form, const Effort& effort);
 
 /// Takes options out of `form` (fitted as `now`) that are idle, or that later ones have made idle:
 /// without each of them chance alone would leave as much. The first `core` numbers stay.

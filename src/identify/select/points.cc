@@ -31,7 +31,7 @@ Point FitHolding(const FitProblem& coarse, const FreeModel& model,
   const FreeModel others = WithHeld(model, held, declared);
   std::vector<double> start = values;
   start.erase(start.begin() + static_cast<long>(held));
-  const FitResult fit = FitNear(coarse, others, start, {}, {.max_steps = 6});
+  const FitResult fit = FitNear(coarse, others, start, {}, {.max_steps = 6, .intervals = false});
   if (!fit.ok) return {};
   std::vector<double> all = fit.values;
   all.insert(all.begin() + static_cast<long>(held), declared);

@@ -180,7 +180,8 @@ Trial TakeSteps(const FitProblem& problem, const FreeModel& model, const std::ve
   probes.push_back(best.moved), probes.push_back(best.present);
   const NearFitOptions few{.first_own = static_cast<int>(points[0].values.size()),
                            .max_steps = effort.steps,
-                           .enough = Criterion(problem, 0, 1)};
+                           .enough = Criterion(problem, 0, 1),
+                           .intervals = false};
   for (const Probe& probe : probes) {
     if (probe.values.empty()) continue;
     const bool as_it_stands = &probe == &probes.back();

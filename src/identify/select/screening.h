@@ -39,6 +39,7 @@ struct Effort {
   int full_fits = 4;            ///< effects fitted to the whole one
   int starts = 3;               ///< of a variant, from which steps are really taken
   int steps = 6;                ///< so many at most
+  int option_fits = 0;          ///< further numbers fitted of a form, after a step of each; 0: all
   bool elsewhere = true;        ///< candidates are tried away from the best fit too
   bool unpromising = false;     ///< what promises not to pay is tried and finished, too
 };

@@ -121,8 +121,8 @@ TestEvidence Expect(std::shared_ptr<const ForwardModel> driven, double step_s,
   Result<FitProblem> problem = FitProblem::Create(
       std::make_shared<const AsMeasured>(std::move(driven), noise, answers), params, noise.rule);
   if (!problem.ok()) return out;
-  const FitResult refit =
-      FitNear(problem.value(), rival.model, rival.values, {}, {.max_steps = steps});
+  const FitResult refit = FitNear(problem.value(), rival.model, rival.values, {},
+                                  {.max_steps = steps, .intervals = false});
   if (!refit.ok) return out;
   const Likelihood& likelihood = problem.value().likelihood();
   const BandPowers alone = NoisePowers(problem.value(), noise, step_s);

@@ -26,7 +26,8 @@ FittedModel Held(const FitProblem& problem, const FreeModel& model,
   FittedModel out{fmt::format("{} = {:.3g}", model.free[held].name, value),
                   WithHeld(model, held, value), values};
   out.values.erase(out.values.begin() + static_cast<long>(held));
-  const FitResult fit = FitNear(problem, out.model, out.values, {}, {.max_steps = 4});
+  const FitResult fit =
+      FitNear(problem, out.model, out.values, {}, {.max_steps = 4, .intervals = false});
   if (fit.ok) out.values = fit.values;
   return out;
 }
@@ -39,7 +40,8 @@ FittedModel Exchanged(const FitProblem& problem, const Identification& found, si
   out.values = ValuesWithout(found, effect, &out.model);
   out.model = WithCandidate(out.model, rival.form);
   out.values.insert(out.values.end(), rival.values.begin(), rival.values.end());
-  const FitResult fit = FitNear(problem, out.model, out.values, {}, {.max_steps = 8});
+  const FitResult fit =
+      FitNear(problem, out.model, out.values, {}, {.max_steps = 8, .intervals = false});
   if (fit.ok) out.values = fit.values;
   return out;
 }
@@ -140,8 +142,8 @@ FittedModel LargestLeftOpen(const FitProblem& problem, const FreeModel& model, c
     const double value = p.FromCoordinate(coordinate);
     std::vector<double> others = out.values;
     others.erase(others.begin() + static_cast<long>(amount));
-    const FitResult held =
-        FitNear(problem, WithHeld(model, amount, value), others, {}, {.max_steps = 4});
+    const FitResult held = FitNear(problem, WithHeld(model, amount, value), others, {},
+                                   {.max_steps = 4, .intervals = false});
     if (!held.ok || held.score > fit.score + kChance) return false;
     out.values = held.values;
     out.values.insert(out.values.begin() + static_cast<long>(amount), value);

@@ -119,7 +119,7 @@ std::vector<FullTrial> TryEffects(const FitProblem& problem, const FitProblem& c
     if (!go_on(kScreening + kForms * done++ / static_cast<double>(chosen.size()))) return;
     FullTrial& trial = trials[chosen[static_cast<size_t>(k)]];
     if (!(trial.coarse.score < points.front().score)) return;  // nothing that could have a form
-    trial.coarse = AddOptions(coarse, model, std::move(trial.coarse), &trial.form);
+    trial.coarse = AddOptions(coarse, model, std::move(trial.coarse), &trial.form, effort);
     trial.promise = Criterion(coarse, trial.coarse.score, trial.coarse.values.size());
   });
   std::stable_sort(chosen.begin(), chosen.end(),
@@ -133,7 +133,7 @@ std::vector<FullTrial> TryEffects(const FitProblem& problem, const FitProblem& c
     DropIdle(coarse, model, core, &trial.form, &trial.coarse);
     const FreeModel whole = WithCandidate(model, trial.form);
     trial.fit = FitNear(problem, whole, FullStart(problem, whole, fit, trial), {},
-                        {.first_own = 0, .max_steps = 1});
+                        {.first_own = 0, .max_steps = 1, .intervals = false});
     if (!trial.fit.ok) return;
     trial.fit = FitNear(problem, whole, trial.fit.values, trial.fit.slopes,
                         {.first_own = static_cast<int>(whole.free.size()), .max_steps = 15});
