@@ -11,7 +11,8 @@ from blind_sets import share_interval  # noqa: E402
 ROWS = {"holdout": "`holdout`", **{each + "_hand": each for each in (
     "first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth", "ninth", "tenth", "eleventh", "twelfth",
     "thirteenth", "fourteenth", "sixteenth", "seventeenth", "eighteenth", "nineteenth", "twentieth")},
-    "twentyfirst_hand": "twenty-first", "twentysecond_hand": "twenty-second"}
+    "twentyfirst_hand": "twenty-first", "twentysecond_hand": "twenty-second",
+    "twentythird_hand": "twenty-third"}
 VERDICTS = ("sufficient", "explained", "not_described", "undecidable")
 
 
