@@ -129,9 +129,9 @@ void FollowFlows(const CompiledPhs& sys, const StageLags& lags, const double* ba
 // gas that opens or closes Newton's step may lead too far from either side, and back again.
 class PathBracket {
  public:
-  // What has passed next after `went`, which Newton's step would change by `change`. What `sticks` and
-  // would turn comes to rest first, to the last digit: what were left would be a flow, and the law
-  // asked beyond its drag.
+  // What has passed next after `went`, which Newton's step would change by `change`. What `sticks`
+  // and would turn comes to rest first, to the last digit: what were left would be a flow, and the
+  // law asked beyond its drag.
   double Next(double went, double change, bool sticks) {
     const double next = went + change;
     if (sticks && !turned_ && went * next < 0) {
@@ -152,7 +152,7 @@ class PathBracket {
 };
 
 // One Newton step of the paths of a stage, as equations for the volumes passed; the largest change
-// [m3]. Flows with inertance in `u` follow from these.
+// [m3]. Flows with inertance in `u` follow from these. `brackets`: of each path, in this stage.
 double StepPaths(const CompiledPhs& sys, const PathInertances& inertances, double a,
                  const PathSlopes& slopes, const double* base, const double* F,
                  PathBracket* brackets, double* u) {

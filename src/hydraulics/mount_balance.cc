@@ -58,8 +58,7 @@ class Resistance {
   int cylinder_;
 };
 
-/// What the ways leave unbalanced, and its slopes. A bristle that has been bent farther than the speed
-/// holds it gives way as it slides: its force may fall with the way.
+/// What the ways leave unbalanced, and its slopes.
 class JointBalance {
  public:
   static constexpr int kMost = kMaxCylinders + 1;
@@ -116,8 +115,8 @@ class JointBalance {
     *slopes = 0.5 * (*slopes + slopes->transpose().eval());
     return force;
   }
-  /// Newton's step from the ways last asked for. Where the sum falls with the ways, as if what falls
-  /// there stayed.
+  /// Newton's step from the ways last asked for. Where the sum falls with the ways, as if what
+  /// falls there stayed.
   Vector Step(const Vector& force) const {
     const auto solver = slopes_.ldlt();
     if (solver.isPositive()) return solver.solve(-force);

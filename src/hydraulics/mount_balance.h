@@ -3,8 +3,9 @@
 // Unknown are the ways w of these pistons and the way s of the body; backward Euler in all:
 //   piston:  P_i(w) + stop_i + friction_i(w_i/h) - F_i = 0,   F_i = mount_i(x_i + a_i s - w_i)
 //   body:    R(s) + sum a_i F_i = 0,   rigid mounting: w_i = a_i s, F_i = P_i + stop_i + friction_i
-// P: pressure force, F > 0 tension. All stand in one convex potential of the ways: where it falls no
-// more they balance. Newton's method, with a search along its way.
+// P: pressure force, F > 0 tension. All stand in one potential of the ways: where it falls no more
+// they balance. It is convex but where a bristle, bent farther than its speed holds it, gives way
+// as it slides. Newton's method, with a search along its way.
 #pragma once
 
 #include "hydraulics/compiled_phs.h"
@@ -37,8 +38,8 @@ struct MountStep {
   }
 };
 
-/// Way of one piston that balances, the others' as they are in `way`: a guess, and the solution, the
-/// last that the pressures were solved for.
+/// Way of one piston that balances, the others' as they are in `way`: a guess, and the solution,
+/// the last that the pressures were solved for.
 void BalancePiston(const MountStep& step, int cylinder, ChamberPressures* chambers, double* way);
 
 /// The ways of all mounted pistons and of the body (null: none): guesses, and the solution. Ways of

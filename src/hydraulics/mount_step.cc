@@ -1,11 +1,10 @@
 // How pistons move behind mountings that yield (mount_law.h): u = x - y is a state. The piston has
 // no mass worth a state: F = pressure force + end stop + friction(dy/dt), which is solved for the
-// pistons' ways over the step (mount_balance.h). Oil flows meanwhile (flow_stage.h). Several pistons,
-// and a body that carries their driven ends, are moved at once; should that not end, the pistons are
-// swept, one at a time, until none moves any more.
+// pistons' ways over the step (mount_balance.h). Oil flows meanwhile (flow_stage.h). Several
+// pistons, and a body that carries their driven ends, are moved at once; should that not end, the
+// pistons are swept, one at a time, until none moves any more.
 #include <algorithm>
 #include <cmath>
-#include <memory>
 
 #include "hydraulics/flow_stage.h"
 #include "hydraulics/mount_balance.h"

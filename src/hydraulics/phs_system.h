@@ -63,13 +63,13 @@ class PhsSystem {
   /// then answer to a speed that goes on to change as it did (second order in h), else to one.
   void CalcStateRate(double time, double h, const double* x, const double* v, const double* state,
                      double* rate, const double* before = nullptr) const noexcept;
-  /// Lets oil pass between the chambers and their lines until all parts of a line have one pressure:
-  /// changes the volumes of `state` that have passed there, and their flows to none. What else flows
-  /// (leaks, a failure) and every other state stays as it is.
+  /// Lets oil pass between the chambers and their lines until all parts of a line have one
+  /// pressure: changes the volumes of `state` that have passed there, and their flows to none. What
+  /// else flows (leaks, a failure) and every other state stays as it is.
   void SettleChambers(double time, const double* x, double* state) const;
-  /// Calc and CalcStateRate in parts: Solve finds pistons and pressures, which do not ask for speeds,
-  /// from `at` as made or near by; `x` and `state` below are those of Solve. `piston_way`: ways of the
-  /// pistons behind yielding mountings over h, a guess and the solution.
+  /// Calc and CalcStateRate in parts: Solve finds pistons and pressures, which do not ask for
+  /// speeds, from `at` as made or near by; `x` and `state` below are those of Solve. `piston_way`:
+  /// ways of the pistons behind yielding mountings over h, a guess and the solution.
   void Solve(double time, const double* x, const double* state, Instant* at) const noexcept;
   void CalcAt(const Instant& at, const double* x, const double* v, const double* state,
               PhsOutputs* out) const noexcept;
@@ -77,15 +77,15 @@ class PhsSystem {
                        const double* state, double* rate, const double* before = nullptr,
                        double* piston_way = nullptr) const noexcept;
   /// Where a body that carries driven ends along goes over h, with yielding mountings: its way and
-  /// those of the pistons behind them, both guesses, and the solution by one stage of backward Euler.
-  /// `v`: mean speeds of the driven ends that are given. False: not found.
+  /// those of the pistons behind them, both guesses, and the solution by one stage of backward
+  /// Euler. `v`: mean speeds of the driven ends that are given. False: not found.
   bool BalanceBody(const Instant& at, double h, const double* x, const double* v,
                    const double* state, const CarriedBody& body, double* piston_way,
                    double* body_way) const noexcept;
   /// Without yielding mountings the pressures follow from the motion alone, whatever the friction:
   /// chamber pressures at an instant [Pa, absolute; per cylinder] and mean rates of the hydraulic
-  /// states over the coming step h; other rates are left as they are. `instant`: of the step before,
-  /// or as made; gets that of this step's start.
+  /// states over the coming step h; other rates are left as they are. `instant`: of the step
+  /// before, or as made; gets that of this step's start.
   void CalcHydraulics(double time, double h, const double* x, const StepSpeeds& v,
                       const double* state, Instant* instant, double* rate, double* p_bore,
                       double* p_rod) const noexcept;

@@ -6,7 +6,8 @@
 // yield they begin where beam and pistons balance together (PhsSystem::BalanceBody). Play in the
 // joints: effect `backlash` on cylinders 3 and 4.
 // A bristle that was bent farther than its speed holds gives way as it slides: about a turn a long
-// step (20 ms) may so have two solutions, some micrometres apart, both as near to that of short steps.
+// step (20 ms) may so have two solutions, some micrometres apart, both as near to that of short
+// steps.
 #pragma once
 
 #include <vector>

@@ -38,8 +38,8 @@ std::vector<double> After(const PhsSystem& s) {
   return out;
 }
 
-// Pressures of closed chambers and of stages in which oil flows: by a leak of nothing the same comes
-// out.
+// Pressures of closed chambers and of stages in which oil flows: by a leak of nothing the same
+// comes out.
 TEST(MountedPistons, ALeakOfNothingChangesNothing) {
   for (const auto& [mount, values] :
        {std::pair("backlash", std::map<std::string, double>{{"gap_m", 2e-4}}),
@@ -69,8 +69,8 @@ class Mass final : public hydraulics::CarriedBody {
   double inertia_, force_;
 };
 
-// What the body and the pistons are said to go balances: the forces of the cylinders by another way,
-// the state rates of a step along it.
+// What the body and the pistons are said to go balances: the forces of the cylinders by another
+// way, the state rates of a step along it.
 TEST(MountedPistons, ABodyAndItsPistonsBalanceTogether) {
   for (const auto& mount : {"backlash", "mount_compliance", "bush_viscoelastic"}) {
     for (const double force : {3e4, -8e4}) {

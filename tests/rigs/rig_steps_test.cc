@@ -103,9 +103,10 @@ TEST(RigSteps, GasOfABlowOffWarmsFromWhereItOpens) {
   }
 }
 
-// A separator that drags, behind it next to no resistance, beside a blow-off that opens and a pin with
-// play. Stages of the flow that went to and fro between rest and far beyond it, or took what rounding
-// had left of a rest for a flow, ended unsolved: the load cell was then off by 1.2 to 20 kN (rms).
+// A separator that drags, behind it next to no resistance, beside a blow-off that opens and a pin
+// with play. Stages of the flow that went to and fro between rest and far beyond it, or took what
+// rounding had left of a rest for a flow, ended unsolved: the load cell was then off by 1.2 to 20
+// kN (rms).
 TEST(RigSteps, WhatDragsBehindAPlayIsSolvedInEveryStage) {
   struct Case {
     double precharge, drag;
@@ -125,10 +126,10 @@ TEST(RigSteps, WhatDragsBehindAPlayIsSolvedInEveryStage) {
 }
 
 // A thinned record is screened at 20 ms: what oil does there behind a mounting is no further off
-// than what the mounting does alone (interpolated from the ends of the steps: up to 2.3 times). What
-// heat does is up to three times, for the opening of the blow-off; the load cell less than twice (2
-// to 4.7 times, were its friction taken as what the mounting holds against pressures that have gone
-// on to warm).
+// than what the mounting does alone (interpolated from the ends of the steps: up to 2.3 times).
+// What heat does is up to three times, for the opening of the blow-off; the load cell less than
+// twice (2 to 4.7 times, were its friction taken as what the mounting holds against pressures that
+// have gone on to warm).
 TEST(RigSteps, BehindAMountingLongStepsFollowOilAndHeat) {
   const PhsParams params = With(Quarter(), "accumulator_precharge", {{"precharge_Pa", 4e6}});
   for (const std::string mount : {"mount_compliance", "backlash", "bush_viscoelastic"}) {
