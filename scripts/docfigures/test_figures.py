@@ -92,6 +92,13 @@ class Documents(unittest.TestCase):
             for name, content in places.PLACE.findall(text):
                 self.assertTrue(content.strip(), f"{document}: {name} was never filled")
 
+    def test_no_figure_of_a_sentence_begins_a_line(self):
+        """A line that begins with a comment is raw HTML to Markdown, and ends the paragraph before it."""
+        for document, text in self.texts.items():
+            for number_, line in enumerate(text.splitlines(), 1):
+                begins = line.startswith("<!--=") and "<!--/-->" in line
+                self.assertFalse(begins, f"{document}:{number_}: put a word before the figure")
+
 
 if __name__ == "__main__":
     unittest.main()
