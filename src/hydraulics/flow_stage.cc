@@ -140,6 +140,7 @@ class PathBracket {
     }
     constexpr int kSettled = 4;  // the first steps follow what other paths and pressures do
     if (!turned_ && steps_++ < kSettled) return next;
+    if (next == went) return went;  // found, while other paths go on: it is no end of its bracket
     (change > 0 ? low_ : high_) = went;
     if (next > low_ && next < high_) return next;
     return std::isfinite(low_) && std::isfinite(high_) ? 0.5 * (low_ + high_) : next;
