@@ -5,7 +5,8 @@
 // none (1e9 = linear). Elastic. Data tell C where they were taken: a search states it at 2 MPa.
 //
 // A part may creep: tau dw/dt = C_c (p - p0) - w. Rubber creeps over decades of time: with
-// `creep_spread` d > 1 a third of C_c each has the times tau/d, tau, tau d.
+// `creep_spread` d > 1 a third of C_c each has the times tau/d, tau, tau d. A braid stops
+// rubber that creeps, too: with `late_share` s that share of V comes late, tau dw/dt = s V(p) - w.
 #pragma once
 
 #include "hydraulics/extension.h"

@@ -1,6 +1,6 @@
 // One pressure: the volume balance of a line (or of a part of it behind a resistance).
 //
-//   D = (V_oil/beta)(p - p0) + [V_g0 - V_g(p, T)] + [V_acc - V_a(p, T)] + air (1/p0 - 1/p)
+//   D = V_oil (p - p0)/beta + [V_g0 - V_g(p, T)] + [V_acc - V_a(p, T)] + air (1/p0 - 1/p)
 //       + laws(p)
 //
 // D: oil volume pushed in since the static state [m3]. Every term rises with p, so p(D) is unique;
@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "hydraulics/gas_law.h"
+#include "hydraulics/oil_compression.h"
 #include "hydraulics/oil_laws.h"
 
 namespace phs::hydraulics {
@@ -44,14 +45,13 @@ struct NodeLaw {
 };
 
 struct Node {
-  double p0 = 0;            ///< static pressure [Pa]
-  double oil_volume = 0;    ///< [m3]
-  double bulk_modulus = 0;  ///< [Pa]
-  double bulk_slope = 0;    ///< d(beta)/dp [-]
-  double softening = 0;     ///< relative fall of beta per kelvin of the surroundings [1/K]
-  double expansion = 0;     ///< of the oil against its housing [1/K]
-  double air = 0;           ///< p V of free air [J]
-  double temperature = 0;   ///< static [K]
+  double p0 = 0;          ///< static pressure [Pa]
+  double oil_volume = 0;  ///< [m3]
+  OilStiffness oil = {};  ///< its bulk modulus
+  double softening = 0;    ///< relative fall of beta per kelvin of the surroundings [1/K]
+  double expansion = 0;    ///< of the oil against its housing [1/K]
+  double air = 0;          ///< p V of free air [J]
+  double temperature = 0;  ///< static [K]
   std::vector<NodeGas> gases;
   std::vector<NodeLaw> laws;
   bool sequential = false;

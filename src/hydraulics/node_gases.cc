@@ -73,8 +73,8 @@ Node MakeNode(const LineParams& line, double T) {
   Node node;
   node.p0 = line.static_pressure_Pa;
   node.oil_volume = line.oil_volume_m3;
-  node.bulk_modulus = line.bulk_modulus_Pa;
-  node.bulk_slope = line.bulk_modulus_slope;
+  node.oil = {line.bulk_modulus_Pa, line.bulk_modulus_slope, line.bulk_modulus_rise_Pa,
+              line.bulk_modulus_over_Pa};
   node.softening = line.softening_1_per_K;
   node.expansion = line.expansion_1_per_K;
   node.air = (line.free_air_m3 + kTraceAir * line.oil_volume_m3) * kAtmosphere;

@@ -14,8 +14,7 @@ double PhsSystem::max_stiffness() const {
       if (node == kOpen) return 0.0;
       const Node& at = impl_->nodes[node];
       // Gas on its stop: the oil alone carries, at the stiffest pressure it may see.
-      const double beta = at.bulk_modulus + at.bulk_slope * 5e7;
-      return area * area * beta / at.oil_volume;
+      return area * area * at.oil.At(5e7) / at.oil_volume;
     };
     k += chamber(c.bore, c.bore_area) + chamber(c.rod, c.rod_area);
     most = std::max(most, k);
@@ -31,7 +30,7 @@ double PhsSystem::max_line_frequency() const {
     for (int end : {path.from, path.to}) {
       if (end == kOpen) continue;
       const Node& node = impl_->nodes[end];
-      stiffness += node.bulk_modulus / node.oil_volume;
+      stiffness += node.oil.modulus / node.oil_volume;
     }
     const double inertance = path.law->Inertance();
     double resistance;

@@ -160,8 +160,7 @@ int Builder::SplitOff(int line, double share, const std::string& effect, Compile
   Node part;
   Node& main = sys->nodes[static_cast<size_t>(line)];
   part.p0 = main.p0;
-  part.bulk_modulus = main.bulk_modulus;
-  part.bulk_slope = main.bulk_slope;
+  part.oil = main.oil;
   part.softening = main.softening;
   part.expansion = main.expansion;
   part.temperature = main.temperature;

@@ -71,8 +71,10 @@ struct LineParams {
   double oil_volume_m3 = 1.1e-3;      ///< V_oil, > 0
   double bulk_modulus_Pa = 1.4e9;     ///< beta at static pressure, > 0
   double bulk_modulus_slope = 0;      ///< d(beta)/dp [-], 0 … 20
-  double free_air_m3 = 0;             ///< undissolved air, as a volume at 101325 Pa
-  double gas_volume_m3 = 0;           ///< V_g0 of the reservoir at static pressure; 0 = no gas
+  /// beta rises by R over P and then no more (oil_compression.h) [Pa]: of an effect alone.
+  double bulk_modulus_rise_Pa = 0, bulk_modulus_over_Pa = 0;
+  double free_air_m3 = 0;    ///< undissolved air, as a volume at 101325 Pa
+  double gas_volume_m3 = 0;  ///< V_g0 of the reservoir at static pressure; 0 = no gas
   GasChargeParams reservoir;
   GasChargeParams accumulator;  ///< blow-off accumulator; volume_m3 = 0: none
   double accumulator_precharge_Pa = 15e6;

@@ -10,14 +10,14 @@ namespace {
 
 double OilVolume(const Node& node, double p, double ambient, double* slope) {
   const double rise = p - node.p0;
-  if (node.bulk_slope == 0) {
+  if (node.oil.IsConstant()) {
     *slope = node.Compliance(ambient);
     return *slope * rise;
   }
-  const double beta = node.bulk_modulus + node.bulk_slope * rise;
   const double oil = node.oil_volume * node.Softer(ambient);
-  *slope = oil / beta;
-  return oil / node.bulk_slope * std::log(beta / node.bulk_modulus);
+  const double volume = oil * node.oil.Volume(rise, slope);
+  *slope *= oil;
+  return volume;
 }
 
 // p V = p0 V0 T/T0 of a gas at its temperature.
@@ -118,7 +118,7 @@ NodeState NewtonNode(const Node& node, double D, double ambient, const double* s
 }  // namespace
 
 void Node::Prepare() {
-  closed_form = bulk_slope == 0 && laws.empty() && !sequential;
+  closed_form = oil.IsConstant() && laws.empty() && !sequential;
   size_t blow_offs = 0;
   for (const NodeGas& g : gases) {
     if (!g.gas.law->follows_boyle) closed_form = false;
@@ -128,7 +128,7 @@ void Node::Prepare() {
   plain = closed_form && std::all_of(gases.begin(), gases.end(), [&](const NodeGas& g) {
             return g.state < 0 && g.gas.reference_temperature == temperature;
           });
-  oil_compliance = oil_volume / bulk_modulus;
+  oil_compliance = oil_volume / oil.modulus;
   double volume = 0;
   law_compliance = 0;
   for (const NodeLaw& l : laws) l.law->Add(p0, 0, &volume, &law_compliance);
@@ -138,7 +138,7 @@ void Node::Prepare() {
   }
   air_at_p0 = air / p0;
   real_gas = !gases.empty() && !gases[0].blow_off && gases[0].gas.law->of_density != nullptr &&
-             gases.size() - blow_offs == 1 && bulk_slope == 0 && !sequential;
+             gases.size() - blow_offs == 1 && oil.IsConstant() && !sequential;
 }
 
 double CalcAbsorbed(const Node& node, double p, double ambient, const double* state,
@@ -206,16 +206,7 @@ double StepNode(const Node& node, double D, double ambient, const double* state,
 }
 
 double CalcNodeEnergy(const Node& node, double p, double ambient, const double* state) noexcept {
-  const double rise = p - node.p0;
-  double energy = 0;
-  if (node.bulk_slope == 0) {
-    energy = 0.5 * node.oil_volume / node.bulk_modulus * rise * (p + node.p0);
-  } else {
-    const double m = node.bulk_slope, beta = node.bulk_modulus;
-    const double log_ratio = std::log((beta + m * rise) / beta);
-    energy = node.oil_volume * (rise / m + (m * node.p0 - beta) / (m * m) * log_ratio);
-  }
-  energy *= node.Softer(ambient);
+  double energy = node.Softer(ambient) * node.oil_volume * node.oil.Energy(node.p0, p - node.p0);
   energy += node.air * std::log(p / node.p0);
   for (const NodeGas& g : node.gases) {
     const double T = GasTemperature(g, ambient, state);

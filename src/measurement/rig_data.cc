@@ -211,6 +211,34 @@ Status ReadExtra(const Table& table, const Manifest& manifest, const Clock& cloc
   return {};
 }
 
+/// Columns that stand for nothing: one written wrongly would else be missed in silence.
+void NameUnread(const Table& table, const Manifest& manifest, RigRun* run) {
+  constexpr size_t kMost = 6;
+  std::vector<int> read = {FindChannel(table, manifest, "t_s")};
+  for (const std::string& name : manifest.extra) read.push_back(FindChannel(table, manifest, name));
+  for (const auto* list : {&run->inputs, &run->outputs}) {
+    for (const Channel& c : *list) read.push_back(FindChannel(table, manifest, c.name));
+  }
+  for (const Channel* c : {&run->speed, &run->pressure, &run->temperature}) {
+    read.push_back(FindChannel(table, manifest, c->name));
+  }
+  std::vector<std::string> unread, missing;
+  for (int i = 0; i < table.num_columns(); ++i) {
+    const bool used = std::find(read.begin(), read.end(), i) != read.end();
+    if (!used) unread.push_back(table.names[static_cast<size_t>(i)]);
+  }
+  for (const Channel& c : run->outputs) {
+    if (!c.present()) missing.push_back(c.name);
+  }
+  if (unread.empty()) return;
+  const size_t more = unread.size() - std::min(unread.size(), kMost);
+  unread.resize(unread.size() - more);
+  run->findings.push_back(
+      {"columns", JoinWords(unread) + (more > 0 ? " and " + std::to_string(more) + " more" : "") +
+                      ": not read, as no channel of this rig is called so" +
+                      (missing.empty() ? "" : "; not measured: " + JoinWords(missing))});
+}
+
 Status ClipWindow(const char* key, RigRun* run, Window* window) {
   if (window->empty()) return {};
   const Window asked = *window;
@@ -322,6 +350,7 @@ Result<RigRun> ReadRigRun(const RunSpec& spec, const Manifest& manifest,
   run.pressure = ReadChannel(table, manifest, clock, "p_Pa", &run);
   run.temperature = ReadChannel(table, manifest, clock, "temperature_K", &run);
   if (Status s = ReadExtra(table, manifest, clock, &run); !s.ok()) return s.error();
+  if (!inputs.empty()) NameUnread(table, manifest, &run);  // a bogie names its own
   run.estimation = spec.estimation;
   run.validation = spec.validation;
   if (Status s = ClipWindow("estimation", &run, &run.estimation); !s.ok()) return s.error();

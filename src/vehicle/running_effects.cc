@@ -25,7 +25,7 @@ RunningEffect BoxSpring() {
                      "k f: springs of these axle boxes other than the rest",
                      {{"factor", "-", 1, 0.02, 50, 0.1, 5, "f", true}},
                      nullptr,
-                     {.bogie = {{.free = {{"factor", 0.3, 0.3, 1, Walk::kEitherWay}},
+                     {.bogie = {{.free = {{"factor", 0.3, 0.7, 2, Walk::kEitherWay}},
                                  .places = Places::kAlone}}}},
           [](const EffectParams& e, Scenario* s) {
             const double factor = e.values.at("factor");

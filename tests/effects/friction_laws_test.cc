@@ -140,6 +140,21 @@ TEST(PressureFriction, MayBeginAtAPressure) {
   place.bore_rise = 2.5e6;
   EXPECT_NEAR(root.friction(0).Level(1, 0.01, place) - plain.friction(0).Level(1, 0.01, place),
               1e-4 * 1e7 * 0.5, 1e-6);
+  // Pressed flat: k (y/(1 + y/p_f) - y0/(1 + y0/p_f)), y the pressure, y0 that at rest.
+  const double flat = 4e6, y = rest + 2.5e6;
+  const PhsSystem soon = Compile(With(
+      p, "pressure_friction", {{"bore_N_per_Pa", 1e-4}, {"rod_N_per_Pa", 0}, {"flat_Pa", flat}}));
+  EXPECT_NEAR(soon.friction(0).Level(1, 0.01, place) - plain.friction(0).Level(1, 0.01, place),
+              1e-4 * (y / (1 + y / flat) - rest / (1 + rest / flat)), 1e-6);
+  // The whole curve, whatever the speed and direction.
+  const PhsSystem whole =
+      Compile(With(p, "pressure_friction",
+                   {{"bore_N_per_Pa", 0}, {"rod_N_per_Pa", 0}, {"bore_1_per_Pa", 1e-7}}));
+  for (const auto& [sign, speed] : {std::pair{1, 0.01}, std::pair{-1, 0.001}}) {
+    EXPECT_NEAR(
+        whole.friction(0).Level(sign, speed, place) / plain.friction(0).Level(sign, speed, place),
+        1 + 1e-7 * 2.5e6, 1e-9);
+  }
 }
 
 /// Added friction turns over a speed of its own, in both effects that have one.

@@ -217,6 +217,29 @@ TEST(HoseExpansion, StoresWhatItsComplianceTook) {
   EXPECT_NEAR((stiff.stored - oil(0, stiff.p_rod) - oil(1, stiff.p_bore)) / taken, 1, 0.02);
 }
 
+// What comes late comes to rest where the elastic hose of the same numbers is at once, and has stored
+// the same; before that it is stiffer.
+TEST(HoseExpansion, WhatComesLateEndsAsTheElasticHose) {
+  PhsParams params = Frictionless();
+  for (auto& l : params.lines) l.gas_volume_m3 = 0;
+  const double C = 8e-13;
+  for (const double order : {1.0, 8.0}) {
+    std::map<std::string, double> hose = {{"compliance_m3_per_Pa", C},
+                                          {"stiffening_Pa", 6e6},
+                                          {"stated_at_Pa", 2e6},
+                                          {"stiffening_order", order},
+                                          {"creep_time_s", 0.3}};
+    const PhsSystem at_once = Compile(With(params, "hose_expansion", hose));
+    hose["late_share"] = 0.7;
+    const PhsSystem late = Compile(With(params, "hose_expansion", hose));
+    const Rest now = StoredAt(at_once, 5e-4), then = StoredAt(late, 5e-4);
+    EXPECT_NEAR(then.p_rod / now.p_rod, 1, 1e-4) << order;
+    EXPECT_NEAR(then.p_bore / now.p_bore, 1, 1e-4) << order;
+    EXPECT_NEAR(then.stored / now.stored, 1, 1e-3) << order;
+    EXPECT_GT(Hold(late, 5e-4, 0).p_rod, 1.05 * now.p_rod) << order;
+  }
+}
+
 TEST(GasThermal, FastIsAdiabaticSlowIsIsothermal) {
   PhsParams params = Frictionless();
   for (auto& l : params.lines) l.oil_volume_m3 = 1e-6;  // gas alone
@@ -287,6 +310,44 @@ TEST(OilStiffening, TakesUpWhatItsLogarithmSays) {
   const double rise = l.bulk_modulus_Pa / slope * std::expm1(slope * pressed / l.oil_volume_m3);
   EXPECT_NEAR((Hold(s, x, 0).p_bore - l.static_pressure_Pa) / rise, 1, 1e-5);
   EXPECT_GT(rise, 1.05 * l.bulk_modulus_Pa * pressed / l.oil_volume_m3);
+}
+
+// beta = B (1 - c exp(-p/P)): what is pressed in is the integral of dp/beta, here by Simpson's rule,
+// and what is stored that of p dp/beta; at the static pressure beta stays as declared.
+TEST(OilStiffening, MayComeOverAPressureAlone) {
+  PhsParams params = Frictionless();
+  for (auto& l : params.lines) l.gas_volume_m3 = 0;
+  const double c = 0.8, P = 5.39e6;
+  const PhsSystem s =
+      Compile(With(params, "oil_stiffening", {{"slope", 0}, {"softness", c}, {"over_Pa", P}}));
+  const double areas[] = {params.cylinders[0].RodArea(), -params.cylinders[0].BoreArea()};
+  for (const double x : {-5e-4, 1e-4, 5e-4}) {
+    const Rest rest = StoredAt(s, x);
+    double stored = 0;
+    for (const size_t line : {0u, 1u}) {
+      const auto& l = params.lines[line];
+      const double p0 = l.static_pressure_Pa, p = line == 0 ? rest.p_rod : rest.p_bore;
+      const double B = l.bulk_modulus_Pa / (1 - c * std::exp(-p0 / P));
+      double volume = 0;
+      constexpr int kSteps = 2000;
+      for (int i = 0; i <= kSteps; ++i) {
+        const double at = p0 + (p - p0) * i / kSteps;
+        const double weight = (i == 0 || i == kSteps ? 1 : 2 + 2 * (i % 2)) * (p - p0) / kSteps / 3;
+        const double part = weight * l.oil_volume_m3 / (B * (1 - c * std::exp(-at / P)));
+        volume += part, stored += part * at;
+      }
+      if (p > 1e5) {
+        EXPECT_NEAR(volume / (areas[line] * x), 1, 1e-4) << x << " " << l.name;
+      }
+    }
+    if (std::min(rest.p_rod, rest.p_bore) > 1e5) {
+      EXPECT_NEAR(rest.stored / stored, 1, 1e-4) << x;
+    }
+  }
+  EXPECT_FALSE(
+      PhsSystem::Create(With(params, "oil_stiffening", {{"softness", c}}), &effects::Catalogue())
+          .ok())
+      << "beside the slope that it has unless told otherwise";
 }
 
 TEST(Cavitation, HoldsThePulledLineNearTheReleasePressure) {

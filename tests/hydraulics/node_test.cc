@@ -12,7 +12,7 @@ namespace {
 // Oil that stiffens and a polytropic gas: no closed form.
 Node StiffeningOilAndGas() {
   Node node;
-  node.p0 = 2e6, node.oil_volume = 1.1e-3, node.bulk_modulus = 1.4e9, node.bulk_slope = 10;
+  node.p0 = 2e6, node.oil_volume = 1.1e-3, node.oil = {1.4e9, 10};
   node.air = 1e-6 * node.oil_volume * kAtmosphere, node.temperature = 293.15;
   NodeGas gas;
   gas.gas.law = &kPolytropicGas;
@@ -81,7 +81,7 @@ TEST(Node, AStepThatWouldGoFarIsSolved) {
 /// A closed form has two ways: with sums made once, at the static temperature, and gas by gas.
 TEST(Node, SumsMadeOnceAreTheGasesOneByOne) {
   Node node;
-  node.p0 = 2e6, node.oil_volume = 1.1e-3, node.bulk_modulus = 1.4e9, node.temperature = 293.15;
+  node.p0 = 2e6, node.oil_volume = 1.1e-3, node.oil = {1.4e9}, node.temperature = 293.15;
   node.air = kTraceAir * node.oil_volume * kAtmosphere;
   NodeGas reservoir, blow_off;
   reservoir.gas.reference_volume = reservoir.static_volume = 16e-6;

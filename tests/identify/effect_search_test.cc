@@ -69,6 +69,21 @@ TEST(EffectSearchTest, AFrictionLawIsNotReplacedByAFormulaOfItsOwnForm) {
   EXPECT_EQ(found.effects[0].candidate.effect, "position_friction");
 }
 
+// Seals that the oil presses flat: rod pressure goes with the stroke, so a tight spot shows nearly
+// the same, and where pressure could only add a force, not press the whole curve, it was named.
+TEST(EffectSearchTest, AFrictionThatPressureRaisesIsNoneOfThePosition) {
+  hydraulics::PhsParams truth = OffDeclared();
+  truth.effects.push_back(
+      {"pressure_friction",
+       {},
+       {{"bore_N_per_Pa", 0}, {"rod_N_per_Pa", 0}, {"rod_1_per_Pa", 1.5e-7}, {"flat_Pa", 8e6}}});
+  const Identification found =
+      FindAmong({"pressure_friction", "position_friction", "asymmetric_friction"}, Record(truth));
+  ASSERT_EQ(found.effects.size(), 1u) << Said(found);
+  EXPECT_EQ(found.effects[0].candidate.effect, "pressure_friction");
+  EXPECT_NEAR(ValueOf(found, "effects.pressure_friction.rod_1_per_Pa"), 1.5e-7, 0.4e-7);
+}
+
 TEST(EffectSearchTest, FindsALeakThatOpensInTheRecord) {
   hydraulics::PhsParams truth = OffDeclared();
   truth.effects.push_back(

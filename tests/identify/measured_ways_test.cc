@@ -5,6 +5,8 @@
 
 #include <cmath>
 #include <numbers>
+#include <random>
+#include <utility>
 
 #include "base/data_path.h"
 #include "phs_model/phs_model.h"
@@ -105,6 +107,55 @@ TEST(MeasuredWays, WithoutAllWaysThereAreNone) {
   EXPECT_NE(MeasuredWays::Of(gap, Outputs(), phs), nullptr) << "0.98 s are bridged";
   for (int i = 149; i < 152; ++i) gap.outputs[1].values[i] = NAN;
   EXPECT_EQ(MeasuredWays::Of(gap, Outputs(), phs), nullptr) << "1.04 s are not";
+}
+
+/// Means of a force where it slides out and in, 2 s each.
+std::pair<double, double> OutAndIn(const std::vector<double>& force) {
+  double out = 0, in = 0;
+  for (int i = 0; i < 100; ++i) out += force[i + 50] / 100, in += force[i + 300] / 100;
+  return {out, in};
+}
+
+// A piston that creeps and trembles by less than its sensor's noise: the smoothed way does not tremble,
+// and at it the seal holds more. Another run of the vehicle, whose trembling has other instants, says
+// how much less it is.
+TEST(MeasuredWays, ASealThatTremblesHoldsLess) {
+  FitData data = BogieRecord();
+  const hydraulics::PhsParams phs = BoBo();
+  const auto way = [&](double i, double phase, double amplitude) {
+    const double t = 0.02 * i, turn = 2 * std::numbers::pi;
+    return 3e-4 * std::sin(turn * 0.1 * t) + amplitude * std::sin(turn * 4.3 * t + phase);
+  };
+  const rigs::RigOptions options{.actuators = 4};
+  const auto rig = rigs::RigModel::Create(rigs::RigKind::kFull, phs, options);
+  ASSERT_TRUE(rig.ok());
+  rigs::RigMotion motion{.t0_s = 0, .step_s = data.step_s};
+  Channels of_vehicle(data.outputs.size(), std::vector<double>(data.time_s.size(), 0.0));
+  std::mt19937 random(3);
+  std::normal_distribution<double> noise(0, 2e-5);
+  for (size_t c = 0; c < 4; ++c) {
+    motion.position_m.emplace_back();
+    data.outputs[c].noise = 2e-5;
+    for (size_t i = 0; i < data.time_s.size(); ++i) {
+      motion.position_m[c].push_back(way(i, 1 + c, 8e-6));
+      data.outputs[c].values[i] = motion.position_m[c].back() + noise(random);
+      of_vehicle[c][i] = way(i, 2.5 * c, 8e-6);
+    }
+  }
+  rigs::RigPrediction truth;
+  ASSERT_TRUE(rig.value().Run(motion, &truth).ok());
+  const auto [out, in] = OutAndIn(truth.channels[4 + 2]);
+  const auto error = [&](const Channels& vehicle) {
+    const auto ways = MeasuredWays::Of(data, Outputs(), phs, 1, vehicle);
+    EXPECT_NE(ways, nullptr);
+    Channels at(data.outputs.size(), std::vector<double>(data.time_s.size(), 0.0));
+    EXPECT_TRUE(ways->Put(phs, Span::kWhole, &at).ok());
+    const auto [there_out, there_in] = OutAndIn(at[4]);
+    return (there_out - there_in) - (out - in);
+  };
+  const double smooth = error({}), trembling = error(of_vehicle);
+  EXPECT_GT(smooth, 300) << "[N] else nothing is shown";
+  EXPECT_LT(std::abs(trembling), 0.3 * smooth);
 }
 
 }  // namespace

@@ -113,6 +113,39 @@ TEST(OilSearchTest, FindsOilThatStiffens) {
   EXPECT_NEAR(ValueOf(found, "effects.oil_stiffening.slope"), 12, 1);
 }
 
+// Oil that fine bubbles make soft: it stiffens at once, and then no more.
+TEST(OilSearchTest, FindsOilThatStiffensOverAPressure) {
+  hydraulics::PhsParams truth = OffDeclared();
+  truth.effects.push_back(
+      {"oil_stiffening", {}, {{"slope", 0}, {"softness", 0.45}, {"over_Pa", 4e6}}});
+  const Identification found =
+      FindAmong({"oil_stiffening", "seal_shuttle", "snap_through", "entrained_air"}, Record(truth));
+  ASSERT_EQ(found.effects.size(), 1u) << Said(found);
+  EXPECT_EQ(found.effects[0].candidate.effect, "oil_stiffening");
+  EXPECT_NEAR(ValueOf(found, "effects.oil_stiffening.softness"), 0.45, 0.05);
+  EXPECT_NEAR(ValueOf(found, "effects.oil_stiffening.over_Pa"), 4e6, 0.6e6);
+}
+
+// A hose whose braid locks, more than half of its yield late: with creep that never stiffens it had
+// been named with gas that warms, or as a wall that snaps over.
+TEST(OilSearchTest, FindsAHoseThatGivesLateBehindItsBraid) {
+  hydraulics::PhsParams truth = OffDeclared();
+  truth.effects.push_back({"hose_expansion",
+                           {"L1"},
+                           {{"compliance_m3_per_Pa", 3e-13},
+                            {"stiffening_Pa", 3.5e7},
+                            {"stiffening_order", 8},
+                            {"stated_at_Pa", 2e6},
+                            {"late_share", 0.65},
+                            {"creep_time_s", 0.6}}});
+  const Identification found =
+      FindAmong({"hose_expansion", "gas_thermal", "snap_through", "entrained_air"}, Record(truth));
+  ASSERT_EQ(found.effects.size(), 1u) << Said(found);
+  EXPECT_EQ(found.effects[0].candidate.effect, "hose_expansion");
+  EXPECT_NEAR(ValueOf(found, "effects.hose_expansion.late_share"), 0.65, 0.05);
+  EXPECT_NEAR(ValueOf(found, "effects.hose_expansion.creep_time_s"), 0.6, 0.05);
+}
+
 // Beside a leak between the same chambers, air and a stop.
 TEST(OilSearchTest, FindsASealThatGivesWayInItsGroove) {
   hydraulics::PhsParams truth = OffDeclared();

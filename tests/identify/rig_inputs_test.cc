@@ -345,5 +345,22 @@ TEST_F(RigInputs, EveryFigureOfTheThesisRuns) {
   }
 }
 
+// A bench calls its force force_N, a rig load_cell_N: a record with the wrong one was compared by its
+// other channels in silence.
+TEST_F(RigInputs, AColumnThatStandsForNothingIsNamed) {
+  std::string csv = "t_s,actuator_m,force_N,p_bore_Pa\n";
+  for (int i = 0; i < 400; ++i) {
+    const double x = 1e-4 * std::sin(0.05 * i);
+    csv += std::to_string(0.01 * i) + "," + std::to_string(x) + ",0," +
+           std::to_string(9e6 - kBore * 1.4e9 / 1.1e-3 * x) + "\n";
+  }
+  folder_.Write("run.csv", csv);
+  const auto done = Execute("rig: quarter\nmodel: " + Linear() + "\ndata: run.csv\n", "columns");
+  ASSERT_TRUE(done.ok()) << done.error().Line();
+  EXPECT_THAT(done.value().result["data_findings"].dump(),
+              testing::AllOf(HasSubstr("force_N: not read"), HasSubstr("not measured: piston_m"),
+                             HasSubstr("load_cell_N"), testing::Not(HasSubstr("actuator_m"))));
+}
+
 }  // namespace
 }  // namespace phs::identify

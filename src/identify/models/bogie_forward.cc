@@ -71,7 +71,12 @@ BogieForward::BogieForward(const FitData& data, BogieModel model, int stride)
       kept_(std::make_shared<KeptRuns>()) {
   if (!model_.by_measured_ways) return;
   const PhsParams phs = PhsAtPistons(model_.phs);
-  ways_ = MeasuredWays::Of(data, FindPhsOutputs(model_, data), phs, stride);
+  Channels of_vehicle;
+  const auto scenario = ScenarioWith(model_, model_.phs);
+  const bool runs =
+      scenario.ok() && Simulate(scenario.value(), Samples(Span::kWhole), &of_vehicle).ok();
+  if (!runs) of_vehicle.clear();  // what the vehicle cannot do is said when it is asked to
+  ways_ = MeasuredWays::Of(data, FindPhsOutputs(model_, data), phs, stride, of_vehicle);
 }
 
 size_t BogieForward::Samples(Span span) const {

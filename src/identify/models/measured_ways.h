@@ -10,6 +10,12 @@
 // weakens what an output seems to owe to them, by e²/s² (e: what it makes of the noise, s: all that
 // it shows, rms; Fuller, Measurement Error Models, 1987, 1.1): an output that would lose more than a
 // tenth stays as the vehicle predicts it. Of lines whose ways cancel that is so.
+//
+// A piston also trembles by less than its sensor's noise, and a smoothed way does not: a bristle
+// that is moved to and fro about its bend holds less than one that is not. How much it trembles a
+// run of the vehicle says, w: what the smoother would take off it, w - S(w). Its instants are not
+// the measured ones, so forces and pressures are the mean of four draws, with either sign and at
+// either of two shifts in time; how far these differ counts as an error of what drives.
 #pragma once
 
 #include <memory>
@@ -32,10 +38,11 @@ class MeasuredWays {
  public:
   /// `record` must begin at rest in the static state. Null: a piston is not measured, or missing
   /// for more than a second; no force and no pressure is told by them; the PHS has not four
-  /// cylinders.
+  /// cylinders. `of_vehicle`: outputs of a run over the whole record; none: nothing trembles.
   static std::shared_ptr<const MeasuredWays> Of(const measurement::FitData& record,
                                                 const PhsOutputsOf& outputs,
-                                                const hydraulics::PhsParams& phs, int stride = 1);
+                                                const hydraulics::PhsParams& phs, int stride = 1,
+                                                const Channels& of_vehicle = {});
 
   /// Puts forces and pressures at the measured ways in the place of what is in `out`, the outputs
   /// of the record over the span (RecordForward::RunSpan).
@@ -56,10 +63,17 @@ class MeasuredWays {
             int stride);
   /// Those of its outputs that the noise of the ways does not drown.
   Result<std::vector<std::pair<int, std::string>>> Told(const hydraulics::PhsParams& phs) const;
+  /// The ways with what the smoother takes off those of a vehicle's run: [draw][piston].
+  std::vector<std::vector<measurement::SmoothMotion>> Trembling(
+      const Channels& of_vehicle, const std::vector<int>& pistons) const;
+  /// Outputs at each of these; at the smoothed ways where there are none.
+  Status RunEach(const hydraulics::PhsParams& phs, ForwardModel::Span span,
+                 std::vector<Channels>* each) const;
   void PutInto(Channels&& of_phs, Channels* out) const;
 
   measurement::FitData data_;
   std::vector<int> output_;  ///< of data_.outputs among those of the record
+  std::vector<std::vector<measurement::SmoothMotion>> trembling_;
   std::shared_ptr<const RigForward> rig_;
 };
 

@@ -141,16 +141,20 @@ Status RigForward::UncertaintySpan(const PhsParams& params, Span span, Channels*
   return AddDraws(params, span, deviation);
 }
 
+Status RigForward::RunAt(const std::vector<SmoothMotion>& ways, const PhsParams& params, Span span,
+                         Channels* out) const {
+  std::shared_ptr<const rigs::KeptRun> kept;
+  return RunMotion(params, MotionOf(ways, span), &kept, out);
+}
+
 Status RigForward::DrawnErrors(const PhsParams& params, Span span,
                                std::vector<Channels>* draws) const {
   draws->clear();
   Channels plain;
   if (Status s = RunSpan(params, span, &plain); !s.ok()) return s;
   for (const std::vector<SmoothMotion>& draw : redrawn_->Draws()) {
-    std::shared_ptr<const rigs::KeptRun> kept;
     Channels& error = draws->emplace_back();
-    Status s = RunMotion(params, MotionOf(draw, span), &kept, &error);
-    if (!s.ok()) return s;
+    if (Status s = RunAt(draw, params, span, &error); !s.ok()) return s;
     for (size_t c = 0; c < error.size(); ++c) {
       for (size_t i = 0; i < error[c].size(); ++i) error[c][i] -= plain[c][i];
       if (!std::all_of(error[c].begin(), error[c].end(),

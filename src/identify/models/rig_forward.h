@@ -49,6 +49,9 @@ class RigForward final : public RecordForward {
   /// presses oil and bends bristles: the larger of the two.
   Status UncertaintySpan(const hydraulics::PhsParams& params, Span span,
                          Channels* deviation) const override;
+  /// At other ways of the pistons than the measured ones: [actuator], of the whole record.
+  Status RunAt(const std::vector<measurement::SmoothMotion>& ways,
+               const hydraulics::PhsParams& params, Span span, Channels* out) const;
   /// What each motion with fresh sensor noise changes (redrawn_motion.h): [draw], over the span.
   Status DrawnErrors(const hydraulics::PhsParams& params, Span span,
                      std::vector<Channels>* draws) const;
