@@ -216,8 +216,12 @@ TEST_F(BogieTest, OneSealOneBoxAndOneLineAreCandidates) {
       if (c.effect != effect) continue;
       EXPECT_EQ(c.params.targets.size(), 1u);
       out.push_back(c.params.targets.front());
-      EXPECT_THAT(c.starts, ElementsAre(ElementsAre(Lt(1)), ElementsAre(Gt(1))))
-          << "to either side of the others: slopes there drown in how the bogie trembles";
+      EXPECT_GE(c.starts.size(), 2u);
+      for (size_t i = 0; i < c.starts.size(); ++i) {
+        const testing::Matcher<double> side = i % 2 == 0 ? testing::Matcher<double>(Lt(1)) : Gt(1);
+        EXPECT_THAT(c.starts[i], ElementsAre(side))
+            << "to either side of the others: slopes there drown in how the bogie trembles";
+      }
       EXPECT_EQ(c.none, std::vector<double>{1});
     }
     return out;

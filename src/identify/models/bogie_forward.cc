@@ -71,12 +71,7 @@ BogieForward::BogieForward(const FitData& data, BogieModel model, int stride)
       kept_(std::make_shared<KeptRuns>()) {
   if (!model_.by_measured_ways) return;
   const PhsParams phs = PhsAtPistons(model_.phs);
-  Channels of_vehicle;
-  const auto scenario = ScenarioWith(model_, model_.phs);
-  const bool runs =
-      scenario.ok() && Simulate(scenario.value(), Samples(Span::kWhole), &of_vehicle).ok();
-  if (!runs) of_vehicle.clear();  // what the vehicle cannot do is said when it is asked to
-  ways_ = MeasuredWays::Of(data, FindPhsOutputs(model_, data), phs, stride, of_vehicle);
+  ways_ = MeasuredWays::Of(data, FindPhsOutputs(model_, data), phs, stride);
 }
 
 size_t BogieForward::Samples(Span span) const {
@@ -85,22 +80,26 @@ size_t BogieForward::Samples(Span span) const {
   return static_cast<size_t>(end - data_.time_s.begin());
 }
 
-Status BogieForward::RunScenario(Scenario scenario, Span span, Channels* out) const {
+Status BogieForward::RunKept(Scenario scenario, Span span, Channels* out) const {
   const size_t samples = Samples(span);
   const bool longer = span == Span::kEstimation && model_.fit_step_s > 0;
   const double own_step_s = scenario.timestep_s;
   if (longer) scenario.timestep_s = model_.fit_step_s;
   const std::string key = KeyOf(scenario, samples);
-  if (!kept_->Find(key, out)) {
-    Status done = Simulate(scenario, samples, out);
-    if (!done.ok() && longer) {  // too stiff for the longer step
-      scenario.timestep_s = own_step_s;
-      done = Simulate(scenario, samples, out);
-    }
-    if (!done.ok()) return done;
-    kept_->Keep(key, *out);
+  if (kept_->Find(key, out)) return {};
+  Status done = Simulate(scenario, samples, out);
+  if (!done.ok() && longer) {  // too stiff for the longer step
+    scenario.timestep_s = own_step_s;
+    done = Simulate(scenario, samples, out);
   }
+  if (done.ok()) kept_->Keep(key, *out);
+  return done;
+}
+
+Status BogieForward::RunScenario(Scenario scenario, Span span, Channels* out) const {
+  if (Status s = RunKept(std::move(scenario), span, out); !s.ok()) return s;
   if (span == Span::kWhole || stride_ == 1) return {};
+  const size_t samples = Samples(span);
   const auto by = static_cast<size_t>(stride_);
   for (std::vector<double>& row : *out) {
     size_t k = 0;
@@ -230,6 +229,15 @@ Status BogieForward::TheorySpan(const PhsParams& params, Span span,
     const auto k = static_cast<size_t>(i);
     ran[k] = RunTheory(std::move(others[k].scenario), others[k].phs, span, &(*differences)[k]);
   });
+  if (ways_ != nullptr) {
+    Channels of_vehicle;
+    ran.push_back(RunKept(scenario.value(), span, &of_vehicle));
+    differences->push_back(own);
+    if (ran.back().ok()) {
+      ran.back() =
+          ways_->PutTrembling(PhsAtPistons(params), span, of_vehicle, &differences->back());
+    }
+  }
   for (size_t i = 0; i < ran.size(); ++i) {
     if (!ran[i].ok()) return ran[i];
     Channels& out = (*differences)[i];

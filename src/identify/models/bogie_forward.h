@@ -72,8 +72,10 @@ class BogieForward final : public RecordForward {
   hydraulics::PhsParams OfVehicle(const hydraulics::PhsParams& params, Span span) const;
   Status RunTheory(vehicle::Scenario scenario, const hydraulics::PhsParams& params, Span span,
                    Channels* out) const;
-  /// On the rows of the span, from the last runs where it is one of them.
+  /// On the rows of the span.
   Status RunScenario(vehicle::Scenario scenario, Span span, Channels* out) const;
+  /// Every sample of the span, from the last runs where it is one of them.
+  Status RunKept(vehicle::Scenario scenario, Span span, Channels* out) const;
   /// Every sample from the first on, so many.
   Status Simulate(const vehicle::Scenario& scenario, size_t samples, Channels* out,
                   double* largest_step_s = nullptr) const;

@@ -56,25 +56,11 @@ bool TakeWays(const FitData& record, const std::vector<int>& pistons, FitData* d
   return data->motion.size() == kPistons;
 }
 
-Channels MeanOf(const std::vector<Channels>& each) {
-  Channels mean = each.front();
-  const double share = 1 / static_cast<double>(each.size());
-  for (size_t c = 0; c < mean.size(); ++c) {
-    for (size_t i = 0; i < mean[c].size(); ++i) {
-      double sum = 0;
-      for (const Channels& one : each) sum += one[c][i];
-      mean[c][i] = share * sum;
-    }
-  }
-  return mean;
-}
-
 }  // namespace
 
 std::shared_ptr<const MeasuredWays> MeasuredWays::Of(const FitData& record,
                                                      const PhsOutputsOf& outputs,
-                                                     const hydraulics::PhsParams& phs, int stride,
-                                                     const Channels& of_vehicle) {
+                                                     const hydraulics::PhsParams& phs, int stride) {
   if (phs.cylinders.size() != kPistons) return nullptr;
   std::shared_ptr<MeasuredWays> out(new MeasuredWays);
   FitData& data = out->data_;
@@ -82,7 +68,7 @@ std::shared_ptr<const MeasuredWays> MeasuredWays::Of(const FitData& record,
   data.source = record.source, data.time_s = record.time_s, data.step_s = record.step_s;
   data.estimation = record.estimation, data.validation = record.validation;
   if (!TakeWays(record, outputs.pistons, &data)) return nullptr;
-  if (!of_vehicle.empty()) out->trembling_ = out->Trembling(of_vehicle, outputs.pistons);
+  out->piston_ = outputs.pistons;
   std::vector<std::pair<int, std::string>> which;
   for (size_t c = 0; c < kPistons; ++c) {
     which.emplace_back(outputs.forces[c], "load" + phs.cylinders[c].name + "_N");
@@ -143,47 +129,37 @@ void MeasuredWays::PutInto(Channels&& of_phs, Channels* out) const {
   }
 }
 
-std::vector<std::vector<SmoothMotion>> MeasuredWays::Trembling(
-    const Channels& of_vehicle, const std::vector<int>& pistons) const {
-  constexpr double kShift_s = 0.7;  // several times what a bogie's trembling remembers
-  const auto shift = static_cast<size_t>(std::lround(kShift_s / data_.step_s));
-  std::vector<std::vector<SmoothMotion>> out(4, data_.motion);
-  for (size_t a = 0; a < pistons.size(); ++a) {
-    std::vector<double> way = of_vehicle[static_cast<size_t>(pistons[a])];
+Status MeasuredWays::Put(const hydraulics::PhsParams& phs, ForwardModel::Span span,
+                         Channels* out) const {
+  Channels of_phs;
+  if (Status s = rig_->RunSpan(phs, span, &of_phs); !s.ok()) return s;
+  PutInto(std::move(of_phs), out);
+  return {};
+}
+
+std::vector<SmoothMotion> MeasuredWays::Trembling(const Channels& of_vehicle) const {
+  std::vector<SmoothMotion> out = data_.motion;
+  for (size_t a = 0; a < piston_.size(); ++a) {
+    std::vector<double> way = of_vehicle[static_cast<size_t>(piston_[a])];
     const SmoothMotion smooth =
         SmoothPosition(way, {}, data_.step_s, std::max(data_.inputs[a].noise, 1e-12));
     for (size_t i = 0; i < way.size(); ++i) way[i] -= smooth.position[i];
-    for (size_t draw = 0; draw < out.size(); ++draw) {
-      SmoothMotion& moved = out[draw][a];
-      const double sign = draw % 2 == 0 ? 1 : -1;
-      for (size_t i = draw / 2 * shift; i < way.size(); ++i) {
-        const size_t k = i - draw / 2 * shift;
-        const size_t before = k > 0 ? k - 1 : k, after = std::min(k + 1, way.size() - 1);
-        const double time = static_cast<double>(after - before) * data_.step_s;
-        moved.position[i] += sign * way[k];
-        moved.speed[i] += sign * (way[after] - way[before]) / time;
-      }
-      moved.acceleration.clear();
+    for (size_t i = 0; i < way.size(); ++i) {
+      const size_t before = i > 0 ? i - 1 : i, after = std::min(i + 1, way.size() - 1);
+      const double time = static_cast<double>(after - before) * data_.step_s;
+      out[a].position[i] += way[i];
+      out[a].speed[i] += (way[after] - way[before]) / time;
     }
+    out[a].acceleration.clear();
   }
   return out;
 }
 
-Status MeasuredWays::RunEach(const hydraulics::PhsParams& phs, ForwardModel::Span span,
-                             std::vector<Channels>* each) const {
-  each->assign(std::max<size_t>(trembling_.size(), 1), {});
-  if (trembling_.empty()) return rig_->RunSpan(phs, span, &each->front());
-  for (size_t k = 0; k < trembling_.size(); ++k) {
-    if (Status s = rig_->RunAt(trembling_[k], phs, span, &(*each)[k]); !s.ok()) return s;
-  }
-  return {};
-}
-
-Status MeasuredWays::Put(const hydraulics::PhsParams& phs, ForwardModel::Span span,
-                         Channels* out) const {
-  std::vector<Channels> each;
-  if (Status s = RunEach(phs, span, &each); !s.ok()) return s;
-  PutInto(MeanOf(each), out);
+Status MeasuredWays::PutTrembling(const hydraulics::PhsParams& phs, ForwardModel::Span span,
+                                  const Channels& of_vehicle, Channels* out) const {
+  Channels of_phs;
+  if (Status s = rig_->RunAt(Trembling(of_vehicle), phs, span, &of_phs); !s.ok()) return s;
+  PutInto(std::move(of_phs), out);
   return {};
 }
 
@@ -197,30 +173,16 @@ Status MeasuredWays::PutUncertainty(const hydraulics::PhsParams& phs, ForwardMod
 
 Status MeasuredWays::Errors(const hydraulics::PhsParams& phs, ForwardModel::Span span,
                             const Channels& none, std::vector<Channels>* draws) const {
-  draws->clear();
-  const auto add = [&](std::vector<Channels>&& errors) {
-    const double share = 1 / std::sqrt(static_cast<double>(errors.size()));
-    for (Channels& error : errors) {
-      for (std::vector<double>& row : error) {
-        for (double& x : row) x *= share;
-      }
-      draws->push_back(none);
-      PutInto(std::move(error), &draws->back());
+  std::vector<Channels> of_phs;
+  if (Status s = rig_->DrawnErrors(phs, span, &of_phs); !s.ok()) return s;
+  const double share = 1 / std::sqrt(static_cast<double>(of_phs.size()));
+  draws->assign(of_phs.size(), none);
+  for (size_t k = 0; k < of_phs.size(); ++k) {
+    for (std::vector<double>& row : of_phs[k]) {
+      for (double& x : row) x *= share;
     }
-  };
-  std::vector<Channels> of_noise;
-  if (Status s = rig_->DrawnErrors(phs, span, &of_noise); !s.ok()) return s;
-  add(std::move(of_noise));
-  if (trembling_.empty()) return {};
-  std::vector<Channels> each;
-  if (Status s = RunEach(phs, span, &each); !s.ok()) return s;
-  const Channels mean = MeanOf(each);
-  for (Channels& one : each) {
-    for (size_t c = 0; c < one.size(); ++c) {
-      for (size_t i = 0; i < one[c].size(); ++i) one[c][i] -= mean[c][i];
-    }
+    PutInto(std::move(of_phs[k]), &(*draws)[k]);
   }
-  add(std::move(each));
   return {};
 }
 

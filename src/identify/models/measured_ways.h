@@ -13,9 +13,8 @@
 //
 // A piston also trembles by less than its sensor's noise, and a smoothed way does not: a bristle
 // that is moved to and fro about its bend holds less than one that is not. How much it trembles a
-// run of the vehicle says, w: what the smoother would take off it, w - S(w). Its instants are not
-// the measured ones, so forces and pressures are the mean of four draws, with either sign and at
-// either of two shifts in time; how far these differ counts as an error of what drives.
+// run of the vehicle says, w: what the smoother takes off it, w - S(w), at instants that are not the
+// measured ones. So what that does to forces and pressures is left open as theory is.
 #pragma once
 
 #include <memory>
@@ -38,15 +37,18 @@ class MeasuredWays {
  public:
   /// `record` must begin at rest in the static state. Null: a piston is not measured, or missing
   /// for more than a second; no force and no pressure is told by them; the PHS has not four
-  /// cylinders. `of_vehicle`: outputs of a run over the whole record; none: nothing trembles.
+  /// cylinders.
   static std::shared_ptr<const MeasuredWays> Of(const measurement::FitData& record,
                                                 const PhsOutputsOf& outputs,
-                                                const hydraulics::PhsParams& phs, int stride = 1,
-                                                const Channels& of_vehicle = {});
+                                                const hydraulics::PhsParams& phs, int stride = 1);
 
   /// Puts forces and pressures at the measured ways in the place of what is in `out`, the outputs
   /// of the record over the span (RecordForward::RunSpan).
   Status Put(const hydraulics::PhsParams& phs, ForwardModel::Span span, Channels* out) const;
+  /// The same where the pistons tremble beside what is measured, as in a run of the vehicle: its
+  /// outputs, every sample of the span.
+  Status PutTrembling(const hydraulics::PhsParams& phs, ForwardModel::Span span,
+                      const Channels& of_vehicle, Channels* out) const;
   /// And how uncertain they are for the ways.
   Status PutUncertainty(const hydraulics::PhsParams& phs, ForwardModel::Span span,
                         Channels* deviation) const;
@@ -63,17 +65,13 @@ class MeasuredWays {
             int stride);
   /// Those of its outputs that the noise of the ways does not drown.
   Result<std::vector<std::pair<int, std::string>>> Told(const hydraulics::PhsParams& phs) const;
-  /// The ways with what the smoother takes off those of a vehicle's run: [draw][piston].
-  std::vector<std::vector<measurement::SmoothMotion>> Trembling(
-      const Channels& of_vehicle, const std::vector<int>& pistons) const;
-  /// Outputs at each of these; at the smoothed ways where there are none.
-  Status RunEach(const hydraulics::PhsParams& phs, ForwardModel::Span span,
-                 std::vector<Channels>* each) const;
+  /// The measured ways with what the smoother takes off a vehicle's [piston][sample].
+  std::vector<measurement::SmoothMotion> Trembling(const Channels& of_vehicle) const;
   void PutInto(Channels&& of_phs, Channels* out) const;
 
   measurement::FitData data_;
   std::vector<int> output_;  ///< of data_.outputs among those of the record
-  std::vector<std::vector<measurement::SmoothMotion>> trembling_;
+  std::vector<int> piston_;  ///< of data_.inputs, too
   std::shared_ptr<const RigForward> rig_;
 };
 
