@@ -12,7 +12,7 @@ ROWS = {"holdout": "`holdout`", **{each + "_hand": each for each in (
     "first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth", "ninth", "tenth", "eleventh", "twelfth",
     "thirteenth", "fourteenth", "sixteenth", "seventeenth", "eighteenth", "nineteenth", "twentieth")},
     "twentyfirst_hand": "twenty-first", "twentysecond_hand": "twenty-second",
-    "twentythird_hand": "twenty-third"}
+    "twentythird_hand": "twenty-third", "twentyfifth_hand": "twenty-fifth"}
 VERDICTS = ("sufficient", "explained", "not_described", "undecidable")
 
 

@@ -20,11 +20,9 @@ def read(path):
         return list(csv.DictReader(file))
 
 
-def figures(phs):
-    sys.path.insert(0, str(phs.source / "tests/rigdata"))
-    from blind_sets import share_text
-    rows, clean_rows = (read(phs.source / f"tests/rigdata/bogie_{name}.csv") for name in ("coverage", "clean"))
-    counted = [row for row in rows + clean_rows if row["truth"]]
+def coverage(rows, share_text):
+    """A row for each kind of number."""
+    counted = [row for row in rows if row["truth"]]
     groups = {words: [row for row in counted if row["number"] == name] for name, words in WORDS.items()}
     groups["amounts of what is hidden"] = [row for row in counted if row["number"] not in WORDS]
     lines = []
@@ -32,11 +30,24 @@ def figures(phs):
         missed = sorted(off(row) for row in of if abs(off(row)) > 1)
         lines.append([words, share_text(len(of) - len(missed), len(of)),
                       ", ".join(f"{x:+.1f}".replace("-", "−") for x in missed) or "none"])
+    return table(["95 % interval of", "hold the truth", "missed by, in half widths"], lines)
+
+
+def figures(phs):
+    sys.path.insert(0, str(phs.source / "tests/rigdata"))
+    from blind_sets import share_text
+    rows, clean_rows, now = (read(phs.source / f"tests/rigdata/bogie_{name}.csv")
+                             for name in ("coverage", "clean", "trembling"))
     records = {row["seed"]: row for row in rows}.values()
     more_clean = {row["seed"]: row for row in clean_rows}.values()
     clean = [row for row in records if row["hidden"] == "nothing"]
     as_hidden = sum(bool(row["truth"]) for row in records if row["hidden"] != "nothing")
-    return {"coverage": table(["95 % interval of", "hold the truth", "missed by, in half widths"], lines),
+    records_now = {row["seed"]: row for row in now}.values()
+    ratios = [float(row["value"]) / float(row["truth"]) for row in now if row["number"] == "friction.scale"]
+    return {"coverage": coverage(rows + clean_rows, share_text), "now": coverage(now, share_text), "now_records": str(len(records_now)),
+            "now_all": share_text(sum(abs(off(row)) <= 1 for row in now if row["truth"]), sum(bool(row["truth"]) for row in now)),
+            "now_counted": f"{sum(bool(row['truth']) for row in records_now)} of {len(records_now)}",
+            "now_friction": f"{sum(ratios) / len(ratios):.3f}",
             "coverage_records": str(len(records)), "coverage_clean": str(len(clean) + len(more_clean)),
             "clean_records": str(len(more_clean)),
             "coverage_false": str(sum(not row["truth"] for row in [*clean, *more_clean])),

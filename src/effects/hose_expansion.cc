@@ -177,8 +177,7 @@ const EffectInfo& HoseExpansionInfo() {
       "hydraulic",
       "lines",
       "dV/dp = C ((p_k + p)/(p_k + p_s))^-m, a share of it late, and a creeping part tau dw/dt = "
-      "C_c "
-      "(p - p0) - w",
+      "C_c (p - p0) - w",
       {
           {"compliance_m3_per_Pa", "m3/Pa", 2e-13, 0, 1e-9, 1e-14, 5e-11, "C"},
           {"stiffening_Pa", "Pa", 1e9, 1e4, 1e12, 1e6, 1e9, "p_k"},

@@ -45,9 +45,9 @@ struct NodeLaw {
 };
 
 struct Node {
-  double p0 = 0;          ///< static pressure [Pa]
-  double oil_volume = 0;  ///< [m3]
-  OilStiffness oil = {};  ///< its bulk modulus
+  double p0 = 0;           ///< static pressure [Pa]
+  double oil_volume = 0;   ///< [m3]
+  OilStiffness oil = {};   ///< its bulk modulus
   double softening = 0;    ///< relative fall of beta per kelvin of the surroundings [1/K]
   double expansion = 0;    ///< of the oil against its housing [1/K]
   double air = 0;          ///< p V of free air [J]
