@@ -8,6 +8,7 @@ namespace phs::identify::search {
 
 using measurement::FitData;
 using measurement::MeasuredChannel;
+using measurement::SmoothMotion;
 using measurement::SmoothPosition;
 namespace {
 
