@@ -233,9 +233,9 @@ void NameUnread(const Table& table, const Manifest& manifest, RigRun* run) {
   if (unread.empty()) return;
   const size_t more = unread.size() - std::min(unread.size(), kMost);
   unread.resize(unread.size() - more);
+  if (more > 0) unread.push_back(std::to_string(more) + " more");
   run->findings.push_back(
-      {"columns", JoinWords(unread) + (more > 0 ? " and " + std::to_string(more) + " more" : "") +
-                      ": not read, as no channel of this rig is called so" +
+      {"columns", JoinWords(unread) + ": not read, as no channel of this rig is called so" +
                       (missing.empty() ? "" : "; not measured: " + JoinWords(missing))});
 }
 

@@ -105,17 +105,6 @@ TEST(EffectSearchTest, FindsADriftThatBeginsInTheRecord) {
   EXPECT_NEAR(ValueOf(found, "effects.sensor_drift.start_s"), 22, 0.3);
 }
 
-/// What is found where this one is hidden, which is to be found alone, and these are offered too.
-Identification FindAlone(const hydraulics::EffectParams& hidden, std::vector<std::string> offered) {
-  hydraulics::PhsParams truth = OffDeclared();
-  truth.effects.push_back(hidden);
-  offered.push_back(hidden.name);
-  const Identification found = FindAmong(std::move(offered), Record(truth));
-  EXPECT_EQ(found.effects.size(), 1u) << Said(found);
-  if (!found.effects.empty()) EXPECT_EQ(found.effects[0].candidate.effect, hidden.name);
-  return found;
-}
-
 TEST(EffectSearchTest, FindsAGaugeThatIsKnockedInTheRecord) {
   const Identification found =
       FindAlone({"sensor_offset", {}, {{"p_rod_Pa", 9e4}, {"start_s", 17.3}}},

@@ -92,56 +92,39 @@ TEST(OilSearchTest, FindsAStopThatIsMetSeldom) {
 // A reservoir whose precharge is met when its line is pulled. Three starts of the precharge between 3
 // and 15 bar were too few: it came out as a formula.
 TEST(OilSearchTest, FindsADiaphragmOnItsOilPort) {
-  hydraulics::PhsParams truth = OffDeclared();
-  truth.effects.push_back(
-      {"diaphragm_stop", {"L2"}, {{"min_gas_volume_m3", 0}, {"precharge_Pa", 1.1e6}}});
   const Identification found =
-      FindAmong({"diaphragm_stop", "entrained_air", "cavitation", "hose_expansion"}, Record(truth));
-  ASSERT_EQ(found.effects.size(), 1u) << Said(found);
-  EXPECT_EQ(found.effects[0].candidate.effect, "diaphragm_stop");
+      FindAlone({"diaphragm_stop", {"L2"}, {{"min_gas_volume_m3", 0}, {"precharge_Pa", 1.1e6}}},
+                {"entrained_air", "cavitation", "hose_expansion"});
   EXPECT_NEAR(ValueOf(found, "effects.diaphragm_stop.precharge_Pa"), 1.1e6, 0.03e6);
 }
 
 // Beside what else takes volume over the pressure: a hose, air, a stop.
 TEST(OilSearchTest, FindsOilThatStiffens) {
-  hydraulics::PhsParams truth = OffDeclared();
-  truth.effects.push_back({"oil_stiffening", {}, {{"slope", 12}}});
-  const Identification found = FindAmong(
-      {"oil_stiffening", "diaphragm_stop", "entrained_air", "hose_expansion"}, Record(truth));
-  ASSERT_EQ(found.effects.size(), 1u) << Said(found);
-  EXPECT_EQ(found.effects[0].candidate.effect, "oil_stiffening");
+  const Identification found = FindAlone({"oil_stiffening", {}, {{"slope", 12}}},
+                                         {"diaphragm_stop", "entrained_air", "hose_expansion"});
   EXPECT_NEAR(ValueOf(found, "effects.oil_stiffening.slope"), 12, 1);
 }
 
 // Oil that fine bubbles make soft: it stiffens at once, and then no more.
 TEST(OilSearchTest, FindsOilThatStiffensOverAPressure) {
-  hydraulics::PhsParams truth = OffDeclared();
-  truth.effects.push_back(
-      {"oil_stiffening", {}, {{"slope", 0}, {"softness", 0.45}, {"over_Pa", 4e6}}});
   const Identification found =
-      FindAmong({"oil_stiffening", "seal_shuttle", "snap_through", "entrained_air"}, Record(truth));
-  ASSERT_EQ(found.effects.size(), 1u) << Said(found);
-  EXPECT_EQ(found.effects[0].candidate.effect, "oil_stiffening");
+      FindAlone({"oil_stiffening", {}, {{"slope", 0}, {"softness", 0.45}, {"over_Pa", 4e6}}},
+                {"seal_shuttle", "snap_through", "entrained_air"});
   EXPECT_NEAR(ValueOf(found, "effects.oil_stiffening.softness"), 0.45, 0.05);
   EXPECT_NEAR(ValueOf(found, "effects.oil_stiffening.over_Pa"), 4e6, 0.6e6);
 }
 
-// A hose whose braid locks, more than half of its yield late: with creep that never stiffens it had
-// been named with gas that warms, or as a wall that snaps over.
+// A hose whose braid locks, more than half of its yield late.
 TEST(OilSearchTest, FindsAHoseThatGivesLateBehindItsBraid) {
-  hydraulics::PhsParams truth = OffDeclared();
-  truth.effects.push_back({"hose_expansion",
-                           {"L1"},
-                           {{"compliance_m3_per_Pa", 3e-13},
-                            {"stiffening_Pa", 3.5e7},
-                            {"stiffening_order", 8},
-                            {"stated_at_Pa", 2e6},
-                            {"late_share", 0.65},
-                            {"creep_time_s", 0.6}}});
-  const Identification found =
-      FindAmong({"hose_expansion", "gas_thermal", "snap_through", "entrained_air"}, Record(truth));
-  ASSERT_EQ(found.effects.size(), 1u) << Said(found);
-  EXPECT_EQ(found.effects[0].candidate.effect, "hose_expansion");
+  const Identification found = FindAlone({"hose_expansion",
+                                          {"L1"},
+                                          {{"compliance_m3_per_Pa", 3e-13},
+                                           {"stiffening_Pa", 3.5e7},
+                                           {"stiffening_order", 8},
+                                           {"stated_at_Pa", 2e6},
+                                           {"late_share", 0.65},
+                                           {"creep_time_s", 0.6}}},
+                                         {"gas_thermal", "snap_through", "entrained_air"});
   EXPECT_NEAR(ValueOf(found, "effects.hose_expansion.late_share"), 0.65, 0.05);
   EXPECT_NEAR(ValueOf(found, "effects.hose_expansion.creep_time_s"), 0.6, 0.05);
 }
@@ -187,41 +170,29 @@ TEST(OilSearchTest, FindsGasBehindAPistonThatDrags) {
 }
 // A lip that lifts: it was a formula, as a leak was open at any pressure.
 TEST(OilSearchTest, ALeakThatOpensAtAPressureIsALeak) {
-  hydraulics::PhsParams truth = OffDeclared();
-  truth.effects.push_back(
-      {"external_leakage", {"L1"}, {{"conductance_m3_per_Pas", 3e-14}, {"opening_Pa", 5e6}}});
-  const Identification found = FindAmong(
-      {"external_leakage", "piston_leakage", "hose_expansion", "diaphragm_stop"}, Record(truth));
-  ASSERT_EQ(found.effects.size(), 1u) << Said(found);
-  EXPECT_EQ(found.effects[0].candidate.effect, "external_leakage");
+  const Identification found = FindAlone(
+      {"external_leakage", {"L1"}, {{"conductance_m3_per_Pas", 3e-14}, {"opening_Pa", 5e6}}},
+      {"piston_leakage", "hose_expansion", "diaphragm_stop"});
   EXPECT_EQ(found.effects[0].candidate.params.targets, Targets{"L1"});
   EXPECT_NEAR(ValueOf(found, "effects.external_leakage.opening_Pa") / 5e6, 1, 0.03) << Said(found);
 }
 
 // The rod carries a film out and does not bring it back: beside a leak, a drift and air.
 TEST(OilSearchTest, FindsAFilmThatTheRodCarriesOut) {
-  hydraulics::PhsParams truth = OffDeclared();
-  truth.effects.push_back(
-      {"external_leakage", {"L1"}, {{"conductance_m3_per_Pas", 0}, {"film_out_m2", 1.5e-6}}});
-  const Identification found =
-      FindAmong({"external_leakage", "gas_loss", "sensor_drift", "entrained_air"}, Record(truth));
-  ASSERT_EQ(found.effects.size(), 1u) << Said(found);
-  EXPECT_EQ(found.effects[0].candidate.effect, "external_leakage");
+  const Identification found = FindAlone(
+      {"external_leakage", {"L1"}, {{"conductance_m3_per_Pas", 0}, {"film_out_m2", 1.5e-6}}},
+      {"gas_loss", "sensor_drift", "entrained_air"});
   EXPECT_NEAR(ValueOf(found, "effects.external_leakage.film_out_m2") / 1.5e-6, 1, 0.05)
       << Said(found);
 }
 
 // A bore that is scored beyond a place.
 TEST(OilSearchTest, FindsWhereABoreIsScored) {
-  hydraulics::PhsParams truth = OffDeclared();
-  truth.effects.push_back(
-      {"piston_leakage",
-       {},
-       {{"conductance_m3_per_Pas", 4e-14}, {"from_m", 8e-4}, {"edge_m", 1.5e-4}}});
-  const Identification found = FindAmong(
-      {"piston_leakage", "external_leakage", "seal_shuttle", "entrained_air"}, Record(truth));
-  ASSERT_EQ(found.effects.size(), 1u) << Said(found);
-  EXPECT_EQ(found.effects[0].candidate.effect, "piston_leakage");
+  const Identification found =
+      FindAlone({"piston_leakage",
+                 {},
+                 {{"conductance_m3_per_Pas", 4e-14}, {"from_m", 8e-4}, {"edge_m", 1.5e-4}}},
+                {"external_leakage", "seal_shuttle", "entrained_air"});
   EXPECT_NEAR(ValueOf(found, "effects.piston_leakage.from_m"), 8e-4, 3e-4) << Said(found);
 }
 

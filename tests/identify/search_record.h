@@ -135,4 +135,18 @@ inline double ValueOf(const Identification& found, const std::string& name) {
   return std::nan("");
 }
 
+/// What is found where this one is hidden, which is to be found alone, and these are offered too.
+inline Identification FindAlone(const hydraulics::EffectParams& hidden,
+                                std::vector<std::string> offered) {
+  hydraulics::PhsParams truth = OffDeclared();
+  truth.effects.push_back(hidden);
+  offered.push_back(hidden.name);
+  const Identification found = FindAmong(std::move(offered), Record(truth));
+  EXPECT_EQ(found.effects.size(), 1u) << Said(found);
+  if (!found.effects.empty()) {
+    EXPECT_EQ(found.effects[0].candidate.effect, hidden.name);
+  }
+  return found;
+}
+
 }  // namespace phs::identify::search

@@ -66,7 +66,7 @@ class BogieForward final : public RecordForward {
                          std::vector<Channels>* draws) const override;
   Channels NoErrors(Span span) const;  ///< zeros for every output
   /// Other laws than its own that agree where slip, or presliding, is small and where all slides,
-  /// and differ between.
+  /// and differ between; at measured ways also how pistons tremble and where axles find their place.
   Status TheorySpan(const hydraulics::PhsParams& params, Span span,
                     std::vector<Channels>* differences) const override;
   hydraulics::PhsParams OfVehicle(const hydraulics::PhsParams& params, Span span) const;
