@@ -12,7 +12,8 @@ ROWS = {"holdout": "`holdout`", **{each + "_hand": each for each in (
     "first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth", "ninth", "tenth", "eleventh", "twelfth",
     "thirteenth", "fourteenth", "sixteenth", "seventeenth", "eighteenth", "nineteenth", "twentieth")},
     "twentyfirst_hand": "twenty-first", "twentysecond_hand": "twenty-second",
-    "twentythird_hand": "twenty-third", "twentyfifth_hand": "twenty-fifth"}
+    "twentythird_hand": "twenty-third", "twentyfifth_hand": "twenty-fifth",
+    "twentysixth_hand": "twenty-sixth"}
 VERDICTS = ("sufficient", "explained", "not_described", "undecidable")
 
 

@@ -19,19 +19,22 @@ using hydraulics::Walk;
 
 class Shift final : public hydraulics::LevelLaw {
  public:
-  Shift(double level_N, double turn_m_s) : level_N_(level_N), turn_m_s_(turn_m_s) {}
+  Shift(double out_N, double in_N, double turn_m_s)
+      : out_N_(out_N), in_N_(in_N), turn_m_s_(turn_m_s) {}
   void Add(const LevelPlace& place, LevelParts* level) const noexcept override {
-    level->extra += (place.sign > 0 ? level_N_ : -level_N_) * Turned(place.speed, turn_m_s_);
+    level->extra += (place.sign > 0 ? out_N_ : in_N_) * Turned(place.speed, turn_m_s_);
   }
 
  private:
-  double level_N_, turn_m_s_;
+  double out_N_, in_N_, turn_m_s_;  ///< added in extension, in retraction
 };
 
 Status InstallAsymmetricFriction(const EffectParams& effect, Extension* extension) {
   const double d = effect.values.at("level_N"), e = effect.values.at("viscous_Ns_per_m");
   for (int i : TargetCylinders(effect, extension->params())) {
-    extension->AddLevel(i, std::make_unique<Shift>(d, effect.values.at("turn_m_s")));
+    const bool one_way = effect.values.at("one_way") != 0;
+    const double out = one_way ? std::max(d, 0.0) : d, in = one_way ? std::max(-d, 0.0) : -d;
+    extension->AddLevel(i, std::make_unique<Shift>(out, in, effect.values.at("turn_m_s")));
     if (e != 0) {
       extension->AddForce(i,
                           std::make_unique<ViscousForce>(std::max(e, 0.0), std::max(-e, 0.0), 1));
@@ -51,6 +54,8 @@ const EffectInfo& AsymmetricFrictionInfo() {
       {
           {"level_N", "N", 100, -1e6, 1e6, -2000, 2000, "d"},
           {"viscous_Ns_per_m", "N s/m", 0, -1e8, 1e8, -2e5, 2e5, "e"},
+          {"one_way", "-", 0, 0, 1, 0, 1,
+           "1: d in extension alone, where it is below 0 as much more in retraction alone"},
           kTurn,
       },
       InstallAsymmetricFriction,
@@ -58,7 +63,8 @@ const EffectInfo& AsymmetricFrictionInfo() {
           .rig =
               {
                   {.free = {{"level_N", 0}}, .held = {{"viscous_Ns_per_m", 0}}},
-                  // A wiper that scrapes one way.
+                  // A lip that turns over and scrapes one way, a wiper that does.
+                  {.free = {{"level_N", 0}}, .held = {{"viscous_Ns_per_m", 0}, {"one_way", 1}}},
                   {.free = {{"viscous_Ns_per_m", 0}}, .held = {{"level_N", 0}}},
               },
           .bench =

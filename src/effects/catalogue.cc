@@ -29,6 +29,7 @@
 #include "effects/reservoir_drag.h"
 #include "effects/seal_friction.h"
 #include "effects/seal_shuttle.h"
+#include "effects/sensor_clock.h"
 #include "effects/sensor_creep.h"
 #include "effects/sensor_crosstalk.h"
 #include "effects/sensor_delay.h"
@@ -36,6 +37,7 @@
 #include "effects/sensor_gain.h"
 #include "effects/sensor_hysteresis.h"
 #include "effects/sensor_offset.h"
+#include "effects/sensor_saturation.h"
 #include "effects/sensor_slew.h"
 #include "effects/snap_through.h"
 #include "effects/stribeck.h"
@@ -67,7 +69,8 @@ class Table final : public hydraulics::EffectTable {
                  BacklashInfo(), MountComplianceInfo(), BushViscoelasticInfo(),
                  // instrument
                  SensorOffsetInfo(), SensorDriftInfo(), SensorDelayInfo(), SensorGainInfo(),
-                 SensorCreepInfo(), SensorHysteresisInfo(), SensorSlewInfo(), SensorCrosstalkInfo(),
+                 SensorCreepInfo(), SensorHysteresisInfo(), SensorSlewInfo(),
+                 SensorSaturationInfo(), SensorCrosstalkInfo(), SensorClockInfo(),
                  // environment
                  TemperatureDriftInfo(),
                  // a part on a bench

@@ -63,8 +63,9 @@ Status InstallEntrainedAir(const EffectParams& effect, Extension* extension) {
     const Solution solution{effect.values.at("saturation_Pa"), hydraulics::kAtmosphere};
     const double time = effect.values.at("dissolving_time_s");
     if (time > 0 && solution.Dissolves()) {
-      extension->AddVolume(line, std::make_unique<LaggingAir>(
-                                     bubble, solution, LagTimes{time, time}, l.static_pressure_Pa));
+      const LagTimes times{time * effect.values.at("release_ratio"), time};
+      extension->AddVolume(
+          line, std::make_unique<LaggingAir>(bubble, solution, times, l.static_pressure_Pa));
     } else {
       extension->AddVolume(line,
                            std::make_unique<AirVolume>(bubble, solution, l.static_pressure_Pa));
@@ -85,9 +86,11 @@ const EffectInfo& EntrainedAirInfo() {
       {
           {"air_fraction", "-", 0.005, 0, 0.5, 1e-4, 0.2,
            "air at atmospheric pressure per oil volume"},
-          {"polytropic_exponent", "-", 1.0, 0.9, 1.7, 1, 1.4, "n"},
+          {"polytropic_exponent", "-", 1.0, 0.9, 1.8, 1, 1.7, "n"},
           {"saturation_Pa", "Pa", 0, 0, 1e9, 0, 3e7, "all air dissolved above; 0 = never"},
           {"dissolving_time_s", "s", 0, 0, 1e6, 0, 60, "lag of dissolving; 0 = at once"},
+          {"release_ratio", "-", 1, 1e-3, 1e3, 0.05, 20,
+           "lag with which it comes out over that of dissolving"},
           {"rod_ratio", "-", 1, 1e-3, 1e3, 0.2, 5, "air of rod lines over that of bore lines"},
       },
       InstallEntrainedAir,
@@ -114,6 +117,7 @@ const EffectInfo& EntrainedAirInfo() {
                   {.free = {{"saturation_Pa", 4e6, 1e7, 2}}},
                   {.free = {{"polytropic_exponent", 1.1}}},
                   {.free = {{"dissolving_time_s", 0.3, 2, 2}}, .with = "saturation_Pa"},
+                  {.free = {{"release_ratio", 0.4, 2.5, 2}}, .with = "dissolving_time_s"},
               },
           .over = {"m3", "p"},
       }};

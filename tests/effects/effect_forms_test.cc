@@ -154,6 +154,28 @@ TEST(EffectForms, AirDissolvesByHenrysLawAndLags) {
   EXPECT_GT(first, 1.01 * p);
 }
 
+// Back at x = 0 the line is short of air, V (s0/p0 - s/p) + C (p - p0) = 0, which comes out again:
+// ds/dt = (s_e(p) - s)/(r tau).
+TEST(EffectForms, AirComesOutAgainWithATimeOfItsOwn) {
+  const double a = 0.02, ps = 8e6, tau = 0.5, r = 0.3;
+  const PhsParams params = OilWith("entrained_air", {{"air_fraction", a},
+                                                     {"saturation_Pa", ps},
+                                                     {"dissolving_time_s", tau},
+                                                     {"release_ratio", r}});
+  const auto& l = params.lines[0];
+  const double p0 = l.static_pressure_Pa, V = a * l.oil_volume_m3 * kAtmosphere;
+  const double C = l.oil_volume_m3 / l.bulk_modulus_Pa;
+  const auto equilibrium = [&](double p) { return 1 - (p - kAtmosphere) / (ps - kAtmosphere); };
+  const auto free = [&](double p) { return p * (equilibrium(p0) / p0 + C * (p - p0) / V); };
+  const PhsSystem s = Compile(params);
+  const auto push = [](double t) { return t < 4 ? 2e-4 : 0; };
+  const double dt = 0.01, before = Drive(s, 4.05, 1e-3, push).p_rod;
+  const double after = Drive(s, 4.05 + dt, 1e-3, push).p_rod, middle = 0.5 * (before + after);
+  const double short_of = equilibrium(middle) - free(middle);
+  EXPECT_GT(short_of, 0.01);
+  EXPECT_NEAR((free(after) - free(before)) / dt, short_of / (r * tau), 0.02 * short_of / (r * tau));
+}
+
 TEST(EffectForms, LeakThroughGapOrificeAndWideningGap) {
   double slope;
   for (double n : {0.5, 1.0, 1.7}) {

@@ -158,6 +158,7 @@ TEST(EnergyOfForms, WorkIsStoredPlusLost) {
        {{"air_fraction", 0.02},
         {"saturation_Pa", 6e6},
         {"dissolving_time_s", 0.4},
+        {"release_ratio", 0.3},
         {"polytropic_exponent", 1.3}}},
       {"gas_thermal", {{"heat_capacity_ratio", 5}, {"rod_ratio", 0.5}, {"accumulator_ratio", 3}}},
       {"gas_thermal", {{"heat_capacity_ratio", 5}, {"real_gas", 1}}},
@@ -192,6 +193,7 @@ TEST(EnergyOfForms, WorkIsStoredPlusLost) {
       {"viscous_friction", {{"exponent", 2}}},
       {"pressure_friction", {{"turn_m_s", 1e-3}}},
       {"asymmetric_friction", {{"turn_m_s", 1e-3}}},
+      {"asymmetric_friction", {{"level_N", -300}, {"one_way", 1}}},
       {"throttle",
        {{"laminar_Pas_per_m3", 2e9}, {"turbulent_Pas2_per_m6", 3e14}, {"relief_Pa", 3e4}}},
   };

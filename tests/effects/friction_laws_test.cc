@@ -276,6 +276,16 @@ TEST(AsymmetricFriction, ShiftsLevelsApart) {
   EXPECT_NEAR(Sliding(with, -0.01) - Sliding(p, -0.01), 150, 1e-6);
 }
 
+TEST(AsymmetricFriction, OneWayAloneScrapesWhereItsLevelPoints) {
+  const PhsParams p = Quarter();
+  for (const double d : {150.0, -150.0}) {
+    const PhsParams with = With(p, "asymmetric_friction", {{"level_N", d}, {"one_way", 1}});
+    for (const double v : {0.01, -0.01}) {
+      EXPECT_NEAR(Sliding(with, v) - Sliding(p, v), v * d > 0 ? d : 0, 1e-6) << d << " " << v;
+    }
+  }
+}
+
 TEST(SealFriction, MultipliesTheLevelInBothDirections) {
   const PhsParams p = Quarter();
   const PhsParams with = With(p, "seal_friction", {{"factor", 3}});

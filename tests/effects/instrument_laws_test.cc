@@ -282,5 +282,64 @@ TEST(Instruments, LagsAndGainsComeBeforeErrorsWhateverTheirOrder) {
   EXPECT_EQ(shown[2], plain[2]);
 }
 
+/// Solomon 1974: between two samples the mean of R tanh(behind/(R tau)) at both, to (h/tau)²/12.
+TEST(Instruments, AnAmplifierRunsIntoItsRateLittleByLittle) {
+  const PhsParams p = Quarter();
+  const auto plain = Shown(p);
+  double fastest = 0;
+  for (size_t i = 1; i < plain[1].size(); ++i) {
+    fastest = std::max(fastest, std::abs(plain[1][i] - plain[1][i - 1]) / 0.01);
+  }
+  for (const double R : {0.5 * fastest, 5 * fastest}) {
+    const double tau = 0.1;
+    const auto shown = Shown(With(p, "sensor_slew", {{"load_N_per_s", R}, {"time_s", tau}}));
+    const auto rate = [&](size_t i) {
+      return R * std::tanh((plain[1][i] - shown[1][i]) / (R * tau));
+    };
+    for (size_t i = 1; i < plain[1].size(); ++i) {
+      EXPECT_NEAR((shown[1][i] - shown[1][i - 1]) / 0.01, 0.5 * (rate(i - 1) + rate(i)), 3e-3 * R);
+    }
+  }
+  const auto lag = Shown(With(p, "sensor_slew", {{"load_N_per_s", 1e11}, {"time_s", 0.02}}));
+  const auto filter = Shown(With(p, "sensor_delay", {{"load_s", 0.02}, {"poles", 1}}));
+  for (size_t i = 0; i < lag[1].size(); ++i) EXPECT_NEAR(lag[1][i], filter[1][i], 1e-3 * 1e4);
+}
+
+/// Rapp 1991: at L itself 2^(-1/n) of it; small signals as they are, large ones L, either way.
+TEST(Instruments, AnAmplifierSaturatesAtTheEndOfItsRange) {
+  const PhsParams p = Quarter();
+  const auto plain = Shown(p);
+  const double L = 0.5 * *std::max_element(plain[1].begin(), plain[1].end()), n = 6;
+  const auto shown = Shown(With(p, "sensor_saturation", {{"load_N", L}, {"sharpness", n}}));
+  size_t beyond = 0;
+  for (size_t i = 0; i < plain[1].size(); ++i) {
+    const double x = plain[1][i];
+    EXPECT_NEAR(shown[1][i], x / std::pow(1 + std::pow(std::abs(x) / L, n), 1 / n), 1e-9 * L) << i;
+    EXPECT_LT(std::abs(shown[1][i]), L);
+    beyond += std::abs(x) > L;
+  }
+  EXPECT_GT(beyond, 0u);
+  EXPECT_EQ(shown[2], plain[2]);
+  const auto hard = Shown(With(p, "sensor_saturation", {{"p_rod_Pa", 2.1e6}, {"sharpness", 900}}));
+  for (size_t i = 0; i < plain[3].size(); ++i) {
+    EXPECT_NEAR(hard[3][i], std::min(plain[3][i], 2.1e6), 2e3) << "a converter that clips";
+  }
+}
+
+/// A clock that runs too fast by a hundredth: after i samples it shows what was i/100 samples ago.
+TEST(Instruments, ACardWithAClockOfItsOwnComesEverLater) {
+  const PhsParams p = Quarter();
+  const auto plain = Shown(p);
+  const auto fast = Shown(With(p, "sensor_clock", {{"p_rod", 0.01}}));
+  EXPECT_NEAR(fast[3][100], plain[3][99], 1e-6);
+  EXPECT_NEAR(fast[3][350], 0.5 * (plain[3][346] + plain[3][347]), 1e-6);
+  EXPECT_EQ(fast[1], plain[1]);
+  const auto slow = Shown(With(p, "sensor_clock", {{"all", -0.02}, {"load", 0.02}}));
+  EXPECT_NEAR(slow[0][200], plain[0][204], 1e-15);
+  EXPECT_NEAR(slow[2][100], plain[2][102], 1e-6);
+  EXPECT_EQ(slow[2].back(), plain[2].back()) << "nothing is known beyond the record";
+  EXPECT_EQ(slow[1], plain[1]) << "the load cell's card is right";
+}
+
 }  // namespace
 }  // namespace phs::effects

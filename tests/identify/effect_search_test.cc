@@ -84,6 +84,15 @@ TEST(EffectSearchTest, AFrictionThatPressureRaisesIsNoneOfThePosition) {
   EXPECT_NEAR(ValueOf(found, "effects.pressure_friction.rod_1_per_Pa"), 1.5e-7, 0.4e-7);
 }
 
+// A lip that scrapes one way over a speed of its own: it was a viscous friction of one direction.
+TEST(EffectSearchTest, FindsALipThatScrapesOneWay) {
+  const Identification found = FindAlone(
+      {"asymmetric_friction", {}, {{"level_N", -400}, {"turn_m_s", 4e-3}, {"one_way", 1}}},
+      {"viscous_friction", "stribeck", "dwell_friction"});
+  EXPECT_NEAR(ValueOf(found, "effects.asymmetric_friction.level_N"), -400, 30) << Said(found);
+  EXPECT_NEAR(ValueOf(found, "effects.asymmetric_friction.turn_m_s") / 4e-3, 1, 0.2);
+}
+
 TEST(EffectSearchTest, FindsALeakThatOpensInTheRecord) {
   hydraulics::PhsParams truth = OffDeclared();
   truth.effects.push_back(
@@ -105,22 +114,6 @@ TEST(EffectSearchTest, FindsADriftThatBeginsInTheRecord) {
   EXPECT_NEAR(ValueOf(found, "effects.sensor_drift.start_s"), 22, 0.3);
 }
 
-TEST(EffectSearchTest, FindsAGaugeThatIsKnockedInTheRecord) {
-  const Identification found =
-      FindAlone({"sensor_offset", {}, {{"p_rod_Pa", 9e4}, {"start_s", 17.3}}},
-                {"sensor_drift", "sensor_gain", "sensor_creep"});
-  EXPECT_NEAR(ValueOf(found, "effects.sensor_offset.p_rod_Pa"), 9e4, 2e3);
-  EXPECT_NEAR(ValueOf(found, "effects.sensor_offset.start_s"), 17.3, 0.3);
-}
-
-TEST(EffectSearchTest, FindsAGaugeWhoseMembraneRubs) {
-  const Identification found =
-      FindAlone({"sensor_hysteresis", {}, {{"p_rod", 0.03}, {"width_Pa", 2e6}}},
-                {"sensor_creep", "sensor_gain", "sensor_delay"});
-  EXPECT_NEAR(ValueOf(found, "effects.sensor_hysteresis.p_rod"), 0.03, 3e-3);
-  EXPECT_NEAR(ValueOf(found, "effects.sensor_hysteresis.width_Pa"), 2e6, 3e5);
-}
-
 TEST(EffectSearchTest, FindsASealThatItsOwnSlidingWarms) {
   const Identification found = FindAlone(
       {"temperature_friction", {}, {{"slope_1_per_K", 0}, {"slid_1_per_m", 10}, {"cooling_s", 16}}},
@@ -137,42 +130,6 @@ TEST(EffectSearchTest, FindsAHeaterThatCycles) {
                 {"external_leakage", "gas_thermal", "sensor_drift"});
   EXPECT_NEAR(ValueOf(found, "effects.temperature_drift.period_s"), 33, 1);
   EXPECT_NEAR(ValueOf(found, "effects.temperature_drift.cosine_K"), -0.4, 0.04);
-}
-
-TEST(EffectSearchTest, FindsThatBothPressuresReadLow) {
-  // Gauge sensors at altitude: both lack as much of the atmosphere, 88 kPa here.
-  hydraulics::PhsParams truth = OffDeclared();
-  truth.effects.push_back({"sensor_offset", {}, {{"p_bore_Pa", -8.8e4}, {"p_rod_Pa", -8.8e4}}});
-  const Identification found = Find(Declared(), Record(truth));
-  ASSERT_EQ(found.effects.size(), 1u);
-  EXPECT_EQ(found.effects[0].candidate.effect, "sensor_offset");
-  EXPECT_NEAR(ValueOf(found, "effects.sensor_offset.p_bore_Pa"), -8.8e4, 3e3);
-  EXPECT_NEAR(ValueOf(found, "effects.sensor_offset.p_rod_Pa"), -8.8e4, 3e3);
-}
-
-/// A wrong bridge or a wrong constant: no force that the cylinder gives.
-TEST(EffectSearchTest, ALoadCellThatShowsHalfAsMuchAgainIsItsGain) {
-  measurement::FitData record = Record(OffDeclared());
-  for (measurement::MeasuredChannel& channel : record.outputs) {
-    if (channel.name != "load_cell_N") continue;
-    for (double& y : channel.values) y *= 1.5;
-    channel.noise *= 1.5;
-  }
-  const Identification found = Find(Declared(), record);
-  ASSERT_EQ(found.effects.size(), 1u) << Said(found);
-  EXPECT_EQ(found.effects[0].candidate.effect, "sensor_gain");
-  EXPECT_NEAR(ValueOf(found, "effects.sensor_gain.load"), 1.5, 0.01);
-}
-
-// Its reading in compression was called a force over a pressure, which has that sign, too.
-TEST(EffectSearchTest, FindsALoadCellThatShowsMoreInTensionAlone) {
-  hydraulics::PhsParams truth = OffDeclared();
-  truth.effects.push_back({"sensor_gain", {}, {{"load", 1.07}, {"load_compression", 1 / 1.07}}});
-  const Identification found = Find(Declared(), Record(truth));
-  ASSERT_EQ(found.effects.size(), 1u) << Said(found);
-  EXPECT_EQ(found.effects[0].candidate.effect, "sensor_gain");
-  EXPECT_NEAR(ValueOf(found, "effects.sensor_gain.load"), 1.07, 0.005);
-  EXPECT_NEAR(ValueOf(found, "effects.sensor_gain.load_compression"), 1 / 1.07, 0.005);
 }
 
 /// A formula counts, too, and gets no listed name where nothing was to be added.
@@ -197,44 +154,6 @@ TEST(EffectSearchTest, FindsAWeakLeakBesideAPistonThatSticks) {
   std::set<std::string> names;
   for (const AcceptedEffect& effect : found.effects) names.insert(effect.candidate.effect);
   EXPECT_EQ(names, (std::set<std::string>{"presliding", "external_leakage"}));
-}
-
-// Beside delays, creep and a loop.
-TEST(EffectSearchTest, FindsAnAmplifierThatCannotFollow) {
-  hydraulics::PhsParams truth = OffDeclared();
-  truth.effects.push_back({"sensor_slew", {}, {{"load_N_per_s", 4e4}}});
-  const Identification found =
-      FindAmong({"sensor_slew", "sensor_delay", "sensor_creep", "sensor_hysteresis", "stribeck"},
-                Record(truth));
-  ASSERT_EQ(found.effects.size(), 1u) << Said(found);
-  EXPECT_EQ(found.effects[0].candidate.effect, "sensor_slew");
-  EXPECT_NEAR(ValueOf(found, "effects.sensor_slew.load_N_per_s") / 4e4, 1, 0.03) << Said(found);
-}
-
-// A gauge on a tube with a bubble in it rings; beside delays, creep and a loop.
-TEST(EffectSearchTest, FindsAGaugeThatRings) {
-  hydraulics::PhsParams truth = OffDeclared();
-  truth.effects.push_back({"sensor_delay", {}, {{"p_rod_s", 0.03}, {"damping", 0.15}}});
-  const Identification found = FindAmong(
-      {"sensor_slew", "sensor_delay", "sensor_creep", "sensor_hysteresis", "line_inertance"},
-      Record(truth));
-  ASSERT_EQ(found.effects.size(), 1u) << Said(found);
-  EXPECT_EQ(found.effects[0].candidate.effect, "sensor_delay");
-  EXPECT_NEAR(ValueOf(found, "effects.sensor_delay.p_rod_s") / 0.03, 1, 0.03) << Said(found);
-  EXPECT_NEAR(ValueOf(found, "effects.sensor_delay.damping") / 0.15, 1, 0.1) << Said(found);
-}
-
-// A damp plug: what is quick in the other gauge. Beside a gain, creep, a loop and the seal's ring.
-TEST(EffectSearchTest, FindsAGaugeThatPicksUpTheOther) {
-  hydraulics::PhsParams truth = OffDeclared();
-  truth.effects.push_back({"sensor_crosstalk", {}, {{"p_rod_of_p_bore", 0.04}, {"time_s", 0.6}}});
-  const Identification found = FindAmong(
-      {"sensor_crosstalk", "sensor_gain", "sensor_creep", "sensor_hysteresis", "seal_shuttle"},
-      Record(truth));
-  ASSERT_EQ(found.effects.size(), 1u) << Said(found);
-  EXPECT_EQ(found.effects[0].candidate.effect, "sensor_crosstalk");
-  EXPECT_NEAR(ValueOf(found, "effects.sensor_crosstalk.p_rod_of_p_bore") / 0.04, 1, 0.1);
-  EXPECT_NEAR(ValueOf(found, "effects.sensor_crosstalk.time_s") / 0.6, 1, 0.15) << Said(found);
 }
 
 // A hall door that opens: what is warm cools again, and does not run away beyond the window.

@@ -253,5 +253,21 @@ TEST(OilSearchTest, FindsGasThatHoldsItsHeatLongerWhenItIsDense) {
   EXPECT_NEAR(ValueOf(found, "effects.gas_thermal.density_exponent"), -0.67, 0.15);
 }
 
+// Bubbles so fast that they are adiabatic, out of solution sooner than into it: another hand's record
+// of such ended as gas that warms, as no exponent beyond 1.4 was plausible and none of less was told.
+TEST(OilSearchTest, FindsAirThatComesOutSoonerThanItDissolves) {
+  const Identification found = FindAlone({"entrained_air",
+                                          {"L2"},
+                                          {{"air_fraction", 0.02},
+                                           {"saturation_Pa", 8.6e6},
+                                           {"polytropic_exponent", 1.38},
+                                           {"dissolving_time_s", 3},
+                                           {"release_ratio", 0.4}}},
+                                         {"gas_thermal", "hose_expansion", "cavitation"});
+  const double n = ValueOf(found, "effects.entrained_air.polytropic_exponent");
+  EXPECT_NEAR(n, 1.38, 0.1) << Said(found);
+  EXPECT_NEAR(ValueOf(found, "effects.entrained_air.release_ratio"), 0.4, 0.1) << Said(found);
+}
+
 }  // namespace
 }  // namespace phs::identify::search

@@ -77,14 +77,14 @@ Candidate OfWave(int wave, double start) {
 }
 
 /// A candidate that was tried, and the amount that its coarse fit found.
-struct Tried {
+struct Screened {
   std::string effect;
   double fitted = 0;
 };
 
 /// What is tried of `list`, best first, of a record with a wave of 12 that does `amount`^`power`.
-std::vector<Tried> TriedOf(double power, double amount, const std::vector<Candidate>& list,
-                           const Effort& effort) {
+std::vector<Screened> TriedOf(double power, double amount, const std::vector<Candidate>& list,
+                              const Effort& effort) {
   const auto forward = std::make_shared<const Waves>(power, kDecoys, amount);
   const PhsParams declared = phs_model::FindPhsParams("quarter_setup2").value();
   const auto problem = FitProblem::Create(forward, declared);
@@ -92,7 +92,7 @@ std::vector<Tried> TriedOf(double power, double amount, const std::vector<Candid
   const FitResult fit =
       FitNear(problem.value(), model, {1.0}, {}, {.max_steps = 10, .final_slopes = true});
   const auto points = PointsAbout(problem.value(), model, fit, 1, false);
-  std::vector<Tried> out;
+  std::vector<Screened> out;
   for (const Trial& trial : ScreenCandidates(problem.value(), model, points, list, effort,
                                              [](double) { return true; })) {
     out.push_back({trial.candidate->effect, trial.coarse.values.back()});
@@ -108,7 +108,7 @@ std::string FirstOf(double power, double amount, double start, double* fitted) {
   list.push_back(OfWave(kDecoys, start));
   Effort effort;
   effort.stepped = 3, effort.coarse_fits = 1;
-  const Tried first = TriedOf(power, amount, list, effort).front();
+  const Screened first = TriedOf(power, amount, list, effort).front();
   *fitted = first.fitted;
   return first.effect;
 }
@@ -181,7 +181,7 @@ TEST(Screening, AStiffnessIsMovedTheOtherWay) {  // what it does falls with its 
 TEST(Screening, WhatCannotPayForItsNumberIsNotTried) {
   std::vector<Candidate> list = {OfWave(kDecoys, 1e-16)};
   for (int k = 1; k <= 5; ++k) list.push_back(OfWave(kDecoys + k, 1e-16));
-  const std::vector<Tried> tried = TriedOf(1, 2e-16, list, {});
+  const std::vector<Screened> tried = TriedOf(1, 2e-16, list, {});
   ASSERT_EQ(tried.size(), 1u);
   EXPECT_EQ(tried[0].effect, "wave 12");
   EXPECT_NEAR(tried[0].fitted, 2e-16, 1e-17);
