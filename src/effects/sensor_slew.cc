@@ -30,13 +30,14 @@ class Slew final : public hydraulics::ReadingLaw {
 };
 
 /// Little by little into its limit. Runge and Kutta's fourth order where u is straight between
-/// samples, in steps of at most half of tau.
+/// samples, in steps of at most half of tau; with a tau that no sample sees, at once.
 class SoftSlew final : public hydraulics::ReadingLaw {
  public:
   SoftSlew(double rate, double time) : rate_(rate), time_(time) {}
   void Lag(double step, std::vector<double>* values) const override {
     constexpr double kMostSteps = 100;
-    const double parts = std::clamp(std::ceil(2 * step / time_), 1.0, kMostSteps);
+    const double parts = std::max(std::ceil(2 * step / time_), 1.0);
+    if (parts > kMostSteps) return Slew(rate_).Lag(step, values);
     const double h = step / parts;
     double before = values->empty() ? 0 : values->front(), behind = 0;  // true less shown
     for (double& u : *values) {

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <string>
 #include <vector>
 
 #include "rigs/rig_model.h"
@@ -303,6 +305,10 @@ TEST(Instruments, AnAmplifierRunsIntoItsRateLittleByLittle) {
   const auto lag = Shown(With(p, "sensor_slew", {{"load_N_per_s", 1e11}, {"time_s", 0.02}}));
   const auto filter = Shown(With(p, "sensor_delay", {{"load_s", 0.02}, {"poles", 1}}));
   for (size_t i = 0; i < lag[1].size(); ++i) EXPECT_NEAR(lag[1][i], filter[1][i], 1e-3 * 1e4);
+  const std::map<std::string, double> hard = {{"load_N_per_s", 0.5 * fastest}};
+  auto soft = hard;
+  soft["time_s"] = 1e-6;
+  EXPECT_EQ(Shown(With(p, "sensor_slew", soft)), Shown(With(p, "sensor_slew", hard)));
 }
 
 /// Rapp 1991: at L itself 2^(-1/n) of it; small signals as they are, large ones L, either way.
