@@ -308,7 +308,11 @@ TEST(Instruments, AnAmplifierRunsIntoItsRateLittleByLittle) {
   const std::map<std::string, double> hard = {{"load_N_per_s", 0.5 * fastest}};
   auto soft = hard;
   soft["time_s"] = 1e-6;
-  EXPECT_EQ(Shown(With(p, "sensor_slew", soft)), Shown(With(p, "sensor_slew", hard)));
+  const auto at_once = Shown(With(p, "sensor_slew", hard))[1];
+  const auto nearly = Shown(With(p, "sensor_slew", soft))[1];
+  for (size_t i = 0; i < at_once.size(); ++i) {
+    EXPECT_NEAR(nearly[i], at_once[i], 0.25 * 0.01 * fastest) << i << ": a part of a step";
+  }
 }
 
 /// Rapp 1991: at L itself 2^(-1/n) of it; small signals as they are, large ones L, either way.
