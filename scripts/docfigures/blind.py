@@ -13,7 +13,8 @@ ROWS = {"holdout": "`holdout`", **{each + "_hand": each for each in (
     "thirteenth", "fourteenth", "sixteenth", "seventeenth", "eighteenth", "nineteenth", "twentieth")},
     "twentyfirst_hand": "twenty-first", "twentysecond_hand": "twenty-second",
     "twentythird_hand": "twenty-third", "twentyfifth_hand": "twenty-fifth",
-    "twentysixth_hand": "twenty-sixth"}
+    "twentysixth_hand": "twenty-sixth",
+    "twentyseventh_hand": "twenty-seventh"}
 VERDICTS = ("sufficient", "explained", "not_described", "undecidable")
 
 
