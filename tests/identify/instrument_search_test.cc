@@ -125,7 +125,7 @@ TEST(InstrumentSearchTest, FindsPressuresOfACardWhoseClockIsFast) {
   EXPECT_NEAR(ValueOf(found, "effects.sensor_clock.p_rod"), 6e-5, 3e-6) << Said(found);
 }
 
-// The actuator's logger runs slow: every channel comes ever later.
+// The actuator's logger is the faster one: every channel comes ever earlier.
 TEST(InstrumentSearchTest, FindsThatTheActuatorHasAnotherClock) {
   const Identification found = FindAlone({"sensor_clock", {}, {{"all", -8e-5}}},
                                          {"sensor_delay", "backlash", "mount_compliance"});

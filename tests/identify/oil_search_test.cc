@@ -254,7 +254,8 @@ TEST(OilSearchTest, FindsGasThatHoldsItsHeatLongerWhenItIsDense) {
 }
 
 // Bubbles so fast that they are adiabatic, out of solution sooner than into it: another hand's record
-// of such ended as gas that warms, as no exponent beyond 1.4 was plausible and none of less was told.
+// of such ended as gas that warms: the exponent had ended at 1.4, the most that was plausible, and
+// was left out.
 TEST(OilSearchTest, FindsAirThatComesOutSoonerThanItDissolves) {
   const Identification found = FindAlone({"entrained_air",
                                           {"L2"},
