@@ -17,6 +17,7 @@
 #include "effects/line_inertance.h"
 #include "effects/line_resistance.h"
 #include "effects/load_flexibility.h"
+#include "effects/makeup_valve.h"
 #include "effects/mount_compliance.h"
 #include "effects/moving_mass.h"
 #include "effects/oil_stiffening.h"
@@ -39,6 +40,7 @@
 #include "effects/sensor_offset.h"
 #include "effects/sensor_saturation.h"
 #include "effects/sensor_slew.h"
+#include "effects/sensor_supply.h"
 #include "effects/snap_through.h"
 #include "effects/stribeck.h"
 #include "effects/temperature_drift.h"
@@ -55,28 +57,29 @@ using hydraulics::EffectInfo;
 class Table final : public hydraulics::EffectTable {
  public:
   Table()
-      : effects_{// hydraulic
-                 PistonLeakageInfo(), ExternalLeakageInfo(), LineResistanceInfo(),
-                 LineInertanceInfo(), CheckRestrictionInfo(), ThrottleInfo(), EntrainedAirInfo(),
-                 HoseExpansionInfo(), GasVolumeInfo(), GasThermalInfo(), GasLossInfo(),
-                 AccumulatorPrechargeInfo(), DiaphragmStopInfo(), CavitationInfo(),
-                 OilStiffeningInfo(), SealShuttleInfo(), SnapThroughInfo(), ReservoirDragInfo(),
-                 // friction
-                 SealFrictionInfo(), StribeckInfo(), PreslidingInfo(), PressureFrictionInfo(),
-                 PositionFrictionInfo(), DwellFrictionInfo(), ViscousFrictionInfo(),
-                 AsymmetricFrictionInfo(), TemperatureFrictionInfo(),
-                 // mounting
-                 BacklashInfo(), MountComplianceInfo(), BushViscoelasticInfo(),
-                 // instrument
-                 SensorOffsetInfo(), SensorDriftInfo(), SensorDelayInfo(), SensorGainInfo(),
-                 SensorCreepInfo(), SensorHysteresisInfo(), SensorSlewInfo(),
-                 SensorSaturationInfo(), SensorCrosstalkInfo(), SensorClockInfo(),
-                 // environment
-                 TemperatureDriftInfo(),
-                 // a part on a bench
-                 PressureAreaInfo(), MovingMassInfo(), LoadFlexibilityInfo(),
-                 // found in data
-                 UnlistedInfo()} {}
+      : effects_{
+            // hydraulic
+            PistonLeakageInfo(), ExternalLeakageInfo(), LineResistanceInfo(), LineInertanceInfo(),
+            CheckRestrictionInfo(), ThrottleInfo(), EntrainedAirInfo(), HoseExpansionInfo(),
+            GasVolumeInfo(), GasThermalInfo(), GasLossInfo(), AccumulatorPrechargeInfo(),
+            DiaphragmStopInfo(), CavitationInfo(), OilStiffeningInfo(), SealShuttleInfo(),
+            SnapThroughInfo(), ReservoirDragInfo(), MakeupValveInfo(),
+            // friction
+            SealFrictionInfo(), StribeckInfo(), PreslidingInfo(), PressureFrictionInfo(),
+            PositionFrictionInfo(), DwellFrictionInfo(), ViscousFrictionInfo(),
+            AsymmetricFrictionInfo(), TemperatureFrictionInfo(),
+            // mounting
+            BacklashInfo(), MountComplianceInfo(), BushViscoelasticInfo(),
+            // instrument
+            SensorOffsetInfo(), SensorDriftInfo(), SensorDelayInfo(), SensorGainInfo(),
+            SensorCreepInfo(), SensorHysteresisInfo(), SensorSlewInfo(), SensorSaturationInfo(),
+            SensorCrosstalkInfo(), SensorClockInfo(), SensorSupplyInfo(),
+            // environment
+            TemperatureDriftInfo(),
+            // a part on a bench
+            PressureAreaInfo(), MovingMassInfo(), LoadFlexibilityInfo(),
+            // found in data
+            UnlistedInfo()} {}
   const std::vector<EffectInfo>& effects() const override { return effects_; }
   const EffectInfo* own() const override { return &OwnLawInfo(); }
 

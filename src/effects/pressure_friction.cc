@@ -25,6 +25,7 @@ class PressedSeal final : public hydraulics::LevelLaw {
         rod_(effect.values.at("rod_N_per_Pa")),
         bore_share_(effect.values.at("bore_1_per_Pa")),
         rod_share_(effect.values.at("rod_1_per_Pa")),
+        larger_share_(effect.values.at("larger_1_per_Pa")),
         difference_(effect.values.at("difference_N_per_Pa")),
         retraction_ratio_(effect.values.at("retraction_ratio")),
         start_Pa_(effect.values.at("start_Pa")),
@@ -43,16 +44,23 @@ class PressedSeal final : public hydraulics::LevelLaw {
     }
     grip *= Turned(place.speed, turn_m_s_);
     level->extra += place.sign > 0 ? grip : retraction_ratio_ * grip;
-    if (bore_share_ == 0 && rod_share_ == 0) return;
-    const double share = bore_share_ * Beyond(bore_rest_, place.at.bore_rise) +
-                         rod_share_ * Beyond(rod_rest_, place.at.rod_rise);
+    if (!PressesCurve()) return;
+    double share = bore_share_ * Beyond(bore_rest_, place.at.bore_rise) +
+                   rod_share_ * Beyond(rod_rest_, place.at.rod_rise);
+    if (larger_share_ != 0) {
+      const double rest = std::max(bore_rest_, rod_rest_);
+      const double larger =
+          std::max(bore_rest_ + place.at.bore_rise, rod_rest_ + place.at.rod_rise);
+      share += larger_share_ * Beyond(rest, larger - rest);
+    }
     level->of_curve *= std::max(1 + (place.sign > 0 ? share : retraction_ratio_ * share), 0.0);
   }
   bool DependsOnPressure() const override {
-    return bore_ != 0 || rod_ != 0 || bore_share_ != 0 || rod_share_ != 0 || difference_ != 0;
+    return bore_ != 0 || rod_ != 0 || difference_ != 0 || PressesCurve();
   }
 
  private:
+  bool PressesCurve() const { return bore_share_ != 0 || rod_share_ != 0 || larger_share_ != 0; }
   /// What of a rise presses the seal: the part above `start_Pa`, absolute, bent by the exponent and
   /// by how flat the lip is pressed.
   double Beyond(double rest, double rise) const {
@@ -66,8 +74,8 @@ class PressedSeal final : public hydraulics::LevelLaw {
     return exponent_ == 1 ? p : kReference * std::pow(p / kReference, exponent_);
   }
 
-  double bore_, rod_, bore_share_, rod_share_, difference_, retraction_ratio_, start_Pa_, exponent_,
-      flat_Pa_, turn_m_s_;
+  double bore_, rod_, bore_share_, rod_share_, larger_share_, difference_, retraction_ratio_,
+      start_Pa_, exponent_, flat_Pa_, turn_m_s_;
   double bore_rest_, rod_rest_, at_rest_;
 };
 
@@ -96,6 +104,8 @@ const EffectInfo& PressureFrictionInfo() {
           {"difference_N_per_Pa", "N/Pa", 0, -1, 1, 0, 1e-2, "k_d"},
           {"bore_1_per_Pa", "1/Pa", 0, -1e-3, 1e-3, 0, 1e-6, "a_bore: of the whole curve"},
           {"rod_1_per_Pa", "1/Pa", 0, -1e-3, 1e-3, 0, 1e-6, "a_rod: of the whole curve"},
+          {"larger_1_per_Pa", "1/Pa", 0, -1e-3, 1e-3, 0, 1e-6,
+           "a_l: of the whole curve, over the larger of the two"},
           {"retraction_ratio", "-", 1, 0, 1e3, 0.05, 20, "of these terms, in retraction"},
           {"exponent", "-", 1, 0.1, 5, 0.3, 3, "n: k p (p/10 MPa)^(n-1), p beyond p_s"},
           {"flat_Pa", "Pa", 0, 0, 1e9, 0, 3e7,
@@ -117,6 +127,8 @@ const EffectInfo& PressureFrictionInfo() {
                   {.free = {{"bore_1_per_Pa", 1e-8}, {"rod_1_per_Pa", 1e-8}},
                    .held = {{"bore_N_per_Pa", 0}, {"rod_N_per_Pa", 0}},
                    .amounts = 2},
+                  {.free = {{"larger_1_per_Pa", 1e-8}},
+                   .held = {{"bore_N_per_Pa", 0}, {"rod_N_per_Pa", 0}}},
               },
           .bench =
               {

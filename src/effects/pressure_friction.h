@@ -8,7 +8,9 @@
 // in retraction (retraction_ratio). What is added turns over a speed of its own (added_friction.h).
 // Friction is a coefficient that knows the speed times what presses the lip, so oil may also press
 // the whole curve: level (1 + a_bore (p_bore - p_bore0) + a_rod (p_rod - p_rod0)), a [1/Pa]
-// (bore_1_per_Pa, rod_1_per_Pa; 1e-7: doubled by 10 MPa), bent likewise.
+// (bore_1_per_Pa, rod_1_per_Pa; 1e-7: doubled by 10 MPa), bent likewise. A ring that sits on the side
+// of the lower pressure is pressed by the larger of the two: level (1 + a_l (max(p_bore, p_rod) - at
+// rest)) (larger_1_per_Pa).
 // On a bench p is the pressure channel and p0 = 0. Dissipative: part of the friction level.
 #pragma once
 

@@ -70,11 +70,12 @@ class Filter final : public hydraulics::ReadingLaw {
 };
 
 /// T² y'' + 2 D T y' + y = u, D < 1, exact where u is straight between samples. Behind a bubble T
-/// goes with the pressure that is shown; over a step it is that of its middle.
+/// goes with the pressure that is shown; over a step it is that of its middle. Of what it rings by
+/// a share is shown.
 class Ringing final : public hydraulics::ReadingLaw {
  public:
-  Ringing(double time_s, double damping, double bubble)
-      : time_(time_s), damping_(damping), bubble_(bubble) {}
+  Ringing(double time_s, double damping, double bubble, double share)
+      : time_(time_s), damping_(damping), bubble_(bubble), share_(share) {}
   void Lag(double step, std::vector<double>* values) const override {
     Swing swing = Over(step, time_);
     double before = values->empty() ? 0 : values->front(), shown = before, rate = 0;
@@ -86,7 +87,7 @@ class Ringing final : public hydraulics::ReadingLaw {
       shown = u - behind + e * (swing.cosine + swing.decay * swing.sine) + de * swing.sine;
       rate = rise - e * swing.sine / (swing.time * swing.time) +
              de * (swing.cosine - swing.decay * swing.sine);
-      before = u, u = shown;
+      before = u, u += share_ * (shown - u);
     }
   }
 
@@ -104,7 +105,7 @@ class Ringing final : public hydraulics::ReadingLaw {
     constexpr double kStatedAt = 2e6, kLeast = 1e4;  // Pa
     return time_ * std::pow(std::max(pressure, kLeast) / kStatedAt, -bubble_);
   }
-  double time_, damping_, bubble_;
+  double time_, damping_, bubble_, share_;
 };
 
 Status InstallSensorDelay(const EffectParams& effect, Extension* extension) {
@@ -122,7 +123,8 @@ Status InstallSensorDelay(const EffectParams& effect, Extension* extension) {
       const bool gauge = sensor == Sensor::kBorePressure || sensor == Sensor::kRodPressure;
       std::unique_ptr<const hydraulics::ReadingLaw> law;
       if (damping > 0) {
-        law = std::make_unique<Ringing>(time, damping, gauge ? effect.values.at("bubble") : 0);
+        law = std::make_unique<Ringing>(time, damping, gauge ? effect.values.at("bubble") : 0,
+                                        effect.values.at("share"));
       } else if (poles > 0) {
         law = std::make_unique<Filter>(time, poles);
       } else {
@@ -152,6 +154,7 @@ const EffectInfo& SensorDelayInfo() {
           {"damping", "-", 0, 0, 0.99, 0.02, 0.8,
            "D of a channel that rings, T = its time: T² y'' + 2 D T y' + y = true; 0: it does not"},
           {"bubble", "-", 0, -2, 2, -0.2, 1, "n of a gauge that rings, T at 2 MPa: T ~ p^-n"},
+          {"share", "-", 1, -10, 10, 0.02, 2, "of what a channel rings by; the rest follows"},
       },
       InstallSensorDelay,
       {
@@ -164,6 +167,7 @@ const EffectInfo& SensorDelayInfo() {
                             {"p_rod_s", 2e-3, 0.02, 2, Walk::kInStep}}},
                   {.free = {{"piston_s", 2e-3, 0.02, 2}}},
                   {.free = {{"load_s", 4e-3, 0.05, 4}, {"damping", 0.3}}},
+                  {.free = {{"load_s", 4e-3, 0.05, 4}, {"damping", 0.1}, {"share", 0.3}}},
                   {.free = {{"p_bore_s", 4e-3, 0.05, 4}, {"damping", 0.3}}},
                   {.free = {{"p_rod_s", 4e-3, 0.05, 4}, {"damping", 0.3}}},
               },

@@ -5,6 +5,8 @@
 // load cell with a mass on it: T² y'' + 2 D T y' + y = u, T = 1/(2 pi f) [s] of its frequency f,
 // D = `damping` below 1; slow signals come late by 2 D T. A bubble is a spring that stiffens with
 // the pressure: T = T(2 MPa) (y/2 MPa)^-n, n = `bubble` (1: it is the only spring, and isothermal).
+// A frame of which a load cell feels one mode only in part shows u + share (y - u); below 0 where
+// the cell and the mode's mass lie on opposite sides of a node.
 // Predicted channels only.
 #pragma once
 

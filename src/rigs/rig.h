@@ -33,9 +33,9 @@ struct RigOptions {
   int substeps = 1;  ///< integration steps per sample (1 … 1000); more where a line rings
   /// Of a ringing line, unless more are asked for; none for one that needs three times as many.
   int most_substeps = 8;
-  BeamParams beam;  ///< full rig only
+  BeamParams beam = {};  ///< full rig only
   /// Further measured channels of the record; null: none.
-  std::shared_ptr<const hydraulics::ExtraSeries> extra;
+  std::shared_ptr<const hydraulics::ExtraSeries> extra = {};
 };
 
 /// What drives the rig: one row per driven actuator, samples at t0 + i step.
@@ -44,12 +44,12 @@ struct RigMotion {
   double step_s = 0;  ///< > 0
   /// [input][sample], as RigModel::input_names(): positions [m]; a driving force [N]; behind the
   /// position given pressures [Pa].
-  std::vector<std::vector<double>> position_m;
-  std::vector<std::vector<double>> speed_m_s;  ///< same shape; empty: central differences
+  std::vector<std::vector<double>> position_m = {};
+  std::vector<std::vector<double>> speed_m_s = {};  ///< same shape; empty: central differences
   /// Same shape [m/s2]; empty: central differences of the speed, which take sin(w T)/(w T) of it.
-  std::vector<std::vector<double>> acceleration_m_s2;
-  std::vector<double> pressure_Pa;    ///< element rig: side channel; else empty
-  std::vector<double> temperature_K;  ///< element rig: side channel; else empty
+  std::vector<std::vector<double>> acceleration_m_s2 = {};
+  std::vector<double> pressure_Pa = {};    ///< element rig: side channel; else empty
+  std::vector<double> temperature_K = {};  ///< element rig: side channel; else empty
   int num_samples() const {
     return position_m.empty() ? 0 : static_cast<int>(position_m[0].size());
   }

@@ -157,6 +157,26 @@ TEST(PressureFriction, MayBeginAtAPressure) {
   }
 }
 
+// The larger of the two presses, whichever that is; at rest that is the rod's.
+TEST(PressureFriction, ARingIsPressedByTheLargerOfThePressures) {
+  const PhsParams p = Quarter();
+  const double bore = 1.8e6, rod = p.lines[0].static_pressure_Pa, a = 1e-7;
+  ASSERT_GT(rod, bore);
+  const PhsSystem plain = Compile(p);
+  const PhsSystem ring = Compile(With(
+      p, "pressure_friction", {{"bore_N_per_Pa", 0}, {"rod_N_per_Pa", 0}, {"larger_1_per_Pa", a}}));
+  for (const auto& [p_bore, p_rod] :
+       {std::pair{bore, rod}, {9e6, 1e6}, {1e6, 7e6}, {1.9e6, 0.5e6}, {4e6, 4e6}}) {
+    hydraulics::FrictionPlace place;
+    place.bore_rise = p_bore - bore, place.rod_rise = p_rod - rod;
+    for (const int sign : {1, -1}) {
+      EXPECT_NEAR(
+          ring.friction(0).Level(sign, 0.01, place) / plain.friction(0).Level(sign, 0.01, place),
+          1 + a * (std::max(p_bore, p_rod) - rod), 1e-9);
+    }
+  }
+}
+
 /// Added friction turns over a speed of its own, in both effects that have one.
 TEST(AddedFriction, MayTurnOverASpeedOfItsOwn) {
   const PhsParams p = Quarter();

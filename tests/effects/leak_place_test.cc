@@ -1,4 +1,4 @@
-// Leaks that have a place in the stroke, and films that the rod carries out.
+// Leaks that have a place in the stroke, films that the rod carries out, valves that feed a line.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -46,6 +46,35 @@ TEST(LeakPlace, AFilmIsCarriedOutWithEachStroke) {
   EXPECT_NEAR(carried(out, 0) / (3e-3 * out), 1, 1e-3);
   EXPECT_NEAR(carried(0, in) / (-3e-3 * in), 1, 1e-3);
   EXPECT_NEAR(carried(out, in) / (3e-3 * (out - in)), 1, 1e-3);
+}
+
+// Below its opening it feeds by q = G d (d/5 MPa)^(n-1), above it does nothing.
+TEST(MakeupValve, FeedsItsLineBelowItsOpening) {
+  const double G = 2e-14, time = 1e-3;
+  for (const double n : {0.5, 1.0, 1.7}) {
+    for (const double opening : {2.3e6, 1.5e6, 4e6}) {  // the bore line is filled to 1.8 MPa
+      const PhsSystem s = Compile(
+          With(Frictionless(), "makeup_valve",
+               {{"conductance_m3_per_Pas", G}, {"opening_Pa", opening}, {"exponent", n}}, {"L2"}));
+      const double d = std::max(opening - 1.8e6, 0.0);
+      const double fed = d > 0 ? G * d * std::pow(d / 5e6, n - 1) * time : 0;
+      EXPECT_NEAR(-Hold(s, 0, time, time / 10).state[0], fed, 1e-4 * fed) << n << " " << opening;
+    }
+  }
+}
+
+// A chamber that is pulled out is filled up to the opening, and what came in does not go again.
+TEST(MakeupValve, FillsUpToItsOpeningAndLetsNothingOut) {
+  const PhsSystem s =
+      Compile(With(Frictionless(), "makeup_valve",
+                   {{"conductance_m3_per_Pas", 1e-9}, {"opening_Pa", 1.2e6}}, {"L2"}));
+  const double out = 4e-3;
+  EXPECT_LT(Hold(Compile(Frictionless()), out, 1).p_bore, 1.1e6);
+  const Held filled = Hold(s, out, 1);
+  EXPECT_NEAR(filled.p_bore, 1.2e6, 1e3);
+  const Held back = Drive(s, 2, 1e-3, [&](double t) { return t < 1 ? out : 0; });
+  EXPECT_NEAR(back.state[0] / filled.state[0], 1, 1e-6);
+  EXPECT_GT(back.p_bore, 2e6) << "more oil than before";
 }
 
 }  // namespace

@@ -9,9 +9,10 @@
 namespace phs::effects {
 namespace {
 
-std::vector<double> Rung(double time_s, double damping, double step_s, std::vector<double> signal) {
-  const PhsSystem s =
-      Compile(With(Quarter(), "sensor_delay", {{"load_s", time_s}, {"damping", damping}}));
+std::vector<double> Rung(double time_s, double damping, double step_s, std::vector<double> signal,
+                         double share = 1) {
+  const PhsSystem s = Compile(With(Quarter(), "sensor_delay",
+                                   {{"load_s", time_s}, {"damping", damping}, {"share", share}}));
   for (const auto& law : s.readings(0, hydraulics::Sensor::kLoad)) law->Lag(step_s, &signal);
   return signal;
 }
@@ -49,6 +50,21 @@ TEST(RingingChannel, AStepOvershootsByItsDamping) {
   const double w = std::sqrt(1 - D * D);
   EXPECT_NEAR(*most, 1 + std::exp(-M_PI * D / w), 1e-3);
   EXPECT_NEAR(static_cast<double>(most - y.begin()) * step, M_PI * T / w, 2 * step);
+}
+
+// Of a step the share overshoots; the rest is there at once. A share below zero undershoots.
+TEST(RingingChannel, AFrameRingsInPart) {
+  const double T = 0.02, D = 0.2, step = 1e-4;
+  std::vector<double> u(4000, 1.0);
+  u[0] = 0;
+  const double beyond = std::exp(-M_PI * D / std::sqrt(1 - D * D));
+  for (const double share : {0.3, -0.2}) {
+    const auto y = Rung(T, D, step, u, share);
+    EXPECT_NEAR(y[1], 1 - share, 1e-3);
+    const auto [least, most] = std::minmax_element(y.begin() + 200, y.end());
+    EXPECT_NEAR(share > 0 ? *most : *least, 1 + share * beyond, 1e-3) << share;
+    EXPECT_NEAR(y.back(), 1, std::abs(share) * std::exp(-D / T * 0.39)) << "it rings out";
+  }
 }
 
 // A ramp comes 2 D T late at last, in however few samples.

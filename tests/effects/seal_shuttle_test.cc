@@ -28,7 +28,9 @@ TEST(SealShuttle, CarriesWhatItsGrooveHolds) {
       const double carried = V / 2 * (std::tanh(d / P) - std::tanh(at_rest / P));
       EXPECT_NEAR(CarriedToRod(params, held, x) / carried, 1, 1e-3) << x;
       // A wall that bends, V/2P per Pa.
-      if (P > 1e7) EXPECT_NEAR(carried / (V / (2 * P) * (d - at_rest)), 1, 0.02) << x;
+      if (P > 1e7) {
+        EXPECT_NEAR(carried / (V / (2 * P) * (d - at_rest)), 1, 0.02) << x;
+      }
     }
   }
 }

@@ -125,6 +125,25 @@ TEST(InstrumentSearchTest, FindsPressuresOfACardWhoseClockIsFast) {
   EXPECT_NEAR(ValueOf(found, "effects.sensor_clock.p_rod"), 6e-5, 3e-6) << Said(found);
 }
 
+// Both gauges and the load cell hang on it: beside gains, a drag and the speed in one reading.
+TEST(InstrumentSearchTest, FindsASupplyThatSagsWithTheDrivesPower) {
+  const Identification found = FindAlone(
+      {"sensor_supply", {}, {{"of_power", 0.08}, {"time_s", 0.1}}},
+      {"sensor_gain", "sensor_creep", "viscous_friction", "line_resistance", "sensor_crosstalk"});
+  EXPECT_NEAR(ValueOf(found, "effects.sensor_supply.of_power") / 0.08, 1, 0.03) << Said(found);
+  EXPECT_NEAR(ValueOf(found, "effects.sensor_supply.time_s") / 0.1, 1, 0.1) << Said(found);
+}
+
+// A mode of the frame that the load cell feels in part: beside a mass, a line that rings, delays.
+TEST(InstrumentSearchTest, FindsAFrameThatRingsAtTheLoadCell) {
+  const Identification found =
+      FindAlone({"sensor_delay", {}, {{"load_s", 0.02}, {"damping", 0.1}, {"share", 0.3}}},
+                {"moving_mass", "line_inertance", "sensor_creep", "sensor_slew"});
+  EXPECT_NEAR(ValueOf(found, "effects.sensor_delay.load_s") / 0.02, 1, 0.03) << Said(found);
+  EXPECT_NEAR(ValueOf(found, "effects.sensor_delay.damping") / 0.1, 1, 0.15) << Said(found);
+  EXPECT_NEAR(ValueOf(found, "effects.sensor_delay.share") / 0.3, 1, 0.1) << Said(found);
+}
+
 // The actuator's logger is the faster one: every channel comes ever earlier.
 TEST(InstrumentSearchTest, FindsThatTheActuatorHasAnotherClock) {
   const Identification found = FindAlone({"sensor_clock", {}, {{"all", -8e-5}}},

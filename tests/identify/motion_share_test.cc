@@ -128,6 +128,36 @@ TEST(MotionShare, WhatIsSilentAtRestIsNoNoiseOfTheSensor) {
   }
 }
 
+/// A loose plug: to and fro after stays of a third of a second on average, nine noises apart.
+TEST(MotionShare, ALoosePlugStandsOnTwoLevels) {
+  for (const unsigned seed : {1u, 2u, 3u, 4u, 5u}) {
+    std::mt19937 generator(seed + 100);
+    std::exponential_distribution<double> stay(3);  // 1/s
+    std::vector<double> plug = WhiteRow(seed, 1), weak = plug, sine = plug, ramp = plug;
+    double next = stay(generator);
+    bool up = false;
+    int jumps = 0;
+    for (size_t i = 0; i < plug.size(); ++i) {
+      const double t = kStep * static_cast<double>(i);
+      for (; t > next; next += stay(generator)) up = !up, ++jumps;
+      plug[i] += up ? 9 : 0, weak[i] += up ? 4 : 0;
+      sine[i] += 20 * std::sin(2 * M_PI * 0.4 * t), ramp[i] += 20 * std::fmod(t, 3);
+    }
+    const auto found = FindTwoLevels(plug);
+    ASSERT_TRUE(found) << seed;
+    EXPECT_NEAR(found->apart, 9, 0.1) << seed;
+    EXPECT_NEAR(found->jumps, jumps, 0.1 * jumps) << "some stays are shorter than a sample";
+    EXPECT_FALSE(FindTwoLevels(weak)) << "a sample does not tell where it is";
+    EXPECT_FALSE(FindTwoLevels(sine)) << "it lingers at both ends, and passes what lies between";
+    EXPECT_FALSE(FindTwoLevels(ramp)) << seed;
+    EXPECT_FALSE(FindTwoLevels(WhiteRow(seed, 1))) << seed;
+    EXPECT_FALSE(FindTwoLevels(ColouredRow(seed, 0.995, 20))) << seed;
+    std::vector<double> hum = WhiteRow(seed, 1);  // at half the rate: up and down with each sample
+    for (size_t i = 0; i < hum.size(); ++i) hum[i] += i % 2 ? 9 : -9;
+    EXPECT_FALSE(FindTwoLevels(hum)) << seed;
+  }
+}
+
 /// A press next door strikes every 1.3 s, and the frame rings for a seventh of a second: in every part.
 TEST(MotionShare, BlowsAreNoNoiseOfTheSensor) {
   for (const unsigned seed : {1u, 2u, 3u, 4u, 5u}) {

@@ -27,6 +27,39 @@ TEST(OilSearchTest, FindsAnOrificeLeakAndItsExponent) {
   EXPECT_NEAR(std::isnan(freed) ? fixed : freed, 0.5, 0.15);
 }
 
+// An anti-cavitation check beside a charge pump: eight hands had hidden one. Beside leaks and air.
+TEST(OilSearchTest, FindsAValveThatFeedsItsLine) {
+  hydraulics::PhsParams truth = OffDeclared();
+  truth.effects.push_back(
+      {"makeup_valve",
+       {"L2"},
+       {{"conductance_m3_per_Pas", 2e-13}, {"opening_Pa", 1.1e6}, {"exponent", 0.5}}});
+  const Identification found = FindAmong({"makeup_valve", "external_leakage", "piston_leakage",
+                                          "entrained_air", "cavitation", "gas_loss"},
+                                         Record(truth));
+  ASSERT_EQ(found.effects.size(), 1u) << Said(found);
+  EXPECT_EQ(found.effects[0].candidate.effect, "makeup_valve");
+  EXPECT_NEAR(ValueOf(found, "effects.makeup_valve.opening_Pa") / 1.1e6, 1, 0.02) << Said(found);
+  const double freed = ValueOf(found, "effects.makeup_valve.exponent");
+  const double held = found.corrected.params.effects[0].values.at("exponent");
+  EXPECT_NEAR(std::isnan(freed) ? held : freed, 0.5, 0.1) << Said(found);
+}
+
+// Beside friction over the place and over one chamber's pressure: a ring on the low side's flank.
+TEST(OilSearchTest, FindsARingThatTheLargerPressurePresses) {
+  hydraulics::PhsParams truth = OffDeclared();
+  truth.effects.push_back({"pressure_friction",
+                           {},
+                           {{"bore_N_per_Pa", 0}, {"rod_N_per_Pa", 0}, {"larger_1_per_Pa", 4e-8}}});
+  const Identification found =
+      FindAmong({"pressure_friction", "position_friction", "pressure_area", "viscous_friction"},
+                Record(truth));
+  ASSERT_EQ(found.effects.size(), 1u) << Said(found);
+  EXPECT_EQ(found.effects[0].candidate.effect, "pressure_friction");
+  EXPECT_NEAR(ValueOf(found, "effects.pressure_friction.larger_1_per_Pa") / 4e-8, 1, 0.05)
+      << Said(found);
+}
+
 // A plate that the flow lifts, the drop as the root of the flow and less: where pipes and orifices
 // alone were tried (n = 1 and 1/2), another hand's record of one ended as viscous friction.
 TEST(OilSearchTest, FindsAPlateThatTheFlowLiftsAndItsExponent) {

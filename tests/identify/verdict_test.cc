@@ -91,6 +91,15 @@ TEST(Verdict, WhatComesAndGoesIsNoNoiseOfTheSensor) {
   EXPECT_THAT(Judge(facts).reasons, Not(Contains(HasSubstr("comes and goes"))));
 }
 
+TEST(Verdict, WhatStandsOnTwoLevelsIsSaid) {
+  VerdictFacts facts = Facts(15, 15);
+  EXPECT_THAT(Judge(facts).reasons, Not(Contains(HasSubstr("two levels"))));
+  facts.channels[0].levels_apart = 8.8, facts.channels[0].jumps = 23;
+  EXPECT_EQ(Judge(facts).word, "not_described");
+  EXPECT_THAT(Judge(facts).reasons,
+              Contains(HasSubstr("8.8 times the noise apart, and jumps 23 times")));
+}
+
 /// One loud stroke in the record that was fitted to, none like it in the validation window.
 TEST(Verdict, WhatTheEstimationWindowShowsIsJudgedToo) {
   const ChannelLeft quiet{"load_cell_N", 1.05, 1.05, 0.02}, loud{"load_cell_N", 9, 9, 0.05};

@@ -135,6 +135,40 @@ bool IsQuietAtRest(const std::vector<double>& residual, const std::vector<char>&
   return std::pow(loudest / moving.Beyond(), rests.size()) < Acceptance{}.false_alarms;
 }
 
+std::optional<TwoLevels> FindTwoLevels(const std::vector<double>& residual) {
+  constexpr double kLeastApart = 6, kMostBetween = 0.5 * 0.19, kLeastStay = 5;
+  std::vector<double> present;
+  for (const double r : residual) {
+    if (std::isfinite(r)) present.push_back(r);
+  }
+  const auto count = static_cast<double>(present.size());
+  if (count < kLeastRows) return std::nullopt;
+  std::vector<double> sorted = present;
+  std::sort(sorted.begin(), sorted.end());
+  const double sum = std::accumulate(sorted.begin(), sorted.end(), 0.0);
+  double below = 0, most = 0, low = 0, high = 0;
+  for (size_t i = 0; i + 1 < sorted.size(); ++i) {
+    below += sorted[i];
+    const double n = static_cast<double>(i + 1), rest = count - n;
+    const double under = below / n, over = (sum - below) / rest;
+    const double between = n * rest / (count * count) * (over - under) * (over - under);
+    if (between > most) most = between, low = under, high = over;
+  }
+  double square = 0;
+  for (const double r : present) square += (r - sum / count) * (r - sum / count) / count;
+  const double left = square - most - 1;  // beyond the noise
+  if (high - low < kLeastApart || left > kMostBetween * (square - 1)) return std::nullopt;
+  // A jump has come when the sample is nearer than a quarter of the way to the other level.
+  TwoLevels out{high - low, 0};
+  bool up = present.front() > 0.5 * (low + high);
+  for (const double r : present) {
+    const double part = (r - low) / out.apart;
+    if (up ? part < 0.25 : part > 0.75) up = !up, ++out.jumps;
+  }
+  if (out.jumps < 2 || count < kLeastStay * out.jumps) return std::nullopt;
+  return out;
+}
+
 bool ComesAndGoes(const std::vector<double>& residual) {
   constexpr size_t kParts = 8, kQuiet = 2, kWays = 28;  // to choose two of eight
   const size_t n = residual.size();

@@ -121,7 +121,7 @@ std::vector<LeftOver> OverNoise(const FitData& data, const Channels& uncertain,
     }
     const bool quiet = IsQuietAtRest(residual, still);
     out.push_back({std::sqrt(sum / std::max(count, 1.0)), MeanSquareThatFollows(residual, signals),
-                   quiet || ComesAndGoes(residual), quiet});
+                   quiet || ComesAndGoes(residual), quiet, FindTwoLevels(residual)});
   }
   return out;
 }
@@ -174,6 +174,9 @@ struct WindowLeft {
       out.push_back({scores[c].channel, before[c].over_noise, after[c].over_noise,
                      scores[c].after.nrmse, after[c].following, after[c].comes_and_goes,
                      after[c].quiet_at_rest});
+      if (const auto& levels = after[c].levels) {
+        out.back().levels_apart = levels->apart, out.back().jumps = levels->jumps;
+      }
     }
     return out;
   }

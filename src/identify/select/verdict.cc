@@ -52,6 +52,15 @@ void AddColoured(const VerdictFacts& facts, std::vector<std::string>* reasons) {
   }
 }
 
+/// What goes to and fro between two readings.
+void AddJumping(const ChannelLeft& c, std::vector<std::string>* reasons) {
+  reasons->push_back(fmt::format(
+      "what {} is left with stands on two levels, {:.2g} times the noise apart, and jumps {} times "
+      "between them in the {} window: look for a loose plug, a range that changes, a current that "
+      "is switched",
+      c.channel, c.levels_apart, c.jumps, c.window));
+}
+
 /// What shakes the rig from beside it: what follows the rig, or drifts, is loud in some parts, too.
 void AddComing(const ChannelLeft& c, std::vector<std::string>* reasons) {
   if (!c.comes_and_goes || c.following > kAsLargeAsNoise) return;
@@ -129,7 +138,11 @@ Verdict Judge(const VerdictFacts& facts) {
   }
   if (!noise) {
     reasons.push_back(Left(*worst));
-    AddComing(*worst, &reasons);
+    if (worst->jumps > 0) {
+      AddJumping(*worst, &reasons);
+    } else {
+      AddComing(*worst, &reasons);
+    }
     const double excess = worst->before * worst->before - 1;
     const double removed =
         excess > 0 ? (worst->before * worst->before - worst->after * worst->after) / excess : 0;

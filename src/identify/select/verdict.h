@@ -31,6 +31,10 @@ struct ChannelLeft {
   double following = std::numeric_limits<double>::infinity();
   bool comes_and_goes = false;  ///< what is left is not there all the time (motion_share.h)
   bool quiet_at_rest = false;   ///< IsQuietAtRest (motion_share.h)
+  /// Of what stands on two levels (motion_share.h), over the noise, and how often it jumps; 0: it
+  /// does not.
+  double levels_apart = 0;
+  int jumps = 0;
   std::string window = "validation";
 };
 
@@ -42,7 +46,7 @@ std::vector<ChannelLeft> BothWindows(std::vector<ChannelLeft> validation,
 /// An accepted effect and those that explain as much.
 struct NamedEffect {
   std::string name;
-  std::vector<std::string> rivals;
+  std::vector<std::string> rivals = {};
   std::vector<std::string> special_case_of = {};  ///< what contains it, not told from it
   std::string own_form = {};             ///< a formula for what its law leaves of it (own_form.h)
   std::vector<std::string> at_end = {};  ///< its numbers at the end of their plausible range
