@@ -76,7 +76,7 @@ const EffectInfo& MakeupValveInfo() {
               {
                   {.free = {{"exponent", 0.6, 1.6, 2}}},
               },
-          .over = {"m3_per_s", "p", true},
+          .over = {"m3_per_s", "p", true, true},
       }};
   return info;
 }

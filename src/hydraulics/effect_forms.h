@@ -81,6 +81,7 @@ struct LawOver {
   const char* unit = "";
   const char* variables = "";
   bool begins = false;  ///< the law itself begins at a value: so may a formula that stands for it
+  bool always_begins = false;  ///< and must: a formula that begins nowhere is no form of it
 };
 
 /// All that a search needs to know of an effect. No forms: it is not looked for there.

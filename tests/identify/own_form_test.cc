@@ -95,6 +95,16 @@ TEST(OwnForm, AFlowThatWeighsMoreIsTheFormOfTheLeakWhereItFlows) {
   EXPECT_FALSE(HasOwnForm(With({EffectOf("piston_leakage", 50)}, out)));
 }
 
+// What begins nowhere is no form of a valve that opens; what feeds below a pressure is.
+TEST(OwnForm, AFeedBelowAPressureIsTheFormOfAValveThatFeeds) {
+  const auto over = [](const std::string& text) {
+    return HasOwnForm(
+        With({EffectOf("makeup_valve", 300, {"L2"})}, FormulaOver(text, "m3_per_s", {"L2"})));
+  };
+  EXPECT_EQ(over("c1*(max(-p-8e5[Pa],0[Pa])/1e6[Pa])^2"), 0u);
+  EXPECT_FALSE(over("c1*(p/1e7[Pa])^2")) << "a leak beside it";
+}
+
 /// What surrounds the rig acts on every line: a heater that is switched on and off is no sine.
 TEST(OwnForm, AFlowOverTimeBesideAWarmingIsItsForm) {
   const auto over = [](const std::string& text, const std::string& unit) {

@@ -16,7 +16,10 @@ using effects::Formula;
 using effects::FormulaUnit;
 using hydraulics::EffectInfo;
 
-bool IsOverNoMoreThan(const FoundFormula& formula, const std::string& variables) {
+/// Over no other variables than the law, and beginning at a value where the law always does.
+bool IsOver(const FoundFormula& formula, const hydraulics::LawOver& law_over) {
+  if (law_over.always_begins && formula.text.find("max(") == std::string::npos) return false;
+  const std::string variables = law_over.variables;
   std::map<std::string, double> coefficients;
   for (size_t k = 0; k < formula.coefficients.size(); ++k) {
     coefficients["c" + std::to_string(k + 1)] = 1;
@@ -61,7 +64,7 @@ bool IsOfOneLawAlone(const FoundFormula& formula, const hydraulics::PhsParams& p
   int laws = 0;
   for (const EffectInfo& info : effects::Catalogue().effects()) {
     if (formula.unit != info.search.over.unit || !IsAtSuchPlaces(formula, info, params)) continue;
-    laws += IsOverNoMoreThan(formula, info.search.over.variables) ? 1 : 0;
+    laws += IsOver(formula, info.search.over) ? 1 : 0;
   }
   return laws == 1;
 }
@@ -87,7 +90,7 @@ std::optional<size_t> HasOwnForm(const Identification& found) {
     if (found.formula.unit != info->search.over.unit) continue;
     if (gauge && effect.evidence.best_channel != own->evidence.best_channel) continue;
     if (!ActsThere(found.formula, *info, effect.candidate, found.corrected.params)) continue;
-    if (IsOverNoMoreThan(found.formula, info->search.over.variables)) host = i;
+    if (IsOver(found.formula, info->search.over)) host = i;
   }
   return host;
 }
