@@ -14,7 +14,8 @@ ROWS = {"holdout": "`holdout`", **{each + "_hand": each for each in (
     "twentyfirst_hand": "twenty-first", "twentysecond_hand": "twenty-second",
     "twentythird_hand": "twenty-third", "twentyfifth_hand": "twenty-fifth",
     "twentysixth_hand": "twenty-sixth",
-    "twentyseventh_hand": "twenty-seventh"}
+    "twentyseventh_hand": "twenty-seventh",
+    "twentyeighth_hand": "twenty-eighth"}
 VERDICTS = ("sufficient", "explained", "not_described", "undecidable")
 
 

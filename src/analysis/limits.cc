@@ -20,7 +20,7 @@ Error UnknownQuantity(const Limit& limit, const Json& document, const std::strin
   std::vector<std::string> known = NumberPaths(document);
   for (std::string& path : known) path.insert(0, prefix);
   return {limit.where, Quoted(limit.quantity) + " is no number of the result",
-          "paths of numbers in summary.json, or ratios.A_over_B. and such a path",
+          "paths of numbers in the result, or ratios.A_over_B. and such a path",
           DidYouMean(limit.quantity, known, "check the path")};
 }
 

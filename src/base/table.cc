@@ -64,6 +64,11 @@ Status ReadHeader(const std::vector<std::string>& cells, const std::string& wher
     }
     table->names.push_back(column);
   }
+  const auto is_number = [](const std::string& cell) { return ParseNumber(Trimmed(cell)); };
+  if (std::all_of(cells.begin(), cells.end(), is_number)) {
+    return Error{where, "holds numbers, where the names of the columns belong",
+                 "a header row of names with their units, as t_s,load_cell_N", "add one"};
+  }
   if (cells.size() == 1 && cells[0].find_first_of(";\t") != std::string::npos) {
     return Error{where, "is separated by semicolons or tabs", "commas, and '.' as decimal mark",
                  "save it as comma separated values"};
@@ -119,6 +124,11 @@ Result<std::vector<double>> Table::Column(std::string_view name) const {
 Result<Table> ParseCsv(const std::string& text, const std::string& name) {
   Table table;
   table.source = name;
+  if (text.find('\0') != std::string::npos || text.starts_with("\xFF\xFE") ||
+      text.starts_with("\xFE\xFF")) {
+    return Error{name, "is no plain text (UTF-16, or binary)", "text in UTF-8 or ASCII",
+                 "save it as CSV in UTF-8"};
+  }
   const std::string plain = WithPlainLines(text);
   const std::string_view all(plain);
   int number = 1;

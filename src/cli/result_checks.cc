@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
+#include <system_error>
 
 #include "base/result_dir.h"
 #include "cli/verbs.h"
@@ -33,6 +35,8 @@ int ResultChecks::Conclude(const std::string& suite, std::vector<analysis::Named
   if (!checks.ok()) return BadInput(checks.error());
   if (!junit_.empty()) {
     const std::string xml = analysis::JUnitXml(suite, checks.value());
+    std::error_code ignored;  // what cannot be made is said by the writing
+    std::filesystem::create_directories(std::filesystem::absolute(junit_).parent_path(), ignored);
     for (const Status& s : {WriteFileAtomically(junit_, xml), AdoptIntoResult(junit_)}) {
       if (!s.ok()) return BadInput(s.error());
     }

@@ -1,10 +1,14 @@
 // phs simulate, phs compare: runs on a track.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "base/result_dir.h"
+#include "base/words.h"
 #include "cli/assessment_table.h"
 #include "cli/curve_options.h"
 #include "cli/curve_table.h"
@@ -21,13 +25,29 @@ namespace {
 using Json = nlohmann::ordered_json;
 using vehicle::Scenario;
 
+/// What a scenario says of a PHS that none of the bogies has.
+std::string UnusedPhs(const jobs::Curve& curve) {
+  const Scenario& s = curve.scenario;
+  const bool has = std::any_of(curve.runs.begin(), curve.runs.end(), [](const auto& run) {
+    return !run.simulation->binding().phs().empty();
+  });
+  std::vector<std::string> keys;
+  if (!s.phs.empty()) keys.emplace_back("phs");
+  if (!s.phs_changes.parameters.empty()) keys.emplace_back("phs_parameters");
+  if (!s.phs_changes.effects.empty()) keys.emplace_back("effects");
+  if (!s.phs_changes.failures.empty()) keys.emplace_back("failures");
+  if (has || keys.empty()) return {};
+  return fmt::format("! no bogie of this run has a PHS: without effect here: {}\n",
+                     JoinWords(keys));
+}
+
 void PrintText(const CurveOptions& options, bool compare, const jobs::Curve& curve) {
   const vehicle::Simulation& first = *curve.runs[0].simulation;
   const NamedSummaries summaries = curve.Summaries();
   fmt::print("{}: track {}, {:.1f} km/h, friction {:.2f}, step {:g} ms\n\n", curve.scenario.name,
              first.binding().track().name(), curve.scenario.speed_m_s * 3.6,
              first.binding().friction(), curve.scenario.timestep_s * 1e3);
-  fmt::print("{}{}\n{}\n{}", CurveTable(summaries), WarningLines(summaries),
+  fmt::print("{}{}\n{}\n{}", CurveTable(summaries), WarningLines(summaries) + UnusedPhs(curve),
              AssessmentTable(summaries), SteeringBudget(summaries));
   if (!options.verify) return;
   const Json ratios = compare ? curve.Compared()["discretisation"] : Json();

@@ -60,6 +60,16 @@ Status CopyFiles(const fs::path& from, const std::string& below, const std::stri
   return Error{from.string(), "cannot be read: " + fault.message(), "", "install phs again"};
 }
 
+/// A path as a shell takes it in one piece.
+std::string ForShell(const std::string& path) {
+  constexpr char kPlain[] =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./-+:=@%,";
+  if (path.find_first_not_of(kPlain) == std::string::npos) return path;
+  std::string out = "'";
+  for (const char c : path) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return out + "'";
+}
+
 int MakeNew(const std::string& name, const std::string& out) {
   for (const NewKind& kind : kNewKinds) {
     if (name != kind.name) continue;
@@ -67,6 +77,9 @@ int MakeNew(const std::string& name, const std::string& out) {
     if (!first.ok()) return BadInput(first.error());
     const auto schema = FindData("schema", "models/schemas", "scenario", {".json"});
     if (!schema.ok()) return BadInput(schema.error());
+    if (fs::exists(out)) {
+      return BadInput({out, "exists already", "a new directory", "choose another"});
+    }
     auto dir = ResultDir::Create(out, false);
     if (!dir.ok()) return BadInput(dir.error());
     const fs::path schemas = fs::absolute(schema.value()).parent_path().lexically_normal();
@@ -81,8 +94,8 @@ int MakeNew(const std::string& name, const std::string& out) {
       if (!copied.ok()) return BadInput(copied.error());
     }
     if (Status s = dir.value().Commit(); !s.ok()) return BadInput(s.error());
-    fmt::print("{0}/{1} is yours to change. It runs as it is:\n  cd {0} && {2}\n", out, kind.first,
-               kind.run);
+    fmt::print("{}/{} is yours to change. It runs as it is:\n  cd {} && {}\n", out, kind.first,
+               ForShell(out), kind.run);
   }
   return kDone;
 }

@@ -78,11 +78,16 @@ double Quantum(const std::vector<double>& y) {
   return off * 100 < static_cast<int>(sorted.size()) ? smallest : 0;
 }
 
+double LeastNoise(const std::vector<double>& y) {
+  const auto [low, high] = std::minmax_element(y.begin(), y.end());
+  return y.empty() ? 0 : 1e-6 * (*high - *low);
+}
+
 ChannelNoise EstimateNoise(const Channel& channel, const std::vector<char>& rest, double step_s) {
   ChannelNoise noise;
   noise.quantum = Quantum(channel.y);
   const double rounding = noise.quantum / std::sqrt(12.0);
-  noise.white = std::max(WhiteNoise(channel.y, channel.bad), rounding);
+  noise.white = std::max({WhiteNoise(channel.y, channel.bad), rounding, LeastNoise(channel.y)});
   noise.level = noise.white;
   const size_t stretch = static_cast<size_t>(std::max(16.0, kTrendTime / step_s));
   std::vector<double> squares, times;

@@ -110,6 +110,18 @@ std::vector<Stretch> EqualStretches(const Channel& channel) {
   return out;
 }
 
+/// The motion that drives the rig repeats itself to the last digit there, too: a record without noise.
+bool DriveStandsExactly(const RigRun& run, const Channel& channel, const Stretch& stretch) {
+  return !run.inputs.empty() &&
+         std::all_of(run.inputs.begin(), run.inputs.end(), [&](const Channel& input) {
+           if (&input == &channel || input.y.size() < stretch.end) return false;
+           const auto begin = input.y.begin() + static_cast<long>(stretch.begin);
+           const auto end = input.y.begin() + static_cast<long>(stretch.end);
+           return !input.bad[stretch.begin] &&
+                  std::all_of(begin, end, [&](double x) { return x == *begin; });
+         });
+}
+
 /// Samples of one value that noise does not make (MarkStuck).
 size_t LeastStuck(const ChannelNoise& noise, const std::vector<Stretch>& stretches,
                   size_t samples) {
@@ -163,7 +175,8 @@ void MarkMotionSpikes(Channel* channel, std::vector<DataFinding>* findings) {
 
 void MarkStuck(Channel* channel, const RigRun& run, std::vector<DataFinding>* findings) {
   const std::vector<double>& y = channel->y;
-  if (!(channel->noise.white > 0.8 * channel->noise.quantum)) return;  // repeats are natural
+  // Of coarse steps, or without noise, repeats are natural.
+  if (!(channel->noise.white > std::max(0.8 * channel->noise.quantum, LeastNoise(y)))) return;
   const std::vector<Stretch> stretches = EqualStretches(*channel);
   const size_t least = LeastStuck(channel->noise, stretches, y.size());
   const auto [low, high] = std::minmax_element(y.begin(), y.end());
@@ -172,6 +185,7 @@ void MarkStuck(Channel* channel, const RigRun& run, std::vector<DataFinding>* fi
   std::vector<double> ends;  // values at which the channel was saturated, rising
   for (const auto& [begin, end] : stretches) {
     if (end - begin < least || channel->bad[begin]) continue;
+    if (DriveStandsExactly(run, *channel, {begin, end})) continue;
     const double at = y[begin];
     const bool edge = at == *low || at == *high;
     (edge ? saturated : stuck) += end - begin;
@@ -283,10 +297,13 @@ void MendOutputs(const std::vector<std::vector<double>>& predicted, FitData* dat
       data->findings.push_back({out.name, fmt::format("swings {:.3g} times as much as the model: "
                                                       "taken in {}",
                                                       like.ratio, unit->name())});
-    } else if (IsBeyond(like.ratio, kFar) && unit) {
-      data->findings.push_back({out.name, fmt::format("swings {:.3g} times as much as the declared "
-                                                      "model: is it in {}? (columns, factors)",
-                                                      like.ratio, unit->name())});
+    } else if (IsBeyond(like.ratio, kFar)) {
+      const std::string asked = fmt::format(
+          "swings {:.3g} times as much as the declared model: is it in {}? (columns, "
+          "factors)",
+          like.ratio, unit ? unit->name() : "another unit");
+      data->findings.push_back({out.name, asked});
+      data->questions.push_back(out.name + " " + asked);
     }
     if (factor == 1) continue;
     for (double& y : out.values) y *= factor;
@@ -316,10 +333,12 @@ std::vector<std::string> FindContradictions(const std::vector<std::vector<double
                       "sign turned? (factors: {{{}: -1}})",
                       outputs[c].name, like.correlation, outputs[c].name));
     }
-    if (IsBeyond(like.ratio, kOtherUnit)) {
+    if (IsBeyond(like.ratio, kFar)) {
       const std::optional<Unit> unit = UnitThatReads(outputs[c].name, like.ratio);
-      out.push_back(fmt::format("{} swings {:.3g} times as much as the fitted model: is it in {}?",
-                                outputs[c].name, like.ratio, unit ? unit->name() : "another unit"));
+      out.push_back(
+          fmt::format("{} swings {:.3g} times as much as the fitted model: is it in {}? "
+                      "(columns, factors)",
+                      outputs[c].name, like.ratio, unit ? unit->name() : "another unit"));
     }
   }
   return out;

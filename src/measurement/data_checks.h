@@ -25,7 +25,7 @@ void MarkMotionSpikes(Channel* channel, std::vector<DataFinding>* findings);
 /// value with a probability of at most p = erf(Q/(2 sqrt(2) s)); so many repeats are marked, r, that
 /// noise alone makes one such stretch in a channel of N samples once in a thousand channels,
 /// N p^r = 1/1000. Where most values stand twice or more, the sensor's clock is slower: a repeat is
-/// then one of its values.
+/// then one of its values. Where the driving motion repeats itself as well, the record has no noise.
 void MarkStuck(Channel* channel, const RigRun& run, std::vector<DataFinding>* findings);
 
 /// A driving motion ten times beyond the stroke is in mm (or um): brought to metres. Returns the
@@ -51,7 +51,8 @@ bool InputIsSwapped(const FitData& data, const std::vector<std::vector<double>>&
 void MendOutputs(const std::vector<std::vector<double>>& predicted, FitData* data);
 
 /// What contradicts a fitted model all the same, a sentence each: a channel that runs against it,
-/// two under each other's name, another unit.
+/// two under each other's name, one that swings three times too much or too little, as in another
+/// unit. `predicted`: what sound instruments would show.
 std::vector<std::string> FindContradictions(const std::vector<std::vector<double>>& predicted,
                                             const FitData& data);
 

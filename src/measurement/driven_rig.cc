@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+
+#include "measurement/zero_position.h"
 
 namespace phs::measurement {
 namespace {
@@ -19,6 +22,43 @@ Status CheckFinite(const DrivenRig& rig) {
     }
   }
   return {};
+}
+
+/// Motion and measured positions counted from elsewhere.
+void TakeZeros(const ZeroPositions& zeros, RigCase* input) {
+  for (size_t a = 0; a < input->motion.position_m.size(); ++a) {
+    for (double& x : input->motion.position_m[a]) x -= zeros.inputs[a];
+    for (double& x : input->run.inputs[a].y) x -= zeros.inputs[a];
+  }
+  for (size_t c = 0; c < input->run.outputs.size(); ++c) {
+    for (double& x : input->run.outputs[c].y) x -= zeros.outputs[c];
+  }
+}
+
+void CountFromStaticState(const rigs::RigModel& model, RigCase* input) {
+  std::vector<BeginningChannel> inputs, outputs;
+  std::vector<double> least;
+  for (size_t a = 0; a < input->run.inputs.size(); ++a) {
+    const Channel& channel = input->run.inputs[a];
+    inputs.push_back({channel.name, input->motion.position_m[a].front(), 0});
+    least.push_back(std::max(5 * channel.noise.level, 1e-5));
+  }
+  for (const Channel& c : input->run.outputs) outputs.push_back(BeginningOf(c.name, c.y));
+  const PredictFrom predict =
+      [&](const std::vector<double>& from) -> Result<std::vector<std::vector<double>>> {
+    rigs::RigMotion motion = input->motion;
+    for (size_t a = 0; a < motion.position_m.size(); ++a) {
+      for (double& x : motion.position_m[a]) x -= from[a];
+    }
+    rigs::RigPrediction out;
+    if (Status s = model.Run(motion, &out); !s.ok()) return s.error();
+    return std::move(out.channels);
+  };
+  const ZeroPositions zeros = FindZeroPositions(inputs, least, outputs, predict);
+  if (!zeros.any()) return;
+  TakeZeros(zeros, input);
+  NameZeros(inputs, zeros.inputs, &input->run.findings);
+  NameZeros(outputs, zeros.outputs, &input->run.findings);
 }
 
 }  // namespace
@@ -44,6 +84,10 @@ Result<DrivenRig> DriveRig(const Manifest& manifest, const hydraulics::PhsParams
     options.extra = input.value().run.extra;
     made = rigs::RigModel::Create(kind.value(), params, options);
     if (!made.ok()) return made.error();
+  }
+  const bool by_position = manifest.options.driven_by == rigs::Drive::kPosition;
+  if (by_position && kind.value() != rigs::RigKind::kElement && input.value().compared()) {
+    CountFromStaticState(made.value(), &input.value());
   }
   DrivenRig rig{std::move(made).value(), std::move(input).value(), {}};
   if (Status s = rig.model.Run(rig.input.motion, &rig.predicted); !s.ok()) return s.error();

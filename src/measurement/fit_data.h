@@ -39,8 +39,9 @@ struct FitData {
   bool InEstimation(size_t i) const {
     return time_s[i] >= estimation[0] && time_s[i] < estimation[1];
   }
-  std::vector<DataFinding> findings;  ///< what was found wrong, and mended or left out
-  std::vector<std::string> faults;    ///< and what nothing mends: the verdict says so
+  std::vector<DataFinding> findings;   ///< what was found wrong, and mended or left out
+  std::vector<std::string> faults;     ///< and what nothing mends: the verdict says so
+  std::vector<std::string> questions;  ///< and what is only asked about
 };
 
 }  // namespace phs::measurement

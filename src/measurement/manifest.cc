@@ -306,7 +306,7 @@ Result<Manifest> LoadManifest(const std::string& path, WindowNeed need) {
   for (const std::string& key : columns.Keys()) m.columns[key] = columns.Text(key);
   ReadExtra(extra, &m);
   for (const std::string& key : factors.Keys()) {
-    m.factors[key] = factors.Number(key, {});
+    m.factors[key] = factors.Number(key, {.min = -1e15, .max = 1e15});
     if (m.factors[key] == 0) factors.Fail(key, "a factor of 0 leaves nothing", "-1, 1e3, …");
   }
   m.free = map.Texts("free");

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "base/words.h"
+#include "measurement/rig_columns.h"
 #include "measurement/series.h"
 #include "measurement/units.h"
 
@@ -15,26 +16,6 @@ std::string Text(const char* format, double a) {
   char text[120];
   std::snprintf(text, sizeof text, format, a);
   return text;
-}
-
-/// Column that holds `channel`: named in the manifest, of the same name, with another unit at the
-/// end, or the field of a MATLAB struct. -1 if none.
-int FindChannel(const Table& table, const Manifest& manifest, const std::string& channel) {
-  const auto named = manifest.columns.find(channel);
-  if (named != manifest.columns.end()) return table.Find(named->second);
-  if (const int same = table.Find(channel); same >= 0) return same;
-  for (int i = 0; i < table.num_columns(); ++i) {
-    const std::string& full = table.names[static_cast<size_t>(i)];
-    const std::string name =
-        full.substr(full.rfind('.') == std::string::npos ? 0 : full.rfind('.') + 1);
-    if (name == channel) return i;
-    for (const Unit& unit : KnownUnits()) {
-      if (!EndsWith(channel, unit.si)) continue;
-      const std::string stem = channel.substr(0, channel.size() - std::string(unit.si).size());
-      if (name == stem + unit.ending) return i;
-    }
-  }
-  return -1;
 }
 
 /// The rows that are kept (time rising) and the clock they suggest.
@@ -146,23 +127,13 @@ void Resample(const Clock& clock, const RigRun& run, const std::vector<double>& 
   }
 }
 
-/// A column of this quantity whose unit says nothing here: p_bore_psi for p_bore_Pa; else empty.
-std::string InUnknownUnit(const Table& table, const std::string& name) {
-  const std::string stem = name.substr(0, name.rfind('_') + 1);
-  for (const std::string& column : table.names) {
-    if (column.starts_with(stem) && column.find('_', stem.size()) == std::string::npos)
-      return column;
-  }
-  return {};
-}
-
 Channel ReadChannel(const Table& table, const Manifest& manifest, const Clock& clock,
                     const std::string& name, RigRun* run) {
   Channel channel;
   channel.name = name;
   const int column = FindChannel(table, manifest, name);
   if (column < 0) {
-    const std::string other = InUnknownUnit(table, name);
+    const std::string other = InUnknownUnit(table, manifest, name);
     if (!other.empty()) {
       run->findings.push_back(
           {name, "column \"" + other + "\" is in no unit that is known: left out"});
@@ -172,7 +143,18 @@ Channel ReadChannel(const Table& table, const Manifest& manifest, const Clock& c
   channel.column = table.names[static_cast<size_t>(column)];
   channel.factor = FactorOf(name, channel.column);
   const auto extra = manifest.factors.find(name);
-  if (extra != manifest.factors.end()) channel.factor *= extra->second;
+  if (extra != manifest.factors.end()) {
+    channel.factor *= extra->second;
+  } else if (const std::string unit = UnknownUnit(name, channel.column); !unit.empty()) {
+    run->findings.push_back({name, "column " + Quoted(channel.column) + ": unit " + Quoted(unit) +
+                                       " is not known, taken in " +
+                                       name.substr(name.rfind('_') + 1) + " (factors: scales it)"});
+  }
+  if (const UnreadableCells cells = FindUnreadable(table, column); cells.count > 0) {
+    run->findings.push_back(
+        {name, std::to_string(cells.count) + (cells.count > 1 ? " cells hold" : " cell holds") +
+                   " no number, the first " + Quoted(cells.cell) + " at " + cells.where});
+  }
   std::vector<double> y;
   int missing = 0;
   for (const int row : clock.rows) {
@@ -211,34 +193,6 @@ Status ReadExtra(const Table& table, const Manifest& manifest, const Clock& cloc
   return {};
 }
 
-/// Columns that stand for nothing: one written wrongly would else be missed in silence.
-void NameUnread(const Table& table, const Manifest& manifest, RigRun* run) {
-  constexpr size_t kMost = 6;
-  std::vector<int> read = {FindChannel(table, manifest, "t_s")};
-  for (const std::string& name : manifest.extra) read.push_back(FindChannel(table, manifest, name));
-  for (const auto* list : {&run->inputs, &run->outputs}) {
-    for (const Channel& c : *list) read.push_back(FindChannel(table, manifest, c.name));
-  }
-  for (const Channel* c : {&run->speed, &run->pressure, &run->temperature}) {
-    read.push_back(FindChannel(table, manifest, c->name));
-  }
-  std::vector<std::string> unread, missing;
-  for (int i = 0; i < table.num_columns(); ++i) {
-    const bool used = std::find(read.begin(), read.end(), i) != read.end();
-    if (!used) unread.push_back(table.names[static_cast<size_t>(i)]);
-  }
-  for (const Channel& c : run->outputs) {
-    if (!c.present()) missing.push_back(c.name);
-  }
-  if (unread.empty()) return;
-  const size_t more = unread.size() - std::min(unread.size(), kMost);
-  unread.resize(unread.size() - more);
-  if (more > 0) unread.push_back(std::to_string(more) + " more");
-  run->findings.push_back(
-      {"columns", JoinWords(unread) + ": not read, as no channel of this rig is called so" +
-                      (missing.empty() ? "" : "; not measured: " + JoinWords(missing))});
-}
-
 Status ClipWindow(const char* key, RigRun* run, Window* window) {
   if (window->empty()) return {};
   const Window asked = *window;
@@ -258,24 +212,6 @@ Status ClipWindow(const char* key, RigRun* run, Window* window) {
                  "window [" + Text("%.10g", asked.begin) + ", " + Text("%.10g", asked.end) +
                      "] holds fewer than 20 samples",
                  "a window inside " + Text("%.10g", run->t0_s) + " to " + Text("%.10g s", end), ""};
-  }
-  return {};
-}
-
-/// Every name under `columns:` and `factors:` is a channel that this rig reads.
-Status CheckNames(const Manifest& manifest, std::vector<std::string> known) {
-  known.insert(known.end(), {"t_s", "v_m_s", "p_Pa", "temperature_K"});
-  known.insert(known.end(), manifest.extra.begin(), manifest.extra.end());
-  const auto check = [&](const std::string& key, const std::string& name) -> Status {
-    if (std::find(known.begin(), known.end(), name) != known.end()) return {};
-    return Error{manifest.path + ": " + key + "." + name, "no channel of this rig has that name",
-                 JoinWords(known), DidYouMean(name, known)};
-  };
-  for (const auto& [name, column] : manifest.columns) {
-    if (Status s = check("columns", name); !s.ok()) return s;
-  }
-  for (const auto& [name, factor] : manifest.factors) {
-    if (Status s = check("factors", name); !s.ok()) return s;
   }
   return {};
 }
@@ -300,6 +236,13 @@ Result<RigRun> ReadRigRun(const RunSpec& spec, const Manifest& manifest,
   Result<Table> read = ReadTable(spec.data);
   if (!read.ok()) return read.error();
   const Table& table = read.value();
+  std::vector<std::string> names = {"t_s", "v_m_s", "p_Pa", "temperature_K"};
+  for (const auto* list : {&inputs, &outputs, &manifest.extra}) {
+    names.insert(names.end(), list->begin(), list->end());
+  }
+  for (const std::string& name : names) {
+    if (Status s = CheckReadable(table, manifest, name); !s.ok()) return s.error();
+  }
   RigRun run;
   run.source = spec.data;
   Result<Clock> clocked = ReadClock(table, manifest, &run);
@@ -316,19 +259,11 @@ Result<RigRun> ReadRigRun(const RunSpec& spec, const Manifest& manifest,
   run.file_time = clock.time;
   std::vector<std::string> known = inputs;
   known.insert(known.end(), outputs.begin(), outputs.end());
-  if (Status s = CheckNames(manifest, std::move(known)); !s.ok()) return s.error();
-  for (const auto& [channel, column] : manifest.columns) {
-    if (table.Find(column) >= 0) continue;
-    const auto& further = manifest.extra;
-    const bool extra = std::find(further.begin(), further.end(), channel) != further.end();
-    return Error{manifest.path + (extra ? ": extra." : ": columns.") + channel,
-                 "no column \"" + column + "\" in " + spec.data, "",
-                 DidYouMean(column, table.names)};
-  }
+  if (Status s = CheckNames(manifest, table, std::move(known)); !s.ok()) return s.error();
   for (const std::string& name : inputs) {
     run.inputs.push_back(ReadChannel(table, manifest, clock, name, &run));
     if (!run.inputs.back().present()) {
-      const std::string other = InUnknownUnit(table, name);
+      const std::string other = InUnknownUnit(table, manifest, name);
       return Error{spec.data, "the driving motion " + name + " is missing", "a column " + name,
                    other.empty() ? "a model can only be driven by measured motion"
                                  : "column \"" + other +

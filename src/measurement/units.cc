@@ -25,11 +25,51 @@ bool EndsWith(const std::string& text, const std::string& ending) {
   return text.size() > ending.size() && text.ends_with(ending);
 }
 
+namespace {
+
+std::string Trimmed(const std::string& text) {
+  const size_t begin = text.find_first_not_of(" _"), end = text.find_last_not_of(" _");
+  return begin == std::string::npos ? "" : text.substr(begin, end - begin + 1);
+}
+
+/// With the signs that people write: µm for um.
+std::string Plain(std::string unit) {
+  for (const char* micro : {"\u00b5", "\u03bc"}) {
+    if (const size_t at = unit.find(micro); at != std::string::npos) unit.replace(at, 2, "u");
+  }
+  return unit == "in" ? "inch" : unit;
+}
+
+}  // namespace
+
+std::pair<std::string, std::string> SplitBracket(const std::string& column) {
+  for (const auto& [open, close] : {std::pair('[', ']'), {'(', ')'}}) {
+    const size_t begin = column.rfind(open);
+    if (column.empty() || column.back() != close || begin == std::string::npos) continue;
+    return {Trimmed(column.substr(0, begin)),
+            Plain(Trimmed(column.substr(begin + 1, column.size() - begin - 2)))};
+  }
+  return {column, ""};
+}
+
 double FactorOf(const std::string& channel, const std::string& column) {
+  const std::string bracket = SplitBracket(column).second;
   for (const Unit& unit : KnownUnits()) {
-    if (EndsWith(channel, unit.si) && EndsWith(column, unit.ending)) return unit.factor;
+    if (!EndsWith(channel, unit.si)) continue;
+    if (EndsWith(column, unit.ending) || bracket == unit.name()) return unit.factor;
   }
   return 1;
+}
+
+std::string UnknownUnit(const std::string& channel, const std::string& column) {
+  const std::string bracket = SplitBracket(column).second;
+  constexpr std::pair<const char*, const char*> kSi[] = {
+      {"_m_s", "m/s"}, {"_Pa", "Pa"}, {"_N", "N"}, {"_s", "s"}, {"_m", "m"}, {"_K", "K"}};
+  for (const auto& [ending, si] : kSi) {
+    if (!EndsWith(channel, ending)) continue;
+    return bracket == si || FactorOf(channel, column) != 1 ? "" : bracket;
+  }
+  return {};  // a further channel of the manifest: in the unit that its laws expect
 }
 
 std::optional<Unit> UnitThatReads(const std::string& channel, double swings) {

@@ -85,6 +85,16 @@ Status ChangeJoints(const Scenario& scenario, mjModel* m) {
   return {};
 }
 
+/// A bogie without a PHS has no use for what a scenario says of one; a wrong name is one all the same.
+Status CheckUnusedPhs(const Scenario& scenario) {
+  constexpr int kCylinders = 4;
+  const std::string& model = scenario.phs.empty() ? phs_model::kDefaultModel : scenario.phs;
+  const auto path = FindData("PHS model", "models/phs", model, {".yaml"});
+  if (!path.ok()) return path.error();
+  const auto& changes = scenario.phs_changes;
+  return phs_model::LoadChangedParams(path.value(), changes, "", kCylinders).status();
+}
+
 /// A failure at a place that the run never reaches would be none.
 Status CheckPlaces(const Scenario& scenario, const rail::Track& track) {
   for (const phs_model::Failure& failure : scenario.phs_changes.failures) {
@@ -139,6 +149,9 @@ Result<Simulation> Simulation::Create(const Scenario& scenario, StepCheck check)
   try {
     if (Status s = plugin::Attach(sim.model_.get(), options); !s.ok()) return s.error();
     if (Status s = CheckPlaces(scenario, sim.binding().track()); !s.ok()) return s.error();
+    if (sim.binding().phs().empty()) {
+      if (Status s = CheckUnusedPhs(scenario); !s.ok()) return s.error();
+    }
     sim.data_.reset(mj_makeData(sim.model_.get()));
     plugin::ResetToStart(sim.model_.get(), sim.data_.get());
     const Eigen::VectorXd scale = ActivationScale(sim.model_.get(), sim.binding());

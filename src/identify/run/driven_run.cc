@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "base/table.h"
+#include "effects/catalogue.h"
+#include "effects/unlisted.h"
 #include "identify/fit/thread_budget.h"
 #include "identify/next_test/next_test.h"
 #include "identify/result/result_json.h"
@@ -203,6 +205,35 @@ TestRig TestRigOf(const Manifest& manifest, const FitData& data, const PhsParams
 
 }  // namespace
 
+namespace {
+
+/// An error of a sensor: a listed one, or a formula of what it shows.
+bool IsOfInstrument(const hydraulics::EffectParams& effect) {
+  const hydraulics::EffectInfo* info = effects::Catalogue().FindFor(effect);
+  if (info != nullptr && info->family == "instrument") return true;
+  if (effect.name != effects::UnlistedInfo().name) return false;
+  const bool of_load = effect.formula.find('F') != std::string::npos;
+  return of_load || std::any_of(effect.values.begin(), effect.values.end(), [](const auto& value) {
+           return value.first.ends_with("_Pa") || value.first.ends_with("_m");
+         });
+}
+
+/// What contradicts the corrected model, as sound instruments would show it: an error of a sensor may
+/// not stand for a unit. `after`: as the instruments show it.
+std::vector<std::string> Contradictions(const FitData& data, const FitProblem& problem,
+                                        const PhsParams& corrected, const Channels& after) {
+  PhsParams sound = corrected;
+  if (std::erase_if(sound.effects, IsOfInstrument) > 0) {
+    Channels shown;
+    if (problem.forward().Run(sound, ForwardModel::Span::kWhole, &shown).ok()) {
+      return measurement::FindContradictions(shown, data);
+    }
+  }
+  return measurement::FindContradictions(after, data);
+}
+
+}  // namespace
+
 Result<IdentifyOutcome> SearchAndWrite(const Manifest& manifest, const FitData& data,
                                        const PhsParams& declared, FitProblem* problem,
                                        const SearchOptions& options, const Progress& progress,
@@ -239,13 +270,14 @@ Result<IdentifyOutcome> SearchAndWrite(const Manifest& manifest, const FitData& 
   PutRule(options.rule, &result);
   const Unexplained unexplained = FindUnexplained(data, after, validation.after, found);
   const std::vector<std::string> drives = WhatDrives(*problem, found);
-  const std::vector<std::string> wrong = measurement::FindContradictions(after, data);
+  const std::vector<std::string> wrong = Contradictions(data, *problem, corrected, after);
   VerdictFacts facts{BothWindows(validation.Channels(), estimation.Channels()),
                      NamedEffects(found),
                      FittedNumbers(found),
                      wrong,
                      !found.candidates.empty(),
-                     WouldExplain(found)};
+                     WouldExplain(found),
+                     data.questions};
   facts.faults.insert(facts.faults.end(), drives.begin(), drives.end());
   facts.faults.insert(facts.faults.end(), data.faults.begin(), data.faults.end());
   result["channels"] = ScoresJson(validation.scores);

@@ -10,15 +10,21 @@
 #include "identify/run/joined_run.h"
 #include "measurement/data_checks.h"
 #include "measurement/fit_run.h"
+#include "measurement/held_frames.h"
+#include "measurement/zero_position.h"
 #include "phs_model/phs_model.h"
 
 namespace phs::identify::search {
 
+using measurement::BeginningChannel;
+using measurement::BeginningOf;
+using measurement::FindZeroPositions;
 using measurement::FitData;
 using measurement::InputIsSwapped;
 using measurement::LeaveOutBelowVacuum;
 using measurement::Manifest;
 using measurement::MendOutputs;
+using measurement::NameZeros;
 using measurement::ReadFitData;
 using measurement::ScaleInputs;
 
@@ -50,6 +56,37 @@ void TurnInput(FitData* data) {
   }
 }
 
+/// The data with their positions counted from elsewhere.
+FitData LessZeros(FitData data, const measurement::ZeroPositions& zeros) {
+  for (size_t a = 0; a < data.inputs.size(); ++a) {
+    for (double& x : data.inputs[a].values) x -= zeros.inputs[a];
+    for (double& x : data.motion[a].position) x -= zeros.inputs[a];
+  }
+  for (size_t c = 0; c < data.outputs.size(); ++c) {
+    for (double& x : data.outputs[c].values) x -= zeros.outputs[c];
+  }
+  return data;
+}
+
+void CountFromStaticState(const PhsParams& declared, FitData* data) {
+  if (data->options.driven_by != rigs::Drive::kPosition) return;
+  std::vector<BeginningChannel> inputs, outputs;
+  std::vector<double> least;
+  for (size_t a = 0; a < data->inputs.size(); ++a) {
+    inputs.push_back({data->inputs[a].name, data->motion[a].position.front(), 0});
+    least.push_back(std::max(5 * data->inputs[a].noise, 1e-5));
+  }
+  for (const auto& c : data->outputs) outputs.push_back(BeginningOf(c.name, c.values));
+  const auto predict = [&](const std::vector<double>& from) {
+    return Predict(LessZeros(*data, {from, std::vector<double>(outputs.size(), 0)}), declared);
+  };
+  const measurement::ZeroPositions zeros = FindZeroPositions(inputs, least, outputs, predict);
+  if (!zeros.any()) return;
+  *data = LessZeros(std::move(*data), zeros);
+  NameZeros(inputs, zeros.inputs, &data->findings);
+  NameZeros(outputs, zeros.outputs, &data->findings);
+}
+
 Result<Case> LoadCase(const Manifest& manifest, bool several) {
   Result<PhsParams> declared = measurement::DeclaredModel(manifest);
   if (!declared.ok()) return declared.error();
@@ -60,6 +97,7 @@ Result<Case> LoadCase(const Manifest& manifest, bool several) {
   if (Status s = CheckOwnCandidates(c.data.own, c.declared, c.data.kind, c.data.options); !s.ok()) {
     return s.error();
   }
+  CountFromStaticState(c.declared, &c.data);
   Result<Channels> predicted = Predict(c.data, c.declared);
   if (!predicted.ok()) return predicted.error();
   MendInputUnit([&](const FitData& data) { return Predict(data, c.declared); }, &c.data,
@@ -70,6 +108,7 @@ Result<Case> LoadCase(const Manifest& manifest, bool several) {
     if (!predicted.ok()) return predicted.error();
   }
   MendOutputs(predicted.value(), &c.data);
+  measurement::LeaveOutHeld(predicted.value(), &c.data);
   LeaveOutBelowVacuum(&c.data);
   return c;
 }

@@ -126,7 +126,9 @@ std::vector<ChannelLeft> BothWindows(std::vector<ChannelLeft> validation,
   return validation;
 }
 
-Verdict Judge(const VerdictFacts& facts) {
+namespace {
+
+Verdict WithoutQuestions(const VerdictFacts& facts) {
   std::vector<std::string> reasons = facts.faults;
   if (!reasons.empty()) return Undescribed(facts, std::move(reasons));
   const ChannelLeft* worst = Worst(facts);
@@ -186,6 +188,15 @@ Verdict Judge(const VerdictFacts& facts) {
     reasons.insert(reasons.begin(), Left(*most));
   }
   return {"sufficient", std::move(reasons)};
+}
+
+}  // namespace
+
+Verdict Judge(const VerdictFacts& facts) {
+  Verdict verdict = WithoutQuestions(facts);
+  if (verdict.word == "sufficient" || !facts.faults.empty()) return verdict;
+  verdict.reasons.insert(verdict.reasons.end(), facts.questions.begin(), facts.questions.end());
+  return verdict;
 }
 
 std::string VerdictSentence(const Verdict& verdict, const VerdictFacts& facts) {

@@ -78,6 +78,7 @@ struct VerdictFacts {
   bool tried = true;  ///< any effect
   /// What would have explained most of what is left.
   std::optional<BeyondRange> beyond = {};
+  std::vector<std::string> questions = {};  ///< of the data, said where no fault says more
 };
 
 struct Verdict {
