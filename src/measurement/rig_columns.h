@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "base/result.h"
 #include "base/table.h"
 #include "measurement/manifest.h"
-#include "measurement/rig_data.h"
 
 namespace phs::measurement {
 
@@ -31,8 +31,5 @@ Status CheckReadable(const Table& table, const Manifest& manifest, const std::st
 /// Every name under `columns:` and `factors:` is one of `known` or a side channel, and every column
 /// named there is in the table.
 Status CheckNames(const Manifest& manifest, const Table& table, std::vector<std::string> known);
-
-/// Says which columns stand for nothing: one written wrongly would else be missed in silence.
-void NameUnread(const Table& table, const Manifest& manifest, RigRun* run);
 
 }  // namespace phs::measurement

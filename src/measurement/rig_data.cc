@@ -193,6 +193,34 @@ Status ReadExtra(const Table& table, const Manifest& manifest, const Clock& cloc
   return {};
 }
 
+/// Says which columns stand for nothing: one written wrongly would else be missed in silence.
+void NameUnread(const Table& table, const Manifest& manifest, RigRun* run) {
+  constexpr size_t kMost = 6;
+  std::vector<int> read = {FindChannel(table, manifest, "t_s")};
+  for (const std::string& name : manifest.extra) read.push_back(FindChannel(table, manifest, name));
+  for (const auto* list : {&run->inputs, &run->outputs}) {
+    for (const Channel& c : *list) read.push_back(FindChannel(table, manifest, c.name));
+  }
+  for (const Channel* c : {&run->speed, &run->pressure, &run->temperature}) {
+    read.push_back(FindChannel(table, manifest, c->name));
+  }
+  std::vector<std::string> unread, missing;
+  for (int i = 0; i < table.num_columns(); ++i) {
+    const bool used = std::find(read.begin(), read.end(), i) != read.end();
+    if (!used) unread.push_back(table.names[static_cast<size_t>(i)]);
+  }
+  for (const Channel& c : run->outputs) {
+    if (!c.present()) missing.push_back(c.name);
+  }
+  if (unread.empty()) return;
+  const size_t more = unread.size() - std::min(unread.size(), kMost);
+  unread.resize(unread.size() - more);
+  if (more > 0) unread.push_back(std::to_string(more) + " more");
+  run->findings.push_back(
+      {"columns", JoinWords(unread) + ": not read, as no channel of this rig is called so" +
+                      (missing.empty() ? "" : "; not measured: " + JoinWords(missing))});
+}
+
 Status ClipWindow(const char* key, RigRun* run, Window* window) {
   if (window->empty()) return {};
   const Window asked = *window;

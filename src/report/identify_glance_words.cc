@@ -224,7 +224,10 @@ std::string WhatWasMissing(const IdentifyResults& results) {
            "model says what can be said.";
   }
   const std::string lacks = "The declared model lacks " + Joined(Described(effects, true));
-  if (word == "not_described") return lacks + ", but that does not explain enough.";
+  if (word == "not_described") {
+    return lacks +
+           ", but that is not enough, or the data contradict themselves: the reasons stand below.";
+  }
   return lacks + ".";
 }
 

@@ -184,7 +184,10 @@ TEST_F(IdentifyReport, EveryVerdictHasItsWords) {
   EXPECT_TRUE(Holds(none, "<strong>Next.</strong> Mend what the reasons name"));
   EXPECT_TRUE(Lacks(none, "Put model.yaml into the bogie"));
   const std::string some = with("not_described", R"({"name":"stribeck"})");
-  EXPECT_TRUE(Holds(some, "The declared model lacks stribeck, but that does not explain enough."));
+  EXPECT_TRUE(
+      Holds(some,
+            "The declared model lacks stribeck, but that is not enough, or the data contradict "
+            "themselves: the reasons stand below."));
   const std::string found = with("explained", R"({"name":"stribeck"},{"name":"backlash"})");
   EXPECT_TRUE(Holds(found, "tone-0\">Explained by stribeck and backlash.</p>"));
 }
