@@ -154,7 +154,7 @@ const EffectInfo& SensorDelayInfo() {
           {"damping", "-", 0, 0, 0.99, 0.02, 0.8,
            "D of a channel that rings, T = its time: T² y'' + 2 D T y' + y = true; 0: it does not"},
           {"bubble", "-", 0, -2, 2, -0.2, 1, "n of a gauge that rings, T at 2 MPa: T ~ p^-n"},
-          {"share", "-", 1, -10, 10, 0.02, 2, "of what a channel rings by; the rest follows"},
+          {"share", "-", 1, -10, 10, -2, 2, "of what a channel rings by; the rest follows"},
       },
       InstallSensorDelay,
       {
@@ -167,7 +167,7 @@ const EffectInfo& SensorDelayInfo() {
                             {"p_rod_s", 2e-3, 0.02, 2, Walk::kInStep}}},
                   {.free = {{"piston_s", 2e-3, 0.02, 2}}},
                   {.free = {{"load_s", 4e-3, 0.05, 4}, {"damping", 0.3}}},
-                  {.free = {{"load_s", 4e-3, 0.05, 4}, {"damping", 0.1}, {"share", 0.3}}},
+                  {.free = {{"load_s", 4e-3, 0.05, 4}, {"damping", 0.1}, {"share", -0.3, 0.3, 2}}},
                   {.free = {{"p_bore_s", 4e-3, 0.05, 4}, {"damping", 0.3}}},
                   {.free = {{"p_rod_s", 4e-3, 0.05, 4}, {"damping", 0.3}}},
               },

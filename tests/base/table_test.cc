@@ -78,6 +78,12 @@ TEST(Csv, Messages) {
       CsvError("a;b\n1;2\n"),
       "d.csv:1: is separated by semicolons or tabs; allowed: commas, and '.' as decimal mark; "
       "save it as comma separated values");
+  EXPECT_EQ(CsvError("0,1.5\n1,2\n"),
+            "d.csv:1: holds numbers, where the names of the columns belong; allowed: a header row "
+            "of names with their units, as t_s,load_cell_N; add one");
+  for (const std::string& utf16 : {std::string("\xFF\xFE") + "a,b", std::string("a\0,\0b\0", 6)}) {
+    EXPECT_THAT(CsvError(utf16), HasSubstr("d.csv: is no plain text (UTF-16, or binary)"));
+  }
   EXPECT_THAT(CsvError("a,b\n1,\"2\n"), HasSubstr("d.csv:2: broken CSV"));
   EXPECT_THAT(CsvError("a,b\n1,2\"3\n"), HasSubstr("quotes closed on the same line"));
   EXPECT_EQ(ParseCsv("piston_m,t_s\n1,2\n", "d.csv").value().Column("piston").error().Line(),

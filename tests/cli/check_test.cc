@@ -39,13 +39,13 @@ TEST_F(CheckTest, EveryMissedLimitIsOneLineAndJUnitHasIt) {
                             "limits:\n  - {quantity: run.min_Q_N, bogie: phs, at_least: 1e9}\n"
                             "  - {quantity: run.steps, at_most: 1}\n"
                             "  - {quantity: ratios.phs_over_rigid_link.run.steps, at_most: 1}\n",
-                            "--bogies phs,rigid_link --junit " + dir_.File("junit.xml"));
+                            "--bogies phs,rigid_link --junit " + dir_.File("new/junit.xml"));
   EXPECT_EQ(out.code, 1);
   EXPECT_EQ(std::count(out.text.begin(), out.text.end(), '\n'), 3) << out.text;
   EXPECT_THAT(out.text, HasSubstr("phs: phs: run.min_Q_N is "));
   EXPECT_THAT(out.text, HasSubstr(" too little"));
   EXPECT_THAT(out.text, HasSubstr("rigid_link: run.steps is 51, at most 1 allowed: 50 too much"));
-  std::ifstream file(dir_.File("junit.xml"));
+  std::ifstream file(dir_.File("new/junit.xml"));
   const std::string xml{std::istreambuf_iterator<char>(file), {}};
   EXPECT_THAT(xml, HasSubstr("tests=\"6\" failures=\"3\""));
 }

@@ -51,9 +51,20 @@ INSTANTIATE_TEST_SUITE_P(Kinds, New, testing::Values("bogie", "track", "scenario
 TEST(NewInFolder, NothingIsOverwritten) {
   ScratchDir dir;
   dir.Write("notes.txt", "mine");
-  EXPECT_EQ(ExecutePhs("new track " + dir.File("")).code, 3);
+  const Output refused = ExecutePhs("new track " + dir.File(""));
+  EXPECT_EQ(refused.code, 3);
+  EXPECT_EQ(refused.text.find("--force"), std::string::npos) << "it has none: " << refused.text;
   EXPECT_TRUE(std::filesystem::exists(dir.File("notes.txt")));
   EXPECT_EQ(ExecutePhs("new trak " + dir.File("x")).code, 2);
+}
+
+TEST(NewInFolder, WhatIsPrintedCanBePasted) {
+  ScratchDir dir;
+  const std::string out = dir.File("a rig's folder");
+  const Output made = ExecutePhs("new rig \"" + out + "\"");
+  ASSERT_EQ(made.code, 0) << made.text;
+  const std::string quoted = dir.File("a rig") + "'\\''s folder'";
+  EXPECT_NE(made.text.find("cd '" + quoted + " && "), std::string::npos) << made.text;
 }
 
 }  // namespace

@@ -126,6 +126,25 @@ TEST_F(ProgramTest, UnknownNamesAreBadInput) {
   ExpectRefused(Scenario("track: straight\nphs: bo_bb\n"), 3, "bo_bo");
 }
 
+// A burst hose of a bogie that has none ran in silence, and so did a name written wrongly.
+TEST_F(ProgramTest, WhatIsSaidOfAPhsThatNoBogieHasIsCheckedAndNamed) {
+  const std::string rigid = "track: straight\nbogie: rigid_link\n";
+  ExpectRefused(Scenario(rigid + "phs: bo_bb\n"), 3, "bo_bo");
+  ExpectRefused(Scenario(rigid + "phs_parameters: {friction.scal: 1}\n"), 3, "friction.scale");
+  ExpectRefused(Scenario(rigid + "failures: [{kind: line_burst, line: L9, at_s: 0.1}]\n"), 3, "L9");
+  const std::string unused = Scenario(rigid +
+                                      "phs_parameters: {friction.scale: 2}\n"
+                                      "failures: [{kind: line_burst, line: L1, at_s: 0.1}]\n");
+  const Output out = ExecutePhs("simulate " + unused + " --quiet --out " + Path("out"));
+  EXPECT_EQ(out.code, 0) << out.text;
+  EXPECT_THAT(out.text, HasSubstr("! no bogie of this run has a PHS: without effect here: "
+                                  "phs_parameters, failures"));
+  const Output both =
+      ExecutePhs("compare " + unused + " --bogies phs,rigid_link --quiet --out " + Path("both"));
+  EXPECT_EQ(both.code, 0) << both.text;
+  EXPECT_THAT(both.text, testing::Not(HasSubstr("without effect")));
+}
+
 TEST_F(ProgramTest, BrokenFilesAreBadInputWithPlace) {
   const std::string profile = Write("broken.prw", "1 2\n3 x\n");
   ExpectRefused(Scenario("track: straight\nwheel: " + profile + "\n"), 3, "broken.prw");

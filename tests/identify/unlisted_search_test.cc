@@ -87,14 +87,17 @@ TEST(UnlistedSearchTest, AVibrationOfTheFrameIsAWaveInTime) {
 }
 
 TEST(UnlistedSearchTest, ACyclicErrorOfThePistonsSensorIsItsReading) {
-  const FitData data = Record(WithUnlisted("c1*sin(2*pi*x/0.0009[m])", "c1_m", 1e-5, {}));
-  const Identification found = Find(Declared(), data);
-  ASSERT_EQ(found.effects.size(), 1u);
-  EXPECT_EQ(found.effects[0].candidate.effect, "unlisted");
-  EXPECT_EQ(found.formula.unit, "m");
-  const std::string text = found.formula.text;
-  EXPECT_NEAR(std::stod(text.substr(text.find("x/") + 2)), 9e-4, 9e-6);
-  EXPECT_LT(found.after.channel_ms[0], 1.1);
+  // Of a sensor that was set to zero where the motion begins, or not.
+  for (const char* wave : {"c1*sin(2*pi*x/0.0009[m])", "c1*cos(2*pi*x/0.0009[m])"}) {
+    const FitData data = Record(WithUnlisted(wave, "c1_m", 1e-5, {}));
+    const Identification found = Find(Declared(), data);
+    ASSERT_EQ(found.effects.size(), 1u) << wave;
+    EXPECT_EQ(found.effects[0].candidate.effect, "unlisted");
+    EXPECT_EQ(found.formula.unit, "m");
+    const std::string text = found.formula.text;
+    EXPECT_NEAR(std::stod(text.substr(text.find("x/") + 2)), 9e-4, 9e-6);
+    EXPECT_LT(found.after.channel_ms[0], 1.1) << text;
+  }
 }
 
 TEST(UnlistedSearchTest, CrosstalkOfAPressureSensorIsItsReadingOverTheOther) {

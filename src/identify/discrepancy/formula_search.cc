@@ -61,7 +61,7 @@ class PlaceTerms final : public TermLibrary {
     if (!places_known_) CollectRows();
     const Variable x{"x", "m", scale_.x, row_x_, 1.5}, load{"F", "N", scale_.F, row_F_, 0};
     if (!data_.has_friction) {
-      AddWave(residual, x, Wave::kZeroed);
+      for (const Wave kind : {Wave::kPlain, Wave::kZeroed}) AddWave(residual, x, kind);
       // Bits of a converter that stick: its error comes back with its own reading.
       if (data_.own != 0) AddWave(residual, OwnPressure(), Wave::kPlain);
     } else {
