@@ -48,6 +48,7 @@ ZeroPositions FindZeroPositions(const std::vector<BeginningChannel>& inputs,
                                 const std::vector<BeginningChannel>& outputs,
                                 const PredictFrom& predict) {
   constexpr double kCloser = 3;       // times as close, to be beyond doubt
+  constexpr double kSeen = 0.05;      // of the swings: more than noise
   constexpr double kSensor_m = 1e-3;  // more than an error of a sensor, or a play
   ZeroPositions out{std::vector<double>(inputs.size(), 0), std::vector<double>(outputs.size(), 0)};
   std::vector<double> begins;
@@ -61,7 +62,8 @@ ZeroPositions FindZeroPositions(const std::vector<BeginningChannel>& inputs,
   });
   if (elsewhere && told) {
     const double as_read = OffAtBegin(outputs, predict(out.inputs));
-    if (as_read > kCloser * OffAtBegin(outputs, predict(begins))) out.inputs = begins;
+    const bool seen = as_read > kSeen;
+    if (seen && as_read > kCloser * OffAtBegin(outputs, predict(begins))) out.inputs = begins;
   }
   const bool far = std::any_of(outputs.begin(), outputs.end(), [](const BeginningChannel& c) {
     return IsPosition(c) && std::abs(c.at) > kSensor_m;
@@ -76,7 +78,8 @@ ZeroPositions FindZeroPositions(const std::vector<BeginningChannel>& inputs,
     for (const double driven : out.inputs) {  // the zero of its actuator is its own, too
       if (std::abs(off - driven) < std::abs(off - zero)) zero = driven;
     }
-    if (std::abs(off - zero) > kSensor_m) zero = off;
+    // In another unit than its name says its noise may be more than a millimetre.
+    if (std::abs(off - zero) > std::max(kSensor_m, kSeen * outputs[c].swing)) zero = off;
   }
   return out;
 }

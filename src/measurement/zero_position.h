@@ -26,7 +26,8 @@ BeginningChannel BeginningOf(const std::string& name, const std::vector<double>&
 
 /// What the driving positions and the measured pistons are to be counted from, in the order of
 /// `inputs` and `outputs`; all 0: as they are. `least_m`: of each input, less is no zero elsewhere.
-/// A piston's sensor that stands more than a millimetre off what the model says is counted from there.
+/// A piston's sensor that stands more than a millimetre, and a twentieth of its swing, off what the
+/// model says is counted from there.
 struct ZeroPositions {
   std::vector<double> inputs, outputs;
   bool any() const;

@@ -87,6 +87,16 @@ TEST_F(MessyRecord, APistonThatBeginsElsewhereStaysThere) {
   EXPECT_THAT(Dump(outcome, "data_findings"), testing::Not(HasSubstr("counted from there")));
 }
 
+// Its noise of 1.5 um, read as 1.5 m, is no zero elsewhere; nor is a start 20 um beside the zero.
+TEST_F(MessyRecord, NoiseInAnotherUnitIsNoZeroElsewhere) {
+  Columns record = ColumnsOf(Record(OffDeclared()));
+  Change(&record["piston_m"], [](double x) { return 1e6 * x; });
+  Change(&record["actuator_m"], [](double x) { return x + 2e-5; });
+  const auto outcome = Identified(record);
+  EXPECT_THAT(Dump(outcome, "data_findings"), testing::Not(HasSubstr("counted from there")));
+  EXPECT_THAT(Dump(outcome, "data_findings"), HasSubstr("taken in um"));
+}
+
 // A load cell in kgf had been explained by an error of the load cell on no list, and a leak beside it
 // was not found.
 TEST_F(MessyRecord, ALoadCellInAnotherUnitIsAskedAboutAndNotExplained) {
