@@ -70,8 +70,8 @@ TEST_F(MessyRecord, SensorsAtTheMiddleOfTheirStrokeCountFromTheStaticState) {
   for (const auto& [actuator, piston] :
        {std::pair{0.0125, 0.0125}, {0.0125, -0.0075}, {0.0, 7.5e-3}, {3e-4, 3e-4}, {0.05, 0.05}}) {
     Columns moved = sound;
-    Change(&moved["actuator_m"], [&](double x) { return x + actuator; });
-    Change(&moved["piston_m"], [&](double x) { return x + piston; });
+    Change(&moved["actuator_m"], [by = actuator](double x) { return x + by; });
+    Change(&moved["piston_m"], [by = piston](double x) { return x + by; });
     const auto outcome = Identified(moved);
     EXPECT_EQ(Verdict(outcome), "sufficient") << actuator << " " << piston;
     EXPECT_THAT(Dump(outcome, "data_findings"),
