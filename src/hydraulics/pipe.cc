@@ -34,24 +34,8 @@ class SeriesFlow final : public FlowLaw {
     *slope += slope2;
     return drop;
   }
-  // Drops rise with flow: Newton from the smaller of the two single flows, inside [0, that].
   double Flow(const FlowPlace& at, double dp, double* slope) const noexcept override {
-    double s1, s2;
-    const double q1 = first_->Flow(at, dp, &s1), q2 = second_->Flow(at, dp, &s2);
-    double outer = std::abs(q1) < std::abs(q2) ? q1 : q2, inner = 0, q = outer;
-    double rise = 1;
-    for (int i = 0; i < 60; ++i) {
-      const double error = Drop(at, q, &rise) - dp;
-      ((error > 0) == (dp > 0) ? outer : inner) = q;
-      double next = q - error / rise;
-      if ((next - inner) * (next - outer) > 0) next = 0.5 * (inner + outer);
-      const double change = std::abs(next - q);
-      q = next;
-      if (change <= 1e-14 * std::abs(q)) break;
-    }
-    Drop(at, q, &rise);
-    *slope = 1 / rise;
-    return q;
+    return first_->SolvedByDrop() ? FlowByFlow(at, dp, slope) : FlowByDrop(at, dp, slope);
   }
   double Inertance() const noexcept override { return first_->Inertance() + second_->Inertance(); }
   int num_lags() const noexcept override { return first_->num_lags() + second_->num_lags(); }
@@ -62,6 +46,45 @@ class SeriesFlow final : public FlowLaw {
   bool SolvedByDrop() const noexcept override { return true; }
 
  private:
+  static constexpr int kMostSteps = 60;
+
+  // Of what is sought between `inner` and `outer`; false once it is found.
+  static bool Step(double error, double rise, double dp, double* inner, double* outer, double* x) {
+    ((error > 0) == (dp > 0) ? *outer : *inner) = *x;
+    double next = *x - error / rise;
+    if ((next - *inner) * (next - *outer) > 0) next = 0.5 * (*inner + *outer);
+    const double change = std::abs(next - *x);
+    *x = next;
+    return change > 1e-14 * std::abs(*x);
+  }
+  // Drops rise with flow: Newton from the smaller of the two single flows, inside [0, that].
+  double FlowByFlow(const FlowPlace& at, double dp, double* slope) const noexcept {
+    double s1, s2;
+    const double q1 = first_->Flow(at, dp, &s1), q2 = second_->Flow(at, dp, &s2);
+    double outer = std::abs(q1) < std::abs(q2) ? q1 : q2, inner = 0, q = outer;
+    double rise = 1;
+    for (int i = 0; i < kMostSteps; ++i) {
+      const double error = Drop(at, q, &rise) - dp;
+      if (!Step(error, rise, dp, &inner, &outer, &q)) break;
+    }
+    Drop(at, q, &rise);
+    *slope = 1 / rise;
+    return q;
+  }
+  // The first has no closed drop, but a closed flow: Newton for its share of the drop, in [0, dp].
+  double FlowByDrop(const FlowPlace& at, double dp, double* slope) const noexcept {
+    double outer = dp, inner = 0, share = dp;
+    double light, rise;
+    for (int i = 0; i < kMostSteps; ++i) {
+      const double flow = first_->Flow(at, share, &light);
+      const double error = share + second_->Drop(at, flow, &rise) - dp;
+      if (!Step(error, 1 + rise * light, dp, &inner, &outer, &share)) break;
+    }
+    const double flow = first_->Flow(at, share, &light);
+    second_->Drop(at, flow, &rise);
+    *slope = light / (1 + rise * light);
+    return flow;
+  }
   std::unique_ptr<FlowLaw> first_, second_;
 };
 
@@ -112,6 +135,9 @@ FlowLag PipeFlow::Lag(const FlowPlace& at, int lag) const noexcept {
   return {term.n * laminar / (8 * oil_inertance_), unsteady_ * term.m * laminar / 2};
 }
 
+// [Pa] Below that a gap's flow is about linear.
+constexpr double kSmooth = 2e3;
+
 double GapFlow::Opening(double time) const {
   return std::clamp((time - start_) / kOpening, 0.0, 1.0);
 }
@@ -132,29 +158,35 @@ double GapFlow::FlowBeyond(const FlowPlace& at, double dp, double* slope) const 
     *slope = G;
     return G * dp;
   }
-  constexpr double kSmooth = 2e3;  // [Pa]
   const double square = dp * dp + kSmooth * kSmooth;
   const double factor = std::pow(square / (kReference * kReference), 0.5 * (exponent_ - 1));
   *slope = G * factor * (1 + (exponent_ - 1) * dp * dp / square);
   return G * factor * dp;
 }
 
-// A leak has no inertia, so its drop is never asked for in a run; Newton, for completeness of the
-// law: the flow rises with dp.
+// With L = ln|d| the law is n L + (n-1)/2 ln(1 + s²/d²) = ln(|q|/G) + (n-1) ln p_ref, between two
+// straight lines: that of a d far beyond s, and of one far below. Newton from the nearer of them
+// meets it from one side, mostly in two steps.
 double GapFlow::Drop(const FlowPlace& at, double flow, double* slope) const noexcept {
-  double dp =
-      kReference *
-      std::copysign(std::pow(std::abs(flow) / (Conductance(at, flow) * kReference), 1 / exponent_),
-                    flow);
-  const FlowPlace open{std::max(at.time, start_ + kOpening), at.warmer, at.viscosity};
-  double rise = 1;
-  for (int i = 0; i < 50; ++i) {
-    const double error = FlowBeyond(open, dp, &rise) - flow;
-    dp -= error / rise;
-    if (std::abs(error) <= 1e-14 * std::abs(flow)) break;
+  const double G = Conductance(at, flow), n1 = exponent_ - 1;
+  double each = 1 / (G * std::pow(kSmooth / kReference, n1));  // d over q, at rest
+  double log_d = -INFINITY, square = 0;
+  if (flow != 0) {
+    const double known = std::log(std::abs(flow) / G) + n1 * std::log(kReference);
+    const double far = known / exponent_, near = known - n1 * std::log(kSmooth);
+    log_d = n1 < 0 ? std::max(far, near) : std::min(far, near);
+    for (int i = 0; i < 20; ++i) {
+      square = std::exp(2 * log_d);
+      const double both = square + kSmooth * kSmooth;
+      const double error = log_d + 0.5 * n1 * std::log(both) - known;
+      const double step = error / (1 + n1 * square / both);
+      log_d -= step;
+      if (std::abs(step) < 1e-8) break;  // the next would be its square
+    }
+    each = std::exp(log_d) / std::abs(flow);
   }
-  *slope = 1 / rise;
-  return opening_Pa_ + dp;
+  *slope = each / (1 + n1 * square / (square + kSmooth * kSmooth));
+  return opening_Pa_ + each * flow;
 }
 
 double PoppetFlow::Drop(const FlowPlace&, double flow, double* slope) const noexcept {

@@ -131,12 +131,7 @@ void ReadDriven(YamlMap& map, const std::string& rig, WindowNeed need, rigs::Rig
 /// Changes of the declared model, as a scenario has them; a bogie's stand in its scenario.
 phs_model::PhsChanges ReadChanges(YamlMap& map, const std::string& rig) {
   phs_model::PhsChanges changes;
-  if (map.Has("phs_parameters")) {
-    YamlMap parameters = map.Map("phs_parameters");
-    for (const std::string& name : parameters.Keys()) {
-      changes.parameters[name] = parameters.Number(name, {});
-    }
-  }
+  if (map.Has("phs_parameters")) phs_model::ReadParameters(map.Map("phs_parameters"), &changes);
   if (map.Has("effects")) changes.effects = phs_model::ReadEffects(map.Map("effects"));
   changes.failures = phs_model::ReadFailures(&map, 0, 0);
   for (const phs_model::Failure& failure : changes.failures) {

@@ -7,6 +7,13 @@ namespace phs::phs_model {
 using hydraulics::EffectParams;
 using hydraulics::PhsParams;
 
+void ReadParameters(YamlMap map, PhsChanges* changes) {
+  for (const std::string& name : map.Keys()) {
+    changes->parameters[name] = map.Number(name, {});
+    changes->places[name] = map.Where(name);
+  }
+}
+
 Status ApplyChanges(const PhsChanges& changes, const std::string& system, PhsParams* params) {
   for (const EffectParams& effect : changes.effects) {
     for (const EffectParams& present : params->effects) {
@@ -17,7 +24,12 @@ Status ApplyChanges(const PhsChanges& changes, const std::string& system, PhsPar
     params->effects.push_back(effect);
   }
   for (const auto& [name, value] : changes.parameters) {
-    if (Status s = SetParameter(params, name, value); !s.ok()) return s;
+    if (Status s = SetParameter(params, name, value); !s.ok()) {
+      Error e = s.error();
+      if (const auto at = changes.places.find(name); at != changes.places.end())
+        e.where = at->second;
+      return e;
+    }
   }
   return ApplyFailures(changes.failures, system, params);
 }

@@ -7,6 +7,7 @@
 #include "base/data_path.h"
 #include "base/yaml.h"
 #include "phs_model/effects_yaml.h"
+#include "phs_model/model_changes.h"
 #include "phs_model/phs_model.h"
 #include "rail/creep_law.h"
 #include "vehicle/running_effects.h"
@@ -103,12 +104,8 @@ Result<Scenario> ReadScenario(YamlMap map, const std::string& naming) {
       map.Number("record_interval_s", {.min = 1e-6, .max = 60}, s.record_interval_s);
   if (map.Has("running")) ReadRunning(map.Map("running"), &s);
   s.phs_changes.failures = phs_model::ReadFailures(&map, s.speed_m_s, s.start_s_m);
-  if (map.Has("phs_parameters")) {
-    YamlMap changes = map.Map("phs_parameters");
-    for (const std::string& name : changes.Keys()) {
-      s.phs_changes.parameters[name] = changes.Number(name, {});
-    }
-  }
+  if (map.Has("phs_parameters"))
+    phs_model::ReadParameters(map.Map("phs_parameters"), &s.phs_changes);
   if (map.Has("effects")) {
     for (const auto& effect : phs_model::ReadEffects(map.Map("effects"))) {
       if (Status added = AddEffect(effect, &s); !added.ok()) {

@@ -73,5 +73,32 @@ TEST(Restriction, AValveHeldShutTakesItsSpringsPressure) {
   EXPECT_NEAR(law->Drop({}, 3e-4, &rise), out + R * 3e-4, 1e-3 * out);
 }
 
+// A power of the drop, turbulence and a valve's spring together: flow and drop are inverses of each
+// other by direction from pascals to tens of megapascals, with slopes that are, too.
+TEST(Restriction, FlowAndDropAreInverses) {
+  for (const double n : {0.5, 0.7, 1.3, 2.0, 4.0}) {
+    for (const double spring : {0.0, 2e5}) {
+      for (const double K : {0.0, 1e14}) {
+        const auto law = MakeRestriction({kR, K, spring}, {kAway * kR, 2 * K, spring / 4}, n, {});
+        for (double dp = 3; dp < 3e7; dp *= 7) {
+          for (const double d : {dp, -dp}) {
+            double slope, rise, other;
+            const double q = law->Flow({.viscosity = 0.8}, d, &slope);
+            EXPECT_NEAR(law->Drop({.viscosity = 0.8}, q, &rise) / d, 1, 1e-12) << n << " " << d;
+            EXPECT_NEAR(slope * rise, 1, 1e-7) << n << " " << d;
+            const double above = law->Drop({.viscosity = 0.8}, q * (1 + 1e-4), &other);
+            const double below = law->Drop({.viscosity = 0.8}, q * (1 - 1e-4), &other);
+            EXPECT_NEAR((above - below) / (2e-4 * q) / rise, 1, 1e-6) << n << " " << d;
+          }
+        }
+        double slope, rise;
+        EXPECT_EQ(law->Flow({}, 0, &slope), 0);
+        EXPECT_EQ(law->Drop({}, 0, &rise), 0);
+        EXPECT_NEAR(slope * rise, 1, 1e-12) << n;
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace phs::effects

@@ -10,6 +10,7 @@
 #include "hydraulics/phs_validate.h"
 #include "phs_model/effects_yaml.h"
 #include "phs_model/keys.h"
+#include "phs_model/model_changes.h"
 #include "phs_model/phs_model.h"
 
 namespace phs::phs_model {
@@ -99,6 +100,20 @@ TEST(Numbers, DefaultsAndPlausibleValuesAreAllowed) {
     EXPECT_TRUE(info.allowed.Contains(info.high)) << name;
     EXPECT_FALSE(info.text.empty() || info.unit.empty()) << name;
   });
+}
+
+// A number that the model has not is told with its place in the file that names it.
+TEST(Numbers, AnUnknownOneOfAFileIsToldWithItsPlace) {
+  auto map = YamlMap::Parse("speed_m_s: 20\nphs_parameters:\n  friction.scale: 2\n  L9.gas: 1\n",
+                            "run.yaml");
+  PhsChanges changes;
+  ReadParameters(map.value().Map("phs_parameters"), &changes);
+  PhsParams params = Model();
+  const Status done = ApplyChanges(changes, "", &params);
+  ASSERT_FALSE(done.ok());
+  EXPECT_EQ(done.error().where, "run.yaml:4: phs_parameters.L9.gas");
+  // One that no file named: by its name.
+  EXPECT_EQ(ApplyChanges({.parameters = {{"L9.gas", 1}}}, "", &params).error().where, "L9.gas");
 }
 
 /// Every line "key:" of a written file is a key of a row.
