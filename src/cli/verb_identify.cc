@@ -107,6 +107,7 @@ void AddIdentify(CLI::App* verb, Action* action) {
   verb->add_option("--between", options->search.between,
                    "Two effects, ONE,OTHER, that the next test is to tell apart")
       ->delimiter(',')
+      ->transform([](const std::string& name) { return CLI::detail::trim_copy(name); }, "")
       ->allow_extra_args(false);
   verb->add_option("--rule", options->numbers,
                    "Another number of the rule of acceptance, NAME=VALUE (false_alarms, …)")

@@ -118,6 +118,7 @@ struct ElementParams {
   double mass_kg = 0;
   double stiffness_N_per_m = 0;
   double hardening_N_per_m3 = 0;
+  double damping_Ns_per_m = 0;
   double quadratic_damping_Ns2_per_m2 = 0;
   double gas_force_N = 0;       ///< absolute pressure at x = 0 times its area; 0: none
   double gas_length_m = 0.1;    ///< volume at x = 0 over area, not 0; > 0: x > 0 compresses

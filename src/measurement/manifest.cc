@@ -240,6 +240,20 @@ void ReadCandidates(YamlMap& map, Manifest* m) {
   }
 }
 
+/// To be fitted to, one run at least has an estimation window, and each has one of the two.
+void CheckWindows(const Manifest& m, YamlMap* map) {
+  bool any_estimation = false;
+  for (const RunSpec& run : m.runs) any_estimation |= !run.estimation.empty();
+  if (!any_estimation) {
+    map->Fail("estimation", "no run has an estimation window", "[begin, end] in seconds");
+  }
+  for (size_t r = 0; r < m.runs.size(); ++r) {
+    if (!m.runs[r].estimation.empty() || !m.runs[r].validation.empty()) continue;
+    map->Fail("runs", "run " + std::to_string(r + 1) + " has neither window",
+              "estimation: [begin, end], validation: [begin, end], or one of them");
+  }
+}
+
 /// Keys that this rig would not read: a wrong result is better refused than explained.
 void RefuseOfOthers(YamlMap& map, const Manifest& m) {
   const auto only = [&](const char* key, bool here, const char* where) {
@@ -320,11 +334,7 @@ Result<Manifest> LoadManifest(const std::string& path, WindowNeed need) {
   }
   m.compare_with = ReadComparison(map, m, need);
   RefuseOfOthers(map, m);
-  bool any_estimation = false;
-  for (const RunSpec& run : m.runs) any_estimation |= !run.estimation.empty();
-  if (need == WindowNeed::kEstimation && !any_estimation && m.rig != "steps") {
-    map.Fail("estimation", "no run has an estimation window", "[begin, end] in seconds");
-  }
+  if (need == WindowNeed::kEstimation && m.rig != "steps") CheckWindows(m, &map);
   if (Status s = map.Finish(); !s.ok()) return s.error();
   for (const OwnCandidate& own : m.own) {
     if (Status s = CheckNumbersAreUsed(own); !s.ok()) return s.error();

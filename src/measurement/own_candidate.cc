@@ -1,5 +1,7 @@
 #include "measurement/own_candidate.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
 #include <cmath>
@@ -30,6 +32,11 @@ bool IsName(const std::string& text) {
 }
 
 std::string Expression(YamlMap& map, const std::string& key) {
+  if (map.IsMap(key)) {
+    map.Fail(key, "is a block", "one expression: of a state its rate, as it begins at 0",
+             "states: {z_m: \"v - z/1[s]\"}");
+    return "";
+  }
   std::string text = map.Text(key);
   if (text.find_first_of(";=") != std::string::npos) {
     map.Fail(key, "holds a \"" + text.substr(text.find_first_of(";="), 1) + "\"", "one expression",
@@ -61,7 +68,9 @@ OwnCandidate ReadOwnCandidate(YamlMap& candidates, const std::string& name,
   for (const std::string& number : parameters.Keys()) {
     const std::vector<double> range = parameters.Numbers(number, {});
     if (range.size() != 2 || !(range[1] > range[0])) {
-      parameters.Fail(number, "is no range", "[low, high], low < high");
+      std::string given;
+      for (const double x : range) given += fmt::format("{}{:g}", given.empty() ? "" : ", ", x);
+      parameters.Fail(number, "is no range: [" + given + "]", "[low, high], low < high");
       continue;
     }
     const bool by_factors = range[0] > 0 && range[1] > 20 * range[0];

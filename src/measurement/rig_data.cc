@@ -307,7 +307,9 @@ Result<RigRun> ReadRigRun(const RunSpec& spec, const Manifest& manifest,
   const bool windows = !spec.estimation.empty() || !spec.validation.empty();
   if (measured == 0 && (need == OutputNeed::kSome || windows)) {
     return Error{spec.data, "holds no channel to compare with", JoinWords(outputs),
-                 "without windows phs rig predicts them from the inputs alone"};
+                 "its columns are " + JoinWords(table.names) + ": name one as `columns: {" +
+                     outputs.front() +
+                     ": NAME}`; without windows phs rig predicts them from the inputs alone"};
   }
   run.speed = ReadChannel(table, manifest, clock, "v_m_s", &run);
   run.pressure = ReadChannel(table, manifest, clock, "p_Pa", &run);

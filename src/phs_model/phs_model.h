@@ -55,10 +55,10 @@ Status SetParameter(hydraulics::PhsParams* params, const std::string& name, doub
 
 /// What a run changes in a PHS model.
 struct PhsChanges {
-  std::map<std::string, double> parameters = {};   ///< by name: "friction.scale" (SetParameter)
-  std::map<std::string, std::string> places = {};  ///< "run.yaml:7: …" of these, if read there
+  std::map<std::string, double> parameters = {};  ///< by name: "friction.scale" (SetParameter)
   std::vector<Failure> failures = {};
   std::vector<hydraulics::EffectParams> effects = {};  ///< beside those of the file
+  std::map<std::string, std::string> places = {};  ///< "run.yaml:7: …" of these, if read there
 };
 
 /// A model file with its effects, with changed parameters and the failures that concern `system`.

@@ -40,7 +40,7 @@ FrictionPlace ElementPlace(const hydraulics::PhsSystem& system, const RigMotion&
 double ElementForce(const hydraulics::ElementParams& part, double x, double v, double pressure) {
   return part.offset_N + part.stiffness_N_per_m * x + part.hardening_N_per_m3 * x * x * x +
          part.pressure_area_m2 * pressure + GasSpringForce(part, x) +
-         part.quadratic_damping_Ns2_per_m2 * v * std::abs(v);
+         (part.damping_Ns_per_m + part.quadratic_damping_Ns2_per_m2 * std::abs(v)) * v;
 }
 
 void RunElementBench(const hydraulics::PhsSystem& system, const RigMotion& motion,

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "base/rising_root.h"
 #include "hydraulics/friction.h"
 #include "hydraulics/mount.h"
 
@@ -53,33 +54,16 @@ class MountedFriction {
   double direction() const { return direction_; }
 
  private:
-  /// Move of y that balances friction and mount. Their difference rises with the move: false
-  /// position with the Illinois rule inside a bracket.
+  /// Move of y that balances friction and mount. Their difference rises with the move, with a kink
+  /// where the gap closes; a stiff contact asks for the last digit of it.
   double SolveMove(double x, const FrictionPlace& place) const {
     const double reach = std::abs(x - y_) + mount_->play() + 1e-12;
     const auto excess = [&](double move) {
       return FrictionAfter(move, place) - MountForce(x - y_ - move);
     };
-    double low = -reach, high = reach, at_low = excess(low), at_high = excess(high);
-    if (at_low >= 0) return low;
-    if (at_high <= 0) return high;
-    for (int i = 0, side = 0; i < 40 && high - low > 1e-9 * reach; ++i) {
-      double middle = (low * at_high - high * at_low) / (at_high - at_low);
-      if (i % 8 == 7) middle = 0.5 * (low + high);
-      const double now = excess(middle);
-      if (now > 0) {
-        high = middle, at_high = now;
-        if (side == 1) at_low *= 0.5;
-        side = 1;
-      } else if (now < 0) {
-        low = middle, at_low = now;
-        if (side == -1) at_high *= 0.5;
-        side = -1;
-      } else {
-        return middle;
-      }
-    }
-    return 0.5 * (low + high);
+    const RootSearch search{.step = reach, .reach = reach, .tolerance = 1e-12 * reach};
+    if (const auto move = RisingRoot(excess, search)) return *move;
+    return excess(0) < 0 ? reach : -reach;
   }
   double MountForce(double u) const {
     double slope;

@@ -78,6 +78,7 @@ TEST_F(IdentifyProgramTest, TheTwoEffectsOfAQuestion) {
   ExpectRefused("asks for two different effects", " --between backlash,backlash");
   ExpectRefused("backlsh is no effect that is tried on this record",
                 " --between mount_compliance,backlsh");
+  ExpectRefused("did you mean 'backlash'?", " --between 'mount_compliance, backlsh'");
   for (const char* rig : {"hidden_bogie", "steps_setup2"}) {
     const Output out = ExecutePhs(std::string("identify ") + rig + " --quiet --out " +
                                   dir_.File("out") + " --between backlash,mount_compliance");

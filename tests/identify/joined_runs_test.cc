@@ -201,6 +201,38 @@ TEST_F(JoinedFiles, AModelEachIsWrittenForEach) {
   EXPECT_THAT(refused.error().Line(), HasSubstr("did you mean 'L1.oil_volume_m3'"));
 }
 
+TEST_F(JoinedFiles, ARunWithoutAWindowIsNamed) {
+  Csv("a.csv", Record(OffDeclared()));
+  const auto refused = Identified(
+      "rig: quarter\nmodel: quarter_setup2\nruns:\n"
+      "  - {data: a.csv, estimation: [0, 40], validation: [40, 60]}\n  - {data: a.csv}\n");
+  ASSERT_FALSE(refused.ok());
+  EXPECT_THAT(refused.error().Line(), HasSubstr("runs: run 2 has neither window"));
+}
+
+// What is left most of the last run is told by the name of its channel: it was looked up behind the
+// last of the first run.
+TEST_F(JoinedFiles, WhatIsLeftOfALaterRunIsToldByItsChannel) {
+  Csv("a.csv", Record(OffDeclared()));
+  FitData worse = Record(OffDeclared());
+  auto& last = worse.outputs.back();
+  const double begun = last.values.front();
+  for (double& p : last.values) p += 0.3 * (p - begun);
+  Csv("b.csv", worse);
+  const auto done = Identified(
+      "rig: quarter\nmodel: quarter_setup2\ncandidates: [piston_leakage]\nruns:\n"
+      "  - {data: a.csv, estimation: [0, 40], validation: [40, 60]}\n"
+      "  - {data: b.csv, estimation: [0, 40], validation: [40, 60]}\n");
+  ASSERT_TRUE(done.ok()) << done.error().Line();
+  const Json& result = done.value().result;
+  EXPECT_EQ(result["localised"]["channel"], last.name);
+  for (const auto& [name, over] : result["localised"]["residual_over_noise"].items()) {
+    EXPECT_LE(over.get<double>(), result["localised"]["residual_over_noise"][last.name]) << name;
+  }
+  EXPECT_EQ(result["unexplained"]["channel"], last.name);
+  EXPECT_GT(result["unexplained"]["estimation_over_noise"].get<double>(), 5);
+}
+
 // One seal at two pressures that nobody recorded: its level is each record's own, its viscous part
 // and the mass are one.
 TEST(JoinedBench, OneSealAtTwoPressures) {

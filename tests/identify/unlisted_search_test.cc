@@ -384,7 +384,7 @@ TEST(Unexplained, SaysWhatTheValidationWindowAloneExcites) {
   const auto over = OverNoise(data, uncertain.value(), truth, data.validation);
   EXPECT_NEAR(over[2].over_noise, 1, 0.1);
   EXPECT_NEAR(over[3].following, 99, 10) << "an offset is no noise";
-  const Unexplained left = FindUnexplained(data, truth, over, found);
+  const Unexplained left = FindUnexplained(data, truth, over, found.after.channel_ms, found);
   EXPECT_EQ(left.channel, "p_rod_Pa");
   EXPECT_NEAR(left.over_noise, 10, 1);
   EXPECT_THAT(OtherMotion(left), testing::HasSubstr("validation window excites"));

@@ -80,13 +80,43 @@ TEST(ElementBench, GasSpringHardeningAndQuadraticDampingFollowTheirLaws) {
   EXPECT_EQ(rigs::GasSpringForce(turned, -0.05), -rigs::GasSpringForce(p.element, 0.05));
   EXPECT_TRUE(std::isfinite(rigs::GasSpringForce(p.element, 0.3)));
   p.element.hardening_N_per_m3 = 4e6, p.element.quadratic_damping_Ns2_per_m2 = 700;
+  p.element.damping_Ns_per_m = 30;
   RigMotion m = Sine(0.01, 1.5, 1e-4, 20000);
   const std::vector<double> f = Force(p, m);
   for (const int i : {1234, 7777, 15000}) {
     const double x = m.position_m[0][i], v = m.speed_m_s[0][i];
-    EXPECT_NEAR(f[i],
-                4e6 * x * x * x + 700 * v * std::abs(v) + 600 * (std::pow(1 - x / 0.2, -1.4) - 1),
-                1e-9);
+    EXPECT_NEAR(
+        f[i],
+        4e6 * x * x * x + 30 * v + 700 * v * std::abs(v) + 600 * (std::pow(1 - x / 0.2, -1.4) - 1),
+        1e-9);
+  }
+}
+
+/// A damper of 4000 N s/m that holds 40 N, with a play of 0.6 mm: whatever the contact, it carries what
+/// the part holds, at most 40 N + 4000 N s/m times 20.1 mm/s.
+TEST(ElementBench, APlayCarriesWhatThePartHoldsHoweverStiffItsContact) {
+  hydraulics::PhsParams p = Part();
+  auto& f = p.friction;
+  f.model = hydraulics::FrictionModel::kPresliding;
+  f.curve = hydraulics::FrictionCurve::kCoulomb;
+  f.coulomb_extension_N = f.coulomb_retraction_N = 40;
+  f.breakaway_extension_N = f.breakaway_retraction_N = 40;
+  f.viscous_extension_Ns_per_m = f.viscous_retraction_Ns_per_m = 4000;
+  f.stiffness_N_per_m = 2e6, f.damping_Ns_per_m = 0, f.breakaway_ratio = 0.98;
+  RigMotion m = Sine(8e-3, 0.4, 2.5e-3, 4000);
+  m.speed_m_s.clear();
+  std::vector<double> soft;
+  for (const double contact : {2e6, 1e8, 3e8, 1e9, 1e11}) {
+    const std::vector<double> force =
+        Force(WithEffect(p, "backlash", {{"gap_m", 6e-4}, {"contact_N_per_m", contact}}), m);
+    if (soft.empty()) soft = force;
+    double largest = 0, apart = 0;
+    for (size_t i = 0; i < force.size(); ++i) {
+      largest = std::max(largest, std::abs(force[i]));
+      apart += std::abs(force[i] - soft[i]) / static_cast<double>(force.size());
+    }
+    EXPECT_NEAR(largest, 40 + 4000 * 8e-3 * 2 * M_PI * 0.4, 0.5) << contact;
+    EXPECT_LT(apart, 2) << contact;
   }
 }
 

@@ -119,9 +119,9 @@ Result<FreeModel> DeclaredElement(const PhsParams& declared, const std::vector<s
   const double F = s.force_N;
   std::vector<FreeParameter> usual = {Linear("element.offset_N", e.offset_N, F)};
   // What is declared is uncertain; of a gas spring its filling, not its length.
-  for (const char* name :
-       {"element.mass_kg", "element.stiffness_N_per_m", "element.hardening_N_per_m3",
-        "element.quadratic_damping_Ns2_per_m2", "element.gas_force_N"}) {
+  for (const char* name : {"element.mass_kg", "element.stiffness_N_per_m",
+                           "element.hardening_N_per_m3", "element.damping_Ns_per_m",
+                           "element.quadratic_damping_Ns2_per_m2", "element.gas_force_N"}) {
     const double value = phs_model::GetParameter(declared, name).value();
     if (value > 0) usual.push_back(Logarithmic(name, value, 30));
     if (value < 0) usual.push_back(Linear(name, value, -value));

@@ -34,12 +34,6 @@ std::vector<double> Finite(std::vector<double> y) {
   return y;
 }
 
-/// Index of the channel whose weighted residual is largest.
-size_t WorstChannel(const FitResult& fit) {
-  return static_cast<size_t>(std::max_element(fit.channel_ms.begin(), fit.channel_ms.end()) -
-                             fit.channel_ms.begin());
-}
-
 /// At most three variables that explain more than a twentieth.
 std::vector<std::string> Strongest(const std::vector<VariableShare>& shares) {
   std::vector<std::string> out;
@@ -91,8 +85,25 @@ Json ScoresJson(const std::vector<BeforeAfter>& scores) {
   return out;
 }
 
-Localised Localise(const FitData& data, const Channels& predicted, const FitResult& fit) {
-  const size_t c = WorstChannel(fit);
+std::vector<double> MeanSquares(const FitData& data, const FitProblem& problem,
+                                const FitResult& fit) {
+  std::vector<double> out;
+  for (const MeasuredChannel& channel : data.outputs) {
+    double sum = 0, count = 0;
+    for (size_t b = 0; b < fit.channel_ms.size(); ++b) {
+      if (problem.block_name(b) != channel.name) continue;
+      const double rows = problem.block(b).count * problem.block(b).present;
+      sum += rows * fit.channel_ms[b], count += rows;
+    }
+    out.push_back(sum / std::max(count, 1.0));
+  }
+  return out;
+}
+
+Localised Localise(const FitData& data, const Channels& predicted,
+                   const std::vector<double>& mean_squares) {
+  const auto c = static_cast<size_t>(std::max_element(mean_squares.begin(), mean_squares.end()) -
+                                     mean_squares.begin());
   Localised out{data.outputs[c].name, {}, {}, {}};
   const std::vector<double> r = Residual(data, predicted, c, data.estimation);
   for (const Dependence& d : MapResidual(data, r, data.estimation)) {
@@ -100,7 +111,7 @@ Localised Localise(const FitData& data, const Channels& predicted, const FitResu
   }
   out.depends_on = Strongest(out.shares);
   for (size_t k = 0; k < data.outputs.size(); ++k) {
-    out.over_noise.emplace_back(data.outputs[k].name, std::sqrt(fit.channel_ms[k]));
+    out.over_noise.emplace_back(data.outputs[k].name, std::sqrt(mean_squares[k]));
   }
   return out;
 }
@@ -116,7 +127,8 @@ Json LocalisedJson(const Localised& found) {
 }
 
 Unexplained FindUnexplained(const FitData& data, const Channels& after,
-                            const std::vector<LeftOver>& left, const Identification& found) {
+                            const std::vector<LeftOver>& left,
+                            const std::vector<double>& mean_squares, const Identification& found) {
   const auto more = [](const LeftOver& a, const LeftOver& b) {
     return a.over_noise < b.over_noise;
   };
@@ -133,7 +145,7 @@ Unexplained FindUnexplained(const FitData& data, const Channels& after,
           .whiteness_p = WhitenessP(Finite(r)),
           .over_noise = left[c].over_noise,
           .following_over_noise = std::sqrt(left[c].following),
-          .estimation_over_noise = std::sqrt(found.after.channel_ms[c]),
+          .estimation_over_noise = std::sqrt(mean_squares[c]),
           .depends_on = Strongest(shares),
           .formula = found.formula.empty() ? "" : found.formula.text};
 }

@@ -21,12 +21,16 @@ Json ScoreChannels(const measurement::FitData& data, const Channels& predicted,
                    const std::array<double, 2>& window);
 std::vector<BeforeAfter> ScoreBoth(const measurement::FitData& data, const Channels& before,
                                    const Channels& after, const std::array<double, 2>& window);
-/// Of the declared model as fitted.
+/// What a fit leaves of each channel of `data`, all runs together: weighted mean square.
+std::vector<double> MeanSquares(const measurement::FitData& data, const FitProblem& problem,
+                                const FitResult& fit);
+/// Of the declared model as fitted, which leaves `mean_squares`.
 Localised Localise(const measurement::FitData& data, const Channels& predicted,
-                   const FitResult& fit);
-/// `left`: by channel, in the validation window.
+                   const std::vector<double>& mean_squares);
+/// `left`: by channel, in the validation window; `mean_squares`: in estimation.
 Unexplained FindUnexplained(const measurement::FitData& data, const Channels& after,
-                            const std::vector<LeftOver>& left, const Identification& found);
+                            const std::vector<LeftOver>& left,
+                            const std::vector<double>& mean_squares, const Identification& found);
 /// Null where empty.
 Json OrNull(const std::string& text);
 Json ScoresJson(const std::vector<BeforeAfter>& scores);

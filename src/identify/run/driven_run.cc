@@ -268,7 +268,8 @@ Result<IdentifyOutcome> SearchAndWrite(const Manifest& manifest, const FitData& 
   Json& result = outcome.result;
   result = Head(manifest, data);
   PutRule(options.rule, &result);
-  const Unexplained unexplained = FindUnexplained(data, after, validation.after, found);
+  const Unexplained unexplained = FindUnexplained(data, after, validation.after,
+                                                  MeanSquares(data, *problem, found.after), found);
   const std::vector<std::string> drives = WhatDrives(*problem, found);
   const std::vector<std::string> wrong = Contradictions(data, *problem, corrected, after);
   VerdictFacts facts{BothWindows(validation.Channels(), estimation.Channels()),
@@ -284,7 +285,8 @@ Result<IdentifyOutcome> SearchAndWrite(const Manifest& manifest, const FitData& 
   result["channels_estimation"] = ScoresJson(estimation.scores);
   result["effects"] = EffectList(found);
   result["fitted"] = Parameters(found.corrected, found.after, 0, found.declared.free.size(), true);
-  result["localised"] = LocalisedJson(Localise(data, before, found.before));
+  result["localised"] =
+      LocalisedJson(Localise(data, before, MeanSquares(data, *problem, found.before)));
   result["unexplained"] = UnexplainedJson(unexplained);
   result["drives"] = drives;
   PutVerdict(facts, &result);

@@ -119,13 +119,15 @@ Status CheckBetween(const ForwardModel& forward, const hydraulics::PhsParams& de
   if (between.empty()) return {};
   std::set<std::string> names;
   for (const Candidate& c : forward.Candidates(declared)) names.insert(c.effect);
-  const std::string allowed = JoinWords({names.begin(), names.end()});
+  const std::vector<std::string> known(names.begin(), names.end());
   if (between.size() != 2 || between[0] == between[1]) {
-    return Error{"--between", "asks for two different effects", allowed, "--between ONE,OTHER"};
+    return Error{"--between", "asks for two different effects",
+                 "--between ONE,OTHER of " + JoinWords(known), ""};
   }
   for (const std::string& name : between) {
     if (names.contains(name)) continue;
-    return Error{"--between", name + " is no effect that is tried on this record", allowed, ""};
+    return Error{"--between", name + " is no effect that is tried on this record", JoinWords(known),
+                 DidYouMean(name, known)};
   }
   return {};
 }
