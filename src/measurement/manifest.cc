@@ -241,7 +241,7 @@ void ReadCandidates(YamlMap& map, Manifest* m) {
 }
 
 /// To be fitted to, one run at least has an estimation window, and each has one of the two.
-void CheckWindows(const Manifest& m, YamlMap* map) {
+void AskForWindows(const Manifest& m, YamlMap* map) {
   bool any_estimation = false;
   for (const RunSpec& run : m.runs) any_estimation |= !run.estimation.empty();
   if (!any_estimation) {
@@ -334,7 +334,7 @@ Result<Manifest> LoadManifest(const std::string& path, WindowNeed need) {
   }
   m.compare_with = ReadComparison(map, m, need);
   RefuseOfOthers(map, m);
-  if (need == WindowNeed::kEstimation && m.rig != "steps") CheckWindows(m, &map);
+  if (need == WindowNeed::kEstimation && m.rig != "steps") AskForWindows(m, &map);
   if (Status s = map.Finish(); !s.ok()) return s.error();
   for (const OwnCandidate& own : m.own) {
     if (Status s = CheckNumbersAreUsed(own); !s.ok()) return s.error();
