@@ -203,7 +203,7 @@ bool FitProblem::CalcSlopes(const FreeModel& model, const std::vector<double>& v
   const int count = static_cast<int>(model.free.size());
   jacobian->resize(residual.size(), count - first);
   ForEach(count - first, [&](int column) {
-    const auto j = static_cast<size_t>(first + column);
+    const size_t j = static_cast<size_t>(first) + static_cast<size_t>(column);
     const FreeParameter& p = model.free[j];
     const double at = p.ToCoordinate(values[j]);
     double step = 1e-2;
