@@ -1,15 +1,15 @@
 // A part on a bench moved by prescribed motion x(t): what force does it ask for?
 //
-//   o--[ m ]--[ mount ]--+--[ friction ]--|ground     F = m x" + k x + k3 x³ + d v|v| + gas(x)
-//      x                 y                              + A p + offset + friction(y, y', p, T, …) + loads
+//   o--[ m ]--[ mount ]--+--[ friction ]--|ground     F = m x" + k x + k3 x³ + c v + d v|v|
+//      x                 y                              + gas(x) + A p + offset + friction(y, y', p, T, …) + loads
 //
-// m, k, k3, d, gas, A, offset: ElementParams. Gas spring: a gas of volume V0 at x = 0, p V^n constant, that x
+// m, k, k3, c, d, gas, A, offset: ElementParams. Gas spring: a gas of volume V0 at x = 0, p V^n constant, that x
 // compresses by its area a, V = V0 - a x. With F0 = p0 a (p absolute) and L = V0/a (below 0 where x < 0 compresses)
 //   gas(x) = sign(L) F0 [(1 - x/L)^-n - 1],
 // 0 at x = 0, stiffness n F0/|L| there. Beyond 0.99 L it stays as it is: nobody compresses gas a hundredfold.
 // Mount: play and spring of the mount laws, friction behind them,
 // solved for y each sample (the friction is monotone in y's move, the mount falls: one root, found
-// by bisection). Loads: the load laws, at x.
+// to the last digit, base/rising_root.h). Loads: the load laws, at x.
 // F > 0 pulls in the direction of x > 0.
 #pragma once
 
