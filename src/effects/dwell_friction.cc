@@ -41,10 +41,41 @@ class Dwell final : public hydraulics::LevelLaw {
   double extra_N_, time_s_, length_m_;
 };
 
+/// Memory: a = ln(1 + theta/tau).
+class Ageing final : public hydraulics::LevelLaw {
+ public:
+  explicit Ageing(const EffectParams& effect)
+      : extra_N_(effect.values.at("extra_N")),
+        time_s_(effect.values.at("time_s")),
+        length_m_(effect.values.at("length_m")) {}
+  void Add(const LevelPlace& place, LevelParts* level) const noexcept override {
+    level->extra += extra_N_ * place.memory;
+  }
+  std::string MemoryName() const override { return "dwell"; }
+  double MemoryRate(double v, double memory) const noexcept override {
+    const double young = std::exp(-memory);
+    return young / time_s_ - (1 - young) * std::abs(v) / length_m_;
+  }
+  /// At a speed theta comes near d/|v| exponentially.
+  double AdvanceMemory(double h, double v, double memory) const noexcept override {
+    const double rate = std::abs(v) / length_m_, way = rate * h;
+    const double grown = way > 1e-9 ? -std::expm1(-way) / rate : h;
+    return std::log1p(std::expm1(memory) * std::exp(-way) + grown / time_s_);
+  }
+
+ private:
+  double extra_N_, time_s_, length_m_;
+};
+
 Status InstallDwellFriction(const EffectParams& effect, Extension* extension) {
   if (effect.values.at("extra_N") == 0) return {};
+  const bool ages = effect.values.at("logarithmic") != 0;
   for (int i : TargetCylinders(effect, extension->params())) {
-    extension->AddLevel(i, std::make_unique<Dwell>(effect));
+    if (ages) {
+      extension->AddLevel(i, std::make_unique<Ageing>(effect));
+    } else {
+      extension->AddLevel(i, std::make_unique<Dwell>(effect));
+    }
   }
   return {};
 }
@@ -56,17 +87,21 @@ const EffectInfo& DwellFrictionInfo() {
       "dwell_friction",
       "friction",
       "cylinders",
-      "level + F_d phi, phi grows at rest and is wiped out by sliding",
+      "level + F_d phi, phi grows at rest, up to one or as ln(1 + theta/tau), and is wiped out by "
+      "sliding",
       {
           {"extra_N", "N", 300, 0, 1e6, 0, 10000, "F_d"},
-          {"time_s", "s", 5, 1e-3, 1e9, 0.1, 1000, "tau"},
+          {"time_s", "s", 5, 1e-3, 1e9, 0.01, 1000, "tau"},
           {"length_m", "m", 1e-4, 1e-9, 1, 1e-5, 1e-3, "d"},
+          {"logarithmic", "-", 0, 0, 1, 0, 1, "1: grows with the logarithm of the rest"},
       },
       InstallDwellFriction,
       {
           .rig =
               {
                   {.free = {{"extra_N", 300}, {"time_s", 1, 10, 2}, {"length_m", 2e-5, 5e-4, 2}}},
+                  {.free = {{"extra_N", 200}, {"time_s", 0.1}, {"length_m", 5e-5, 5e-4, 2}},
+                   .held = {{"logarithmic", 1}}},
               },
           .bench =
               {

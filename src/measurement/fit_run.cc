@@ -13,6 +13,7 @@
 #include "measurement/rig_data.h"
 #include "measurement/sampling_check.h"
 #include "measurement/standstill.h"
+#include "measurement/stuck_bit.h"
 
 namespace phs::measurement {
 namespace {
@@ -174,7 +175,10 @@ Result<FitData> ReadFitData(const Manifest& manifest, const hydraulics::PhsParam
   const std::vector<char> lost = LostInput(run.inputs);
   FindLostMotion(run, lost, &data);
   for (Channel& output : run.outputs) {
-    if (output.present()) output.noise = EstimateNoise(output, rest, run.step_s);
+    if (output.present()) {
+      ReadBackStuckBit(run, &output, &data.findings);
+      output.noise = EstimateNoise(output, rest, run.step_s);
+    }
     TakeOutput(&output, run, lost, &data);
   }
   if (data.outputs.empty()) {

@@ -9,6 +9,7 @@
 #include "measurement/channel_noise.h"
 #include "measurement/data_checks.h"
 #include "measurement/standstill.h"
+#include "measurement/stuck_bit.h"
 #include "rigs/rig_signal.h"
 
 namespace phs::measurement {
@@ -84,6 +85,7 @@ Result<RigCase> Measured(const Manifest& manifest, const RigModel& model) {
   }
   for (measurement::Channel& output : run.outputs) {
     if (!output.present()) continue;
+    measurement::ReadBackStuckBit(run, &output, &run.findings);
     output.noise = measurement::EstimateNoise(output, rest, run.step_s);
     measurement::MarkSpikes(&output, &run.findings);
     measurement::MarkStuck(&output, run, &run.findings);

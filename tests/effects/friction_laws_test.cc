@@ -251,34 +251,49 @@ TEST(PositionFriction, AWaveAndASpotHaveTheirPlaces) {
               1 + 0.4 * std::exp(-std::pow((y - 4e-3) / 5e-3, 2)), 2e-3);
 }
 
+/// Largest friction where sliding begins after a rest [s].
+double PeakAfter(double rest, const PhsParams& p) {
+  const PhsSystem s = Compile(p);
+  std::vector<double> state(s.num_states(), 0.0), rate(state);
+  Evaluation e(s);
+  double x = 0, top = 0;
+  const double h = 1e-3;
+  const auto go = [&](double v, double T) {
+    for (double t = 0; t < T; t += h, x += h * v) {
+      s.Calc(t, &x, &v, state.data(), &e.out);
+      top = std::max(top, e.friction[0]);
+      s.CalcStateRate(t, h, &x, &v, state.data(), rate.data());
+      for (size_t k = 0; k < state.size(); ++k) state[k] += h * rate[k];
+    }
+  };
+  go(5e-3, 2);
+  go(-5e-3, 0.05);
+  go(0, rest);
+  top = 0;
+  go(1e-3, 0.3);
+  return top;
+}
+
 TEST(DwellFriction, BreakawayGrowsWithRest) {
   const PhsParams p =
       With(Quarter(), "dwell_friction", {{"extra_N", 600}, {"time_s", 2}, {"length_m", 1e-3}});
-  const PhsSystem s = Compile(p);
-  auto peak = [&s](double rest) {
-    std::vector<double> state(s.num_states(), 0.0), rate(state);
-    Evaluation e(s);
-    double x = 0, top = 0;
-    const double h = 1e-3;
-    auto go = [&](double v, double T) {
-      for (double t = 0; t < T; t += h, x += h * v) {
-        s.Calc(t, &x, &v, state.data(), &e.out);
-        top = std::max(top, e.friction[0]);
-        s.CalcStateRate(t, h, &x, &v, state.data(), rate.data());
-        for (size_t k = 0; k < state.size(); ++k) state[k] += h * rate[k];
-      }
-    };
-    go(5e-3, 2);
-    go(-5e-3, 0.05);
-    go(0, rest);
-    top = 0;
-    go(1e-3, 0.3);
-    return top;
-  };
-  const double fresh = peak(0.01), rested = peak(20);
+  const double fresh = PeakAfter(0.01, p), rested = PeakAfter(20, p);
   EXPECT_GT(rested - fresh, 250);
-  EXPECT_GT(peak(2) - fresh, 100);
-  EXPECT_LT(peak(2), rested);
+  EXPECT_GT(PeakAfter(2, p) - fresh, 100);
+  EXPECT_LT(PeakAfter(2, p), rested);
+}
+
+// Dieterich (1979): by as much with every e-fold of the rest; what was left of theta after the
+// sliding before is d/|v| = 0.2 s.
+TEST(DwellFriction, GrowsWithTheLogarithmOfTheRest) {
+  PhsParams p = With(Quarter(), "dwell_friction",
+                     {{"extra_N", 100}, {"time_s", 0.05}, {"length_m", 1e-3}, {"logarithmic", 1}});
+  p.friction.model = FrictionModel::kStatic;  // a bristle slides while it is bent
+  const auto theory = [](double rest, double before) {
+    return 100 * std::log((0.05 + 0.2 + rest) / (0.05 + 0.2 + before));
+  };
+  EXPECT_NEAR(PeakAfter(200, p) - PeakAfter(20, p), theory(200, 20), 0.003 * theory(200, 20));
+  EXPECT_NEAR(PeakAfter(20, p) - PeakAfter(2, p), theory(20, 2), 0.003 * theory(20, 2));
 }
 
 TEST(ViscousFriction, IsProportionalToSpeed) {

@@ -122,6 +122,17 @@ TEST(EffectSearchTest, FindsASealThatItsOwnSlidingWarms) {
   EXPECT_NEAR(ValueOf(found, "effects.temperature_friction.cooling_s"), 16, 3);
 }
 
+// Breakaway by as much more with every e-fold of the rest (Dieterich 1979).
+TEST(EffectSearchTest, FindsContactsThatAgeWithTheLogarithmOfTheirRest) {
+  const Identification found =
+      FindAlone({"dwell_friction",
+                 {},
+                 {{"extra_N", 250}, {"time_s", 0.1}, {"length_m", 3e-4}, {"logarithmic", 1}}},
+                {"stribeck", "presliding", "viscous_friction"});
+  EXPECT_NEAR(ValueOf(found, "effects.dwell_friction.extra_N"), 250, 25) << Said(found);
+  EXPECT_EQ(found.effects[0].candidate.params.values.at("logarithmic"), 1) << Said(found);
+}
+
 TEST(EffectSearchTest, FindsAHeaterThatCycles) {
   const Identification found =
       FindAlone({"temperature_drift",

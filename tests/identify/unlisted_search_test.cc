@@ -55,6 +55,19 @@ TEST(UnlistedSearchTest, ASpringBesideTheCylinderIsNoGainOfTheLoadCell) {
   EXPECT_TRUE(found.formula.targets.empty());
 }
 
+// A gain of the load cell with another one in compression takes most of it; a second term says the rest.
+TEST(UnlistedSearchTest, ASpringThatHardensBesideTheCylinderIsNoGainOfTheLoadCell) {
+  hydraulics::PhsParams truth = OffDeclared();
+  hydraulics::EffectParams hoses{"unlisted", {}, {{"c1_N", 300}, {"c2_N", 130}}};
+  hoses.formula = "c1*(x/0.001[m]) + c2*(x/0.001[m])^3";
+  truth.effects.push_back(hoses);
+  const Identification found = Find(Declared(), Record(truth));
+  ASSERT_EQ(found.effects.size(), 1u) << Said(found);
+  EXPECT_EQ(found.effects[0].candidate.effect, "unlisted") << Said(found);
+  EXPECT_THAT(found.formula.text, testing::HasSubstr("*(x/0.002[m])"));
+  EXPECT_THAT(found.formula.text, testing::HasSubstr("*(x/0.002[m])^3"));
+}
+
 TEST(UnlistedSearchTest, AThrustOfOneLineIsAnAreaThatTheModelDoesNotKnow) {
   hydraulics::PhsParams truth = OffDeclared();
   truth.effects.push_back({"pressure_area", {"L2"}, {{"area_m2", -3e-4}}});
@@ -253,23 +266,6 @@ TEST(UnlistedSearchTest, AGaugeThatBowsIsItsReadingOverItsOwnPressure) {
   EXPECT_EQ(found.formula.unit, "Pa");
   EXPECT_THAT(found.formula.text, testing::HasSubstr("max(p")) << Said(found);
   EXPECT_LT(found.after.channel_ms[2], 1.1) << Said(found);
-}
-
-/// One bit of its converter never sets: it reads low in every second step of 0.3 MPa.
-TEST(UnlistedSearchTest, AConverterWhoseBitSticksIsAWaveOverItsOwnPressure) {
-  FitData data = Record(OffDeclared());
-  const double bit = 3e5;
-  for (double& p : data.outputs[2].values) {
-    if (std::fmod(std::floor(p / bit), 2) == 1) p -= bit;
-  }
-  const Identification found = FindAmong({"sensor_offset", "sensor_gain", "pressure_area"}, data);
-  ASSERT_FALSE(found.effects.empty()) << Said(found);  // half a bit is an offset beside it
-  EXPECT_EQ(found.effects[0].candidate.effect, "unlisted") << Said(found);
-  EXPECT_EQ(found.formula.unit, "Pa");
-  EXPECT_EQ(found.formula.targets, std::vector<std::string>{"L2"});
-  const std::string text = found.formula.text;
-  ASSERT_THAT(text, testing::HasSubstr("sin(2*pi*p/")) << Said(found);
-  EXPECT_NEAR(std::stod(text.substr(text.find("p/") + 2)), 2 * bit, 0.01 * 2 * bit);
 }
 
 /// A thrust that grows with the square of its line's pressure, above the static one and below: the

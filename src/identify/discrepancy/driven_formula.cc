@@ -168,6 +168,7 @@ FormulaTrial TryFormula(const FitProblem& problem, const FitProblem& coarse, con
     line = TryLineFormula(problem, coarse, model, fit, limits);
   };
   const auto try_reading = [&] {
+    if (!limits.readings) return;
     const FoundFormula shown = SearchReadingFormula(problem, model, fit, kNoise, limits);
     const double most = shown.unit == "m"   ? kMostReading_m
                         : shown.unit == "N" ? kMostForce_N

@@ -59,11 +59,9 @@ class PlaceTerms final : public TermLibrary {
   /// which takes most beside the model's own numbers.
   void AddForResidual(const Eigen::VectorXd& residual) override {
     if (!places_known_) CollectRows();
-    const Variable x{"x", "m", scale_.x, row_x_, 1.5}, load{"F", "N", scale_.F, row_F_, 0};
+    const Variable x{"x", "m", scale_.x, row_x_}, load{"F", "N", scale_.F, row_F_};
     if (!data_.has_friction) {
       for (const Wave kind : {Wave::kPlain, Wave::kZeroed}) AddWave(residual, x, kind);
-      // Bits of a converter that stick: its error comes back with its own reading.
-      if (data_.own != 0) AddWave(residual, OwnPressure(), Wave::kPlain);
     } else {
       // Of a force that the load cell was set to zero with, or not.
       for (const Wave kind : {Wave::kPlain, Wave::kZeroed, Wave::kTurned}) {
@@ -93,14 +91,12 @@ class PlaceTerms final : public TermLibrary {
     const char *symbol, *unit;
     double scale;
     const std::vector<double>& rows;
-    double least_waves;  ///< over what the motion covers; fewer are no wave
   };
 
-  /// A gauge's own pressure. A few waves over it would be any bend of the gauge.
+  /// A gauge's own pressure.
   Variable OwnPressure() const {
-    const double least = LeastPeriods({});
-    return data_.own == 'q' ? Variable{"q", "Pa", scale_.q, row_own_, least}
-                            : Variable{"p", "Pa", scale_.p, row_own_, least};
+    return data_.own == 'q' ? Variable{"q", "Pa", scale_.q, row_own_}
+                            : Variable{"p", "Pa", scale_.p, row_own_};
   }
 
   static std::pair<std::string, std::string> WaveTexts(const Variable& over, double wave,
@@ -330,8 +326,9 @@ class PlaceTerms final : public TermLibrary {
   /// coarse scan on thinned places, then a finer one around the best. 0: the motion is too short to
   /// tell.
   double FindWave(const Eigen::VectorXd& residual, const Variable& over, double span, bool turned) {
+    constexpr double kLeastWaves = 1.5;  // over what the motion covers; fewer are no wave
     if (!(span > 0)) return 0;
-    const double first = over.least_waves / span, last = 300 / span, step = 0.25 / span;
+    const double first = kLeastWaves / span, last = 300 / span, step = 0.25 / span;
     waves_ = (last - first) / step;
     const auto power = [&](double wave) {
       double c = 0, s = 0;

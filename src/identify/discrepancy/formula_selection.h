@@ -27,6 +27,7 @@ struct FormulaLimits {
   int max_terms = 3;
   double threshold = 12;   ///< of the evidence of each term
   double min_gain = 0.03;  ///< share of the residual's rms that each term must remove
+  bool readings = true;    ///< what a sensor says beyond the truth, too
 };
 
 /// One accepted term: one coefficient, or two (a wave).

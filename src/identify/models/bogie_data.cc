@@ -11,6 +11,7 @@
 #include "measurement/data_checks.h"
 #include "measurement/fit_run.h"
 #include "measurement/series.h"
+#include "measurement/stuck_bit.h"
 #include "rail/track.h"
 
 namespace phs::identify::search {
@@ -23,6 +24,7 @@ using measurement::FitData;
 using measurement::Manifest;
 using measurement::MarkSpikes;
 using measurement::Quantum;
+using measurement::ReadBackStuckBit;
 using measurement::ReadRigRun;
 using measurement::RigRun;
 using measurement::SmoothMotion;
@@ -188,6 +190,7 @@ Result<FitData> ReadBogieData(const Manifest& manifest, BogieModel* model, bool 
   const std::vector<char> none(data.time_s.size(), 0);
   for (Channel& output : run.outputs) {
     if (!output.present() || Drives(output.name)) continue;
+    ReadBackStuckBit(run, &output, &data.findings);
     output.noise = EstimateNoise(output, none, run.step_s);
     TakeOutput(&output, run, none, &data);
   }

@@ -12,6 +12,7 @@
 #include "measurement/rig_data.h"
 #include "measurement/sampling_check.h"
 #include "measurement/series.h"
+#include "measurement/stuck_bit.h"
 
 namespace phs::identify::element {
 
@@ -81,6 +82,7 @@ void LeaveOutFaults(RigRun* run) {
   Channel &x = run->inputs[0], &force = run->outputs[0];
   measurement::MendInputScale({}, &x, &run->findings);
   measurement::MarkMotionSpikes(&x, &run->findings);
+  measurement::ReadBackStuckBit(*run, &force, &run->findings);
   measurement::MarkSpikes(&force, &run->findings);
   for (measurement::Channel* channel : {&x, &force}) {
     channel->noise.white = WhiteNoise(channel->y, channel->bad);

@@ -1,5 +1,6 @@
 #include "identify/select/formula_rounds.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "effects/catalogue.h"
@@ -77,13 +78,11 @@ Identification FormBeside(const FitProblem& problem, const FitProblem& coarse, c
   return found;
 }
 
-}  // namespace
-
-void ChallengeByFormula(const FitProblem& problem, const FitProblem& coarse, const Effort& effort,
-                        const std::function<bool(double)>& go_on, Identification* found) {
-  if (found->effects.empty() || !problem.rule().challenge) return;
-  const FormulaTrial trial = TryFormula(problem, coarse, found->declared, found->base,
-                                        {.max_terms = 1, .threshold = Threshold(problem)});
+/// The formula that these limits allow takes the place of all effects, where it says more.
+void Challenge(const FitProblem& problem, const FitProblem& coarse, const Effort& effort,
+               const std::function<bool(double)>& go_on, const FormulaLimits& limits,
+               Identification* found) {
+  const FormulaTrial trial = TryFormula(problem, coarse, found->declared, found->base, limits);
   if (!trial.fit.ok) return;
   const bool alone = Refusal(problem.rule(), trial.evidence, trial.candidate, trial.fit).empty();
   if (!alone || !SaysMore(problem, found->after, trial)) return Record(trial, kBeaten, found);
@@ -100,6 +99,23 @@ void ChallengeByFormula(const FitProblem& problem, const FitProblem& coarse, con
   const auto name =
       FindListedName(problem, coarse, found->declared, found->base, trial, effort, go_on);
   name ? Take(found->declared, *name, trial, found) : Take(trial, found);
+}
+
+bool HasInstrument(const Identification& found) {
+  return std::any_of(found.effects.begin(), found.effects.end(),
+                     [](const AcceptedEffect& e) { return IsOfInstrument(e.candidate); });
+}
+
+}  // namespace
+
+void ChallengeByFormula(const FitProblem& problem, const FitProblem& coarse, const Effort& effort,
+                        const std::function<bool(double)>& go_on, Identification* found) {
+  if (found->effects.empty() || !problem.rule().challenge) return;
+  FormulaLimits limits{.max_terms = 1, .threshold = Threshold(problem)};
+  Challenge(problem, coarse, effort, go_on, limits, found);
+  if (!HasInstrument(*found)) return;
+  limits = {.threshold = Threshold(problem), .readings = false};
+  Challenge(problem, coarse, effort, go_on, limits, found);
 }
 
 bool AddFormula(const FitProblem& problem, const FitProblem& coarse, const Effort& effort,

@@ -10,7 +10,8 @@
 namespace phs::identify::search {
 
 /// No listed effect is bent to stand for what is on no list: where a formula of one term says more
-/// than all the effects accepted, beyond chance, they go. It gets a name where a listed
+/// than all the effects accepted, beyond chance, they go; so they do, where a sensor's fault is among
+/// them, for a force or a law of a line of several terms. It gets a name where a listed
 /// effect explains as much (listed_name.h). Where it is another form of one of them (own_form.h), that
 /// one stays, with a formula for what its law leaves if the two say as much.
 void ChallengeByFormula(const FitProblem& problem, const FitProblem& coarse, const Effort& effort,
