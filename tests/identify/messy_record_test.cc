@@ -102,15 +102,19 @@ TEST_F(MessyRecord, NoiseInAnotherUnitIsNoZeroElsewhere) {
 TEST_F(MessyRecord, ALoadCellInAnotherUnitIsAskedAboutAndNotExplained) {
   hydraulics::PhsParams leaks = OffDeclared();
   leaks.effects.push_back({"piston_leakage", {}, {{"conductance_m3_per_Pas", 1e-13}}});
-  for (const auto& truth : {OffDeclared(), leaks}) {
-    for (const auto& [factor, unit] : {std::pair{1 / 9.80665, "kgf"}, {9.81, "another unit"}}) {
-      Columns record = ColumnsOf(Record(truth));
-      Change(&record["load_cell_N"], [&, by = factor](double y) { return by * y; });
-      const auto outcome = Identified(record);
-      EXPECT_EQ(Verdict(outcome), "not_described") << unit;
-      EXPECT_THAT(Dump(outcome, "reasons"), HasSubstr(std::string("is it in ") + unit + "?"));
-      EXPECT_THAT(Dump(outcome, "data_findings"), HasSubstr("load_cell_N")) << unit;
-    }
+  struct Case {
+    hydraulics::PhsParams truth;
+    double factor;
+    const char* unit;
+  };
+  for (const Case& c :
+       {Case{OffDeclared(), 9.81, "another unit"}, Case{leaks, 1 / 9.80665, "kgf"}}) {
+    Columns record = ColumnsOf(Record(c.truth));
+    Change(&record["load_cell_N"], [&](double y) { return c.factor * y; });
+    const auto outcome = Identified(record);
+    EXPECT_EQ(Verdict(outcome), "not_described") << c.unit;
+    EXPECT_THAT(Dump(outcome, "reasons"), HasSubstr(std::string("is it in ") + c.unit + "?"));
+    EXPECT_THAT(Dump(outcome, "data_findings"), HasSubstr("load_cell_N")) << c.unit;
   }
 }
 

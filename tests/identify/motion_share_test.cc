@@ -171,6 +171,29 @@ TEST(MotionShare, BlowsAreNoNoiseOfTheSensor) {
   }
 }
 
+/// A pump in bursts, and a seal that squeals a tenth lower on the way back.
+TEST(MotionShare, WhatSwingsHasItsFrequency) {
+  for (const unsigned seed : {1u, 2u, 3u}) {
+    std::vector<double> pump = WhiteRow(seed, 1), squeal = pump, driven = pump;
+    for (size_t i = 0; i < pump.size(); ++i) {
+      const double t = kStep * static_cast<double>(i);
+      if (std::fmod(t, 9) < 5) pump[i] += 4 * std::sin(2 * M_PI * 13.25 * t + seed);
+      const double pitch = std::fmod(t, 4) < 2 ? 30 : 27;
+      if (std::fmod(t, 2) < 0.7) squeal[i] += 4 * std::sin(2 * M_PI * pitch * t);
+      driven[i] += 4 * std::sin(2 * M_PI * 6.3 * t);
+    }
+    EXPECT_NEAR(SwingsAt(pump, {Speed(Motion())}) / kStep, 13.25, 0.1) << seed;
+    EXPECT_NEAR(SwingsAt(squeal, {Speed(Motion())}) / kStep, 28.5, 1) << seed;
+    std::vector<double> shaken = Speed(Motion());
+    for (size_t i = 0; i < shaken.size(); ++i) {
+      shaken[i] += 10 * std::cos(2 * M_PI * 6.3 * kStep * static_cast<double>(i));
+    }
+    EXPECT_EQ(SwingsAt(driven, {shaken}), 0) << "the rig is moved so";
+    EXPECT_EQ(SwingsAt(WhiteRow(seed, 1), {Speed(Motion())}), 0) << seed;
+    EXPECT_EQ(SwingsAt(ColouredRow(seed, 0.95, 5), {Speed(Motion())}), 0) << seed;
+  }
+}
+
 TEST(MotionShare, GapsAndShortRecords) {
   std::vector<double> residual = ColouredRow(8, 0.7, 3);
   for (size_t i = 100; i < 500; ++i) residual[i] = std::numeric_limits<double>::quiet_NaN();

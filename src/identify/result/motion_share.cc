@@ -2,8 +2,11 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <complex>
 #include <numeric>
+#include <unsupported/Eigen/FFT>
 
 #include "identify/fit/acceptance.h"
 #include "identify/fit/octave_bands.h"
@@ -77,7 +80,58 @@ bool IsLoudInBursts(const std::vector<double>& residual) {
          count > kLeastIndependent * measurement::CorrelationTime(present);
 }
 
+/// Power by line, k cycles in `length` rows; white noise of one has a power of one in each. Rows that
+/// are not finite count as zero.
+std::vector<double> Spectrum(const std::vector<double>& y, size_t length) {
+  std::vector<double> power(length / 2, 0.0);
+  Eigen::FFT<double> transform;
+  int segments = 0;
+  for (size_t begin = 0; begin + length <= y.size(); begin += length / 2, ++segments) {
+    std::vector<double> part(length);
+    double square = 0;  // of the window
+    for (size_t i = 0; i < length; ++i) {
+      const double window =
+          1 - std::cos(2 * M_PI * (static_cast<double>(i) + 0.5) / static_cast<double>(length));
+      const double value = y[begin + i];
+      part[i] = std::isfinite(value) ? window * value : 0, square += window * window;
+    }
+    std::vector<std::complex<double>> lines;
+    transform.fwd(lines, part);
+    for (size_t k = 0; k < power.size(); ++k) power[k] += std::norm(lines[k]) / square;
+  }
+  for (double& p : power) p /= std::max(1, segments);
+  return power;
+}
+
 }  // namespace
+
+double SwingsAt(const std::vector<double>& residual,
+                const std::vector<std::vector<double>>& drives) {
+  constexpr size_t kLeastLength = 256, kSegments = 32, kLines = 2;
+  constexpr double kHalf = 0.5, kDriven = 0.1, kWide = 0.1;
+  if (residual.size() < 2 * kLeastLength) return 0;
+  const size_t length = std::max(kLeastLength, std::bit_floor(residual.size() / kSegments));
+  std::vector<double> power = Spectrum(residual, length);
+  for (double& p : power) p = std::max(0.0, p - 1);
+  const auto peak =
+      static_cast<size_t>(std::max_element(power.begin(), power.end()) - power.begin());
+  if (peak <= kLines) return 0;
+  const size_t wide = std::max(kLines, static_cast<size_t>(kWide * static_cast<double>(peak)));
+  const size_t first = peak - wide, last = std::min(peak + wide + 1, power.size());
+  const auto share = [&](const std::vector<double>& of) {
+    const auto at = [&](size_t k) { return of.begin() + static_cast<long>(k); };
+    return std::accumulate(at(first), at(last), 0.0) /
+           std::max(std::accumulate(of.begin(), of.end(), 0.0), 1e-300);
+  };
+  if (!(share(power) >= kHalf)) return 0;
+  for (const std::vector<double>& drive : drives) {
+    if (share(Spectrum(drive, length)) > kDriven) return 0;
+  }
+  double sum = 0, moment = 0;
+  for (size_t k = first; k < last; ++k)
+    sum += power[k], moment += power[k] * static_cast<double>(k);
+  return moment / sum / static_cast<double>(length);
+}
 
 double MeanSquareThatFollows(const std::vector<double>& residual,
                              const std::vector<std::vector<double>>& signals) {

@@ -50,6 +50,7 @@ struct LeftOver {
   double following = 0;         ///< mean square of it that follows what the rig did
   bool comes_and_goes = false;  ///< for a part of the window, or at rest, it is as good as quiet
   bool quiet_at_rest = false;   ///< IsQuietAtRest
+  double swings = 0;            ///< SwingsAt, cycles per row
   std::optional<TwoLevels> levels = {};
 };
 
@@ -67,6 +68,13 @@ bool ComesAndGoes(const std::vector<double>& residual);
 /// True if `residual`, as above, is far quieter in each of at least two stretches where the rig stands
 /// `still` (a flag for each row) than elsewhere.
 bool IsQuietAtRest(const std::vector<double>& residual, const std::vector<char>& still);
+
+/// Frequency [cycles per row] about which, within a tenth or two lines, half or more of the mean square
+/// of `residual`, as above, beyond the noise lies, and less than a tenth of that of what drives the
+/// rig (`drives`, on the same rows): of a pump, a frame, a squeal. 0: none, or fewer than 512 rows.
+/// Spectrum: segments of a 32nd of the rows, 256 at least, Hann's window, half overlapping (Welch 1967).
+double SwingsAt(const std::vector<double>& residual,
+                const std::vector<std::vector<double>>& drives);
 
 /// The two levels on which `residual`, as above, stands: six times its noise apart or more, so that
 /// each sample tells where it is, with five samples or more from jump to jump on average. None with

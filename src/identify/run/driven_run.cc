@@ -111,6 +111,11 @@ std::vector<LeftOver> OverNoise(const FitData& data, const Channels& uncertain,
   const size_t begin = row(window[0]), end = row(window[1]);
   const Channels signals = Signals(data, predicted, begin, end);
   const std::vector<char> still = StandsStill(data, begin, end);
+  Channels drives;
+  for (const measurement::SmoothMotion& motion : data.motion) {
+    drives.emplace_back(motion.speed.begin() + static_cast<long>(begin),
+                        motion.speed.begin() + static_cast<long>(end));
+  }
   std::vector<LeftOver> out;
   for (size_t c = 0; c < data.outputs.size(); ++c) {
     const MeasuredChannel& channel = data.outputs[c];
@@ -123,7 +128,8 @@ std::vector<LeftOver> OverNoise(const FitData& data, const Channels& uncertain,
     }
     const bool quiet = IsQuietAtRest(residual, still);
     out.push_back({std::sqrt(sum / std::max(count, 1.0)), MeanSquareThatFollows(residual, signals),
-                   quiet || ComesAndGoes(residual), quiet, FindTwoLevels(residual)});
+                   quiet || ComesAndGoes(residual), quiet, SwingsAt(residual, drives),
+                   FindTwoLevels(residual)});
   }
   return out;
 }
@@ -169,6 +175,7 @@ constexpr double kLast = 0.99;  // of the work
 struct WindowLeft {
   std::vector<LeftOver> before, after;
   std::vector<BeforeAfter> scores;
+  double step_s = 1;  ///< of the rows
 
   std::vector<ChannelLeft> Channels() const {
     std::vector<ChannelLeft> out;
@@ -176,6 +183,7 @@ struct WindowLeft {
       out.push_back({scores[c].channel, before[c].over_noise, after[c].over_noise,
                      scores[c].after.nrmse, after[c].following, after[c].comes_and_goes,
                      after[c].quiet_at_rest});
+      out.back().swings_Hz = after[c].swings / step_s;
       if (const auto& levels = after[c].levels) {
         out.back().levels_apart = levels->apart, out.back().jumps = levels->jumps;
       }
@@ -262,7 +270,7 @@ Result<IdentifyOutcome> SearchAndWrite(const Manifest& manifest, const FitData& 
   const auto left_in = [&](const std::array<double, 2>& window) -> WindowLeft {
     return {OverNoise(data, uncertain.value(), before, window),
             OverNoise(data, uncertain.value(), after, window),
-            ScoreBoth(data, before, after, window)};
+            ScoreBoth(data, before, after, window), data.step_s};
   };
   const WindowLeft validation = left_in(data.validation), estimation = left_in(data.estimation);
   Json& result = outcome.result;

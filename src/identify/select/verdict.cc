@@ -76,6 +76,15 @@ void AddComing(const ChannelLeft& c, std::vector<std::string>* reasons) {
       " window it is as good as quiet; look for what runs or strikes beside the rig");
 }
 
+/// What swings at a frequency of its own.
+void AddSwinging(const ChannelLeft& c, std::vector<std::string>* reasons) {
+  if (!(c.swings_Hz > 0)) return;
+  reasons->push_back(fmt::format(
+      "most of what {} is left with swings at {:.3g} Hz, where the motion hardly does: look for a "
+      "pump, a frame, mains or a squeal of that pitch",
+      c.channel, c.swings_Hz));
+}
+
 /// Declared numbers that the fit has driven to an end, or far away: said in any case.
 void AddNumbers(const VerdictFacts& facts, bool at_end, std::vector<std::string>* reasons) {
   for (const FittedNumber& n : facts.numbers) {
@@ -145,6 +154,7 @@ Verdict WithoutQuestions(const VerdictFacts& facts) {
     } else {
       AddComing(*worst, &reasons);
     }
+    AddSwinging(*worst, &reasons);
     const double excess = worst->before * worst->before - 1;
     const double removed =
         excess > 0 ? (worst->before * worst->before - worst->after * worst->after) / excess : 0;

@@ -35,6 +35,7 @@ struct ChannelLeft {
   /// does not.
   double levels_apart = 0;
   int jumps = 0;
+  double swings_Hz = 0;  ///< about which most of what is left lies, of no motion (motion_share.h)
   std::string window = "validation";
 };
 
