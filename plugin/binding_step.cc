@@ -51,7 +51,8 @@ void Binding::AddRunningForces(const mjModel* m, mjData* d, const double* speed,
                                 work->half * most * radius / kRoundingSpeed * (1 - sign * sign));
     }
   }
-  const double along = Dot(forward, VelocityOf(m, d, body, coupler_dofs_, speed).centre);
+  const BodyVelocity velocity = VelocityOf(m, d, body, coupler_dofs_, speed);
+  const double along = Dot(forward, velocity.centre);
   const double gain = m->body_subtreemass[root_body_] / kCouplerTime;
   const double force = gain * (target_speed_ - along) - moment / radius;
   const mjtNum* place = d->site_xpos + 3 * coupler_site_;
@@ -59,7 +60,11 @@ void Binding::AddRunningForces(const mjModel* m, mjData* d, const double* speed,
   const Vec3 arm = {place[0] - com[0], place[1] - com[1], place[2] - com[2]};
   const Vec3 pull = {force * forward[0], force * forward[1], force * forward[2]};
   AddWrench(d, coupler_dofs_, pull, Cross(arm, pull), work->force);
-  d->userdata[UserData::kTrainPower] = force * along;
+  // The body turns with the track, so that the coupler, beside its centre, moves otherwise.
+  const mjtNum* centre = d->xpos + 3 * body;
+  const Vec3 beside = {place[0] - centre[0], place[1] - centre[1], place[2] - centre[2]};
+  d->userdata[UserData::kTrainPower] =
+      force * (along + Dot(forward, Cross(velocity.rotation, beside)));
 }
 
 bool Binding::Factor(const mjModel* m, const mjData* d, bool again, Work* work) const noexcept {

@@ -16,6 +16,8 @@ constexpr double kStep = 1e-7;       ///< of the finite differences [m, rad]
 constexpr double kTolerance = 1e-7;  ///< of the accelerations left [m/s^2, rad/s^2]
 constexpr int kMaxIterations = 60;
 constexpr double kStands = 1e-2;  ///< acceleration left to a vehicle that stands [m/s^2, rad/s^2]
+constexpr double kOnRails =
+    0.05;  ///< a wheelset farther off the track's line stands beside the rails [m]
 constexpr double kFirstSinking =
     1e-4;  ///< start below mere touching, so that wheels carry load [m]
 
@@ -25,8 +27,19 @@ bool IsForwardSlide(const mjModel* m, int joint) {
          m->jnt_axis[3 * joint] == 1;
 }
 
-/// Moves the free roots so that the vehicle stands on the track at its start, rolling at speed.
-void PlaceVehicle(const mjModel* m, const Binding& binding, mjData* d) {
+/// Middle of both rails beside the track's own line, by its irregularity.
+rail::RailOffset MiddleOfRails(const rail::Track& track, double s) {
+  const rail::RailOffset left = track.Rail(rail::Side::kLeft, s),
+                         right = track.Rail(rail::Side::kRight, s);
+  rail::RailOffset middle;
+  middle.lateral = 0.5 * (left.lateral + right.lateral);
+  middle.vertical = 0.5 * (left.vertical + right.vertical);
+  return middle;
+}
+
+/// Moves the free roots so that the vehicle stands on the track at its start, rolling at speed: on
+/// the track's own line, or in the `middle` of its rails as they lie there.
+void PlaceVehicle(const mjModel* m, const Binding& binding, bool middle, mjData* d) {
   mj_resetData(m, d);
   mj_kinematics(m, d);
   const double wheel_height = -binding.wheel_rail().touching_height();
@@ -45,8 +58,17 @@ void PlaceVehicle(const mjModel* m, const Binding& binding, mjData* d) {
     if (m->jnt_type[j] != mjJNT_FREE) continue;
     mjtNum* q = d->qpos + m->jnt_qposadr[j];
     const rail::TrackFrame f = binding.track().FrameAt(binding.start_s() + q[0] - rearmost);
-    const double y = q[1];
-    const double z = q[2] + sink - kFirstSinking;
+    double y = q[1];
+    double z = q[2] + sink - kFirstSinking;
+    if (middle) {
+      const auto& wheelsets = binding.wheelsets();
+      for (const WheelsetBinding& w : wheelsets) {
+        const double s = binding.start_s() + d->xpos[3 * w.body] - rearmost;
+        const rail::RailOffset own = MiddleOfRails(binding.track(), s);
+        y += own.lateral / static_cast<double>(wheelsets.size());
+        z += own.vertical / static_cast<double>(wheelsets.size());
+      }
+    }
     mjtNum rotation[9];
     for (int i = 0; i < 3; ++i) {
       q[i] = f.origin[i] + y * f.left[i] + z * f.up[i];
@@ -169,22 +191,32 @@ Status PrepareStart(mjModel* m, const Binding& binding) {
   const DataPtr data(mj_makeData(m), &mj_deleteData);
   const std::vector<int> dofs = SettlingDofs(m, binding);
   double left = 0;
+  bool stands = false;
   // Position and spin in turn. Where the nominal speed drags the wheels hard (gauge or tread far
   // from new) Newton may stop beside the way: then the wheels roll freely from the beginning.
-  for (const bool roll_first : {false, true}) {
-    PlaceVehicle(m, binding, data.get());
+  // Rough track may lie so far beside its line that flanges stand on the rails: then the vehicle
+  // begins in the middle of them.
+  for (const auto& [middle, roll_first] :
+       {std::pair{false, false}, {false, true}, {true, false}, {true, true}}) {
+    if (middle && !binding.track().has_irregularity()) break;
+    PlaceVehicle(m, binding, middle, data.get());
     if (roll_first) RollFreely(m, binding, data.get());
     Settle(m, binding, dofs, data.get());
     RollFreely(m, binding, data.get());
     left = Settle(m, binding, dofs, data.get());
-    if (left < kStands) break;
+    stands = left < kStands && data->userdata[UserData::kMaxLateral] < kOnRails;
+    if (stands) break;
   }
-  if (!(left < kStands)) {
-    return Error{ObjectName(m, mjOBJ_BODY, m->body_rootid[binding.wheelsets()[0].body]),
-                 "does not come to rest on track '" + binding.track().name() +
-                     "' (acceleration left: " + std::to_string(left) + ")",
-                 "wheelsets that stand on straight, level track at the start",
-                 "check wheel radius, flange-back distance, gauge and start position"};
+  if (!stands) {
+    return Error{
+        ObjectName(m, mjOBJ_BODY, m->body_rootid[binding.wheelsets()[0].body]),
+        "does not come to rest on track '" + binding.track().name() +
+            "' (acceleration left: " + std::to_string(left) + ")",
+        "wheelsets that stand on straight, level track at the start",
+        binding.track().has_irregularity()
+            ? "let the irregularity begin ahead of the vehicle (begin_s_m), or check wheel "
+              "radius, flange-back distance, gauge and start position"
+            : "check wheel radius, flange-back distance, gauge and start position"};
   }
   StoreStart(m, data.get());
   return {};

@@ -64,6 +64,7 @@ Result<FamilyCurve> FirstArc(const CurveFamily& f, const std::string& track) {
     const rail::TrackFrame middle = t.FrameAt(0.5 * (section.begin_s + section.end_s));
     FamilyCurve curve;
     curve.radius_m = 1 / std::abs(section.curvature);
+    curve.hand = section.curvature > 0 ? 1 : -1;
     curve.cant_m = t.cant_base() * std::sin(std::abs(middle.cant));
     const double allowed = std::max(0.0, curve.cant_m + f.deficiency_m);
     curve.speed_m_s =

@@ -24,6 +24,7 @@ struct FamilyCurve {
   double speed_m_s = 0;
   double cant_m = 0;
   double transition_m = 0;
+  int hand = 1;  ///< +1 left-hand, as all of a radius alone are; -1 right-hand
 };
 
 /// On another gauge: largest cant and deficiency in proportion to e, so that the unbalanced

@@ -1,7 +1,14 @@
 // Where an axle points, in the words of every table, card and sentence: no sign can be mistaken.
 #pragma once
 
+#include <string_view>
+
 namespace phs {
+
+/// "left" of a left-hand curve (hand > 0), "right" of a right-hand one, "" without a curve.
+const char* HandWord(int hand);
+/// +1, -1 or 0 of such a word.
+int HandOf(std::string_view word);
 
 /// "outer" or "inner" (rail of the curve), "left" or "right" on straight track; "" if the angle is
 /// no number.

@@ -21,12 +21,9 @@ std::string RadiusCell(const Json& row, const char* key, double scale, int decim
 /// "4.61 outer": magnitude and the rail that the axle points to.
 std::string Attack(const Json& row, const char* key) {
   if (!row.contains(key) || !row[key].is_number()) return "-";
-  const std::string hand = row["hand"].get<std::string>();
   const double angle = row[key].get<double>();
   return fmt::format("{:.2f} {}", 1e3 * std::abs(angle),
-                     RailPointedTo(angle, hand == "left"    ? 1
-                                          : hand == "right" ? -1
-                                                            : 0));
+                     RailPointedTo(angle, HandOf(row["hand"].get<std::string>())));
 }
 
 std::string Line(const Json& row) {

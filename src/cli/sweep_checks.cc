@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "analysis/running_statistics.h"
 #include "base/json_path.h"
 #include "base/result_dir.h"
 #include "base/table.h"
@@ -31,7 +32,7 @@ void PutSpread(const std::string& path, std::vector<double> values, Json* json) 
   std::sort(values.begin(), values.end());
   const double none = std::nan("");
   Put("least." + path, values.empty() ? none : values.front(), json);
-  Put("median." + path, values.empty() ? none : values[values.size() / 2], json);
+  Put("median." + path, analysis::Percentile(values, 50), json);
   Put("largest." + path, values.empty() ? none : values.back(), json);
 }
 

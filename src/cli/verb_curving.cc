@@ -31,12 +31,13 @@ std::string Cell(const Json& row, const char* key, double scale, int decimals) {
   return fmt::format("{:.{}f}", scale * row[key].get<double>(), decimals);
 }
 
-/// "4.609 outer": the curves of the family are left-hand.
+/// "4.609 outer".
 std::string Attack(const Json& row) {
   const char* key = "angle_of_attack_lead_rad";
   if (!row.contains(key) || !row[key].is_number()) return "-";
   const double angle = row[key].get<double>();
-  return fmt::format("{:.3f} {}", 1e3 * std::abs(angle), RailPointedTo(angle, 1));
+  return fmt::format("{:.3f} {}", 1e3 * std::abs(angle),
+                     RailPointedTo(angle, HandOf(row["hand"].get<std::string>())));
 }
 
 void PrintRadius(const Json& row) {

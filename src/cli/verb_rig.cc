@@ -40,7 +40,7 @@ int PrintSourceTable(const RigVerbOptions& options) {
   }
   if (options.common.format == "json") {
     fmt::print("{}", json);
-  } else if (!options.common.quiet) {
+  } else {
     fmt::print("{}", made.value().text);
   }
   return options.checks.Conclude("rig", {{"table " + options.table, made.value().json}}, kDone);
@@ -58,7 +58,7 @@ int RunRigVerb(RigVerbOptions options) {
   if (Status s = dir.value().Commit(); !s.ok()) return BadInput(s.error());
   if (options.common.format == "json") {
     fmt::print("{}\n", outcome.value().result.dump(1));
-  } else if (!options.common.quiet) {
+  } else {
     fmt::print("{}{}/report.html\n", outcome.value().summary, out);
   }
   return options.checks.Conclude("rig", {{options.manifest, outcome.value().result}}, kDone);

@@ -7,7 +7,9 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "analysis/running_statistics.h"
 #include "base/data_path.h"
+#include "base/origin.h"
 #include "base/result_dir.h"
 #include "base/table.h"
 #include "cli/result_checks.h"
@@ -53,18 +55,18 @@ void PrintOutcome(const Study& study, const std::vector<RunRecord>& records,
   }
   fmt::print("\n\n{:<38}{:>14}{:>14}{:>14}   worst run\n", "output", "least", "median", "largest");
   for (std::size_t i = 0; i < study.outputs.size(); ++i) {
-    std::vector<std::pair<double, int>> values;
+    std::vector<double> values;
+    int worst = 0;
+    double most = -1;
     for (const RunRecord& r : records) {
-      if (r.status == "ok" && std::isfinite(r.outputs[i])) values.emplace_back(r.outputs[i], r.run);
+      if (r.status != "ok" || !std::isfinite(r.outputs[i])) continue;
+      values.push_back(r.outputs[i]);
+      if (std::abs(r.outputs[i]) > most) most = std::abs(r.outputs[i]), worst = r.run;
     }
     if (values.empty()) continue;
-    std::sort(values.begin(), values.end());
-    const auto worst = std::max_element(values.begin(), values.end(), [](auto a, auto b) {
-      return std::abs(a.first) < std::abs(b.first);
-    });
+    const auto [least, largest] = std::minmax_element(values.begin(), values.end());
     fmt::print("{:<38}{:>14.5g}{:>14.5g}{:>14.5g}   {}\n", sweep::OutputColumns(study.outputs)[i],
-               values.front().first, values[values.size() / 2].first, values.back().first,
-               worst->second);
+               *least, analysis::Percentile(values, 50), *largest, worst);
   }
   int shown = 0;
   for (const RunRecord& r : records) {
@@ -72,10 +74,12 @@ void PrintOutcome(const Study& study, const std::vector<RunRecord>& records,
     fmt::print("{}run {}: {}: {}\n", shown == 0 ? "\n" : "", r.run, r.status, r.reason);
     if (++shown == 5) break;
   }
-  fmt::print(
-      "\nTable: {0}/sweep.csv, report: {0}/report.html\n"
-      "Repeat a run with all its files: phs sweep {1} --only RUN --out DIR\n",
-      path, study.path);
+  const bool report = std::filesystem::exists(path + "/report.html");
+  fmt::print("\nTable: {0}/sweep.csv, {1}\nRepeat a run with all its files: {2} RUN --out DIR\n",
+             path,
+             report ? "report: " + path + "/report.html"
+                    : "no report: it draws outputs over a number that varies",
+             ShellLine({"phs", "sweep", study.path, "--only"}));
 }
 
 /// The runs as files, and one of them simulated as `phs simulate` would.
@@ -100,7 +104,8 @@ int RunOnly(const SweepOptions& options, const Study& study) {
                study.runs[static_cast<std::size_t>(options.only)][i]);
   }
   const sweep::Subject& subject = *study.CaseOf(options.only).subject;
-  fmt::print("\nphs {} {}/{} --out {}/result\n", subject.verb, out, subject.file, out);
+  fmt::print("\n{}\n",
+             ShellLine({"phs", subject.verb, out + "/" + subject.file, "--out", out + "/result"}));
   return kDone;
 }
 

@@ -6,6 +6,7 @@
 #include "analysis/curve_family.h"
 #include "analysis/pair_conicity.h"
 #include "analysis/steady_curve.h"
+#include "base/axle_words.h"
 #include "base/gravity.h"
 #include "base/origin.h"
 #include "report/analysis_report.h"
@@ -109,6 +110,7 @@ Result<Json> SolveOne(const CurvingRequest& request, const std::string& bogie, d
     *conicity = analysis::ConicityJson(analysis::CalcConicity(simulation.value()));
   }
   Json row = {{"radius_m", radius},
+              {"hand", HandWord(curve.value().hand)},
               {"speed_m_s", curve.value().speed_m_s},
               {"cant_m", curve.value().cant_m},
               {"gauge_m", family.value().base.gauge_m},
@@ -144,6 +146,20 @@ Result<Json> SolveOne(const CurvingRequest& request, const std::string& bogie, d
   return row;
 }
 
+/// Radii and bogies, before the first is solved.
+Status CheckCurves(const CurvingRequest& request, const std::vector<double>& radii) {
+  for (const std::string& bogie : request.bogies) {
+    const auto family = FamilyFor(request, bogie);
+    if (!family.ok()) return family.error();
+    for (const double radius : radii) {
+      const auto curve = radius == 0 ? analysis::FirstArc(family.value(), request.track)
+                                     : analysis::CurveOfRadius(family.value(), radius);
+      if (!curve.ok()) return curve.error();
+    }
+  }
+  return {};
+}
+
 }  // namespace
 
 Result<Json> SolveCurves(const CurvingRequest& request, const Watch& watch,
@@ -151,6 +167,7 @@ Result<Json> SolveCurves(const CurvingRequest& request, const Watch& watch,
   const std::vector<double> radii = RadiiOf(request);
   const double count = static_cast<double>(radii.size() * request.bogies.size());
   double done = 0;
+  if (Status s = CheckCurves(request, radii); !s.ok()) return s.error();
   Json json = {{"bogies", Json::object()}, {"conicity", Json::object()}};
   for (const std::string& bogie : request.bogies) {
     if (tell.begin) tell.begin(bogie);

@@ -57,6 +57,7 @@ StudyPart ReadPart(const std::string& file, YamlMap* map) {
   }
   const std::string sweep = map->Text("sweep", "");
   part.words = map->Texts("run");
+  for (std::string& word : part.words) word = BesideFile(file, word);
   part.is_sweep = !sweep.empty();
   if (part.is_sweep == !part.words.empty()) {
     map->Fail("sweep", "a part is a sweep or a verb", "one of sweep: FILE and run: [VERB, …]");

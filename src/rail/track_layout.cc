@@ -124,13 +124,18 @@ RailSupport ReadSupport(YamlMap& map) {
   return support;
 }
 
+/// Where a spectrum begins if nothing is said [m]: a vehicle at its start would stand on rails that
+/// it has not come to roll on, and find no rest.
+constexpr double kAheadOfVehicle = 30;
+
 /// Samples times waves: two minutes on one core, 30 km at 80 km/h.
 constexpr double kMostWork = 2.5e10;
 
 void ReadPsd(YamlMap& map, double length, double speed_m_s, IrregularityPsdParams* psd) {
   psd->psd = map.Word("psd", PsdNames());
   psd->seed = static_cast<std::uint64_t>(map.Integer("seed", 0, 2147483647, 1));
-  psd->begin_s = map.Number("begin_s_m", {.min = 0, .max = length}, 0.0);
+  const double ahead = length > 4 * kAheadOfVehicle ? kAheadOfVehicle : 0;
+  psd->begin_s = map.Number("begin_s_m", {.min = 0, .max = length}, ahead);
   psd->end_s = map.Number("end_s_m", {.min = 0, .max = length}, length);
   if (psd->end_s - psd->begin_s < 1) {
     map.Fail(map.Has("end_s_m") ? "end_s_m" : "begin_s_m",

@@ -29,16 +29,13 @@ struct RadiusQuantity {
 };
 
 /// +1 left-hand, -1 right-hand, 0 unknown.
-int HandOf(const json& row) {
-  const std::string hand = row.value("hand", "");
-  return hand == "left" ? 1 : hand == "right" ? -1 : 0;
-}
+int HandOfRow(const json& row) { return HandOf(row.value("hand", "")); }
 
 /// "4.61 outer".
 std::string AttackOf(const json& row, const char* key) {
   const double angle = NumberOf(row, key);
   if (!std::isfinite(angle)) return FormatNumber(angle);
-  return FormatNumber(1e3 * std::abs(angle)) + " " + RailPointedTo(angle, HandOf(row));
+  return FormatNumber(1e3 * std::abs(angle)) + " " + RailPointedTo(angle, HandOfRow(row));
 }
 
 constexpr RadiusQuantity kRadiusQuantities[] = {
@@ -53,7 +50,7 @@ constexpr RadiusQuantity kRadiusQuantities[] = {
 double ValueOf(const json& row, const RadiusQuantity& q) {
   if (row.value("status", "") != "ok") return kNoNumber;
   const double value = q.factor * NumberOf(row, q.key);
-  return q.attack ? -HandOf(row) * value : value;
+  return q.attack ? -HandOfRow(row) * value : value;
 }
 
 std::vector<std::string> BogiesOf(const json& rows) {

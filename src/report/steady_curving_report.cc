@@ -30,11 +30,13 @@ constexpr CurvingQuantity kCurvingQuantities[] = {
     {"sum_Y_lead_N", "Sum of Y, leading axle", "kN", 1e-3},
     {"T_gamma_N", "T-gamma, all wheels", "N", 1}};
 
-/// The curves are left-hand: an angle > 0 points to the inner rail.
+/// Of a row; results of former programs name none: their curves were left-hand.
+int HandOfCurve(const json& row) { return HandOf(row.value("hand", "left")); }
+
 std::string CellText(const json& row, const CurvingQuantity& q) {
   const double value = q.scale * NumberOf(row, q.key);
   if (!q.attack || !std::isfinite(value)) return FormatNumber(value);
-  return FormatNumber(std::abs(value)) + " " + RailPointedTo(value, 1);
+  return FormatNumber(std::abs(value)) + " " + RailPointedTo(value, HandOfCurve(row));
 }
 
 XyPlot OverRadius(const json& bogies, const CurvingQuantity& quantity) {
@@ -47,7 +49,8 @@ XyPlot OverRadius(const json& bogies, const CurvingQuantity& quantity) {
     Curve curve{.label = BogieLabel(name), .colour = number % 8, .dash = number / 8 % 4};
     for (const json& row : rows) {
       curve.x.push_back(NumberOf(row, "radius_m"));
-      curve.y.push_back((quantity.attack ? -1 : 1) * quantity.scale * NumberOf(row, quantity.key));
+      const int sign = quantity.attack ? -HandOfCurve(row) : 1;
+      curve.y.push_back(sign * quantity.scale * NumberOf(row, quantity.key));
     }
     plot.curves.push_back(std::move(curve));
   }

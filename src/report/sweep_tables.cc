@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/origin.h"
 #include "report/readable_name.h"
 #include "report/sweep_parts.h"
 
@@ -21,7 +22,8 @@ int RunOf(const Table& table, int row) {
 
 std::string Repeat(const Table& table, int row, const std::string& study) {
   const int run = RunOf(table, row);
-  return fmt::format("phs sweep {} --only {} --out run_{}", study, run, run);
+  return ShellLine(
+      {"phs", "sweep", study, "--only", std::to_string(run), "--out", fmt::format("run_{}", run)});
 }
 
 /// "radius 400 m, phs".

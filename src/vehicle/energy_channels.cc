@@ -22,7 +22,7 @@ double Of(const EnergyBook& book, const mjData*, const Binding&) {
 constexpr char kSinceStart[] = "since the start";
 
 constexpr EnergyRow kRows[] = {
-    {"energy_kinetic_J", "J", kSinceStart, &Of<&EnergyBook::kinetic>},
+    {"energy_kinetic_J", "J", "of the whole, not since the start", &Of<&EnergyBook::kinetic>},
     {"energy_stored_J", "J", kSinceStart, &Of<&EnergyBook::stored>},
     {"work_in_J", "J", kSinceStart, &Of<&EnergyBook::work_in>},
     {"lost_creep_J", "J", kSinceStart, &Of<&EnergyBook::lost_creep>},

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <future>
 
+#include "base/axle_words.h"
 #include "vehicle/compose.h"
 #include "vehicle/scenario_file.h"
 #include "vehicle/summary.h"
@@ -70,9 +71,7 @@ const RadiusRow* YardstickRow(const std::vector<RadiusRow>& rows, const RadiusRo
 
 Json DescribeRow(const std::vector<RadiusRow>& rows, const RadiusRow& row) {
   Json out = {{"radius_m", row.radius_m},
-              {"hand", row.hand > 0   ? "left"
-                       : row.hand < 0 ? "right"
-                                      : ""},
+              {"hand", HandWord(row.hand)},
               {"speed_m_s", row.speed_m_s},
               {"bogie", row.bogie},
               {"yardstick", row.yardstick},
