@@ -15,7 +15,7 @@ ROWS = {"holdout": "`holdout`", **{each + "_hand": each for each in (
     "twentythird_hand": "twenty-third", "twentyfifth_hand": "twenty-fifth",
     "twentysixth_hand": "twenty-sixth",
     "twentyseventh_hand": "twenty-seventh",
-    "twentyeighth_hand": "twenty-eighth", "twentyninth_hand": "twenty-ninth", "thirtieth_hand": "thirtieth"}
+    "twentyeighth_hand": "twenty-eighth", "twentyninth_hand": "twenty-ninth", "thirtieth_hand": "thirtieth", "thirtyfirst_hand": "thirty-first"}
 VERDICTS = ("sufficient", "explained", "not_described", "undecidable")
 
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "report/assessed_quantities.h"
@@ -95,14 +96,16 @@ std::string AssessmentTable(const NamedSummaries& summaries) {
   }
   if (first == nullptr) return "";
   std::string text = fmt::format("{:<30}{:>6}{:>9}", "EN 14363 / UIC 518, worst", "unit", "limit");
-  for (const auto& [name, summary] : summaries) text += fmt::format("{:>13}", name);
-  text += '\n' + std::string(45 + 13 * summaries.size(), '-') + '\n';
+  size_t width = 13;
+  for (const auto& [name, summary] : summaries) width = std::max(width, name.size() + 2);
+  for (const auto& [name, summary] : summaries) text += fmt::format("{:>{}}", name, width);
+  text += '\n' + std::string(45 + width * summaries.size(), '-') + '\n';
   const auto row = [&](const char* label, const char* unit, const std::string& limit,
                        const auto& cell) {
     text += fmt::format("{:<30}{:>6}{:>9}", label, unit, limit);
     for (const auto& [name, summary] : summaries) {
       const Json* a = Assessed(summary);
-      text += fmt::format("{:>13}", a == nullptr ? std::string("-") : cell(*a));
+      text += fmt::format("{:>{}}", a == nullptr ? std::string("-") : cell(*a), width);
     }
     text += '\n';
   };

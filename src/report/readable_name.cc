@@ -70,7 +70,9 @@ std::size_t UnitBegin(const std::string& column, std::string_view suffix) {
 
 }  // namespace
 
-ReadableName Readable(const std::string& column) {
+ReadableName Readable(const std::string& of) {
+  constexpr std::string_view kValue = "_value";  // of a number beside its limit
+  const std::string column = of.ends_with(kValue) ? of.substr(0, of.size() - kValue.size()) : of;
   ReadableName name{.words = column, .unit = "–", .factor = 1};
   const std::size_t per = column.find("_per_");
   if (per != std::string::npos && per > 0) {

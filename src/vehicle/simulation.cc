@@ -67,6 +67,30 @@ Status CheckWheelsets(const Scenario& scenario, const mjModel* m) {
                "see plugin/README.md"};
 }
 
+/// MuJoCo reads "nan" as a number; the vehicle would find no rest with it.
+Status CheckFinite(const Scenario& scenario, const mjModel* m) {
+  const auto check = [&](int type, int id, const char* what, double value) -> Status {
+    if (std::isfinite(value)) return {};
+    return Error{"bogie " + Quoted(scenario.bogie) + ": " + plugin::ObjectName(m, type, id),
+                 std::string("has a ") + what + " that is no number", "finite numbers", ""};
+  };
+  for (int j = 0; j < m->njnt; ++j) {
+    if (Status s = check(mjOBJ_JOINT, j, "stiffness", m->jnt_stiffness[j]); !s.ok()) return s;
+  }
+  for (int i = 0; i < m->nv; ++i) {
+    const double damping = m->dof_damping[i] + m->dof_armature[i];
+    if (Status s = check(mjOBJ_JOINT, m->dof_jntid[i], "damping or armature", damping); !s.ok()) {
+      return s;
+    }
+  }
+  for (int b = 1; b < m->nbody; ++b) {
+    const double mass = m->body_mass[b] + m->body_inertia[3 * b] + m->body_pos[3 * b] +
+                        m->body_pos[3 * b + 1] + m->body_pos[3 * b + 2];
+    if (Status s = check(mjOBJ_BODY, b, "mass, inertia or position", mass); !s.ok()) return s;
+  }
+  return {};
+}
+
 /// Springs and dampers that the scenario gives instead of the file's.
 Status ChangeJoints(const Scenario& scenario, mjModel* m) {
   for (const Scenario::JointChange& change : scenario.joints) {
@@ -129,6 +153,7 @@ Result<Simulation> Simulation::Create(const Scenario& scenario, StepCheck check)
   sim.scenario_ = scenario;
   sim.model_ = std::move(loaded).value();
   if (Status s = CheckWheelsets(scenario, sim.model_.get()); !s.ok()) return s.error();
+  if (Status s = CheckFinite(scenario, sim.model_.get()); !s.ok()) return s.error();
   if (scenario.timestep_s != 0) sim.model_->opt.timestep = scenario.timestep_s;
   sim.scenario_.timestep_s = sim.model_->opt.timestep;
   if (Status s = ChangeJoints(scenario, sim.model_.get()); !s.ok()) return s.error();

@@ -26,6 +26,7 @@ TEST(Readable, ChannelsAndParameters) {
   Expect("friction", "friction", "–", 1);
   Expect("hour_h", "hour", "h", 1);
   Expect("speed_km_h", "speed", "km/h", 1);
+  Expect("worst_Y_qst_N_value", "worst Y qst", "kN", 1e-3);
 }
 
 TEST(Readable, QuotientsKeepTheirUnit) {

@@ -113,6 +113,21 @@ TEST(BogieNeedsTest, WithoutWheelsetsOrOnAnotherGaugeItIsRefusedInOneLine) {
   EXPECT_THAT(narrow.error().Line(), AllOf(HasSubstr("1.36 m"), HasSubstr("1.067 m")));
 }
 
+// MuJoCo reads it as a number; the vehicle had found no rest "with its wheel radius and gauge".
+TEST(BogieNeedsTest, ANumberThatIsNoneIsNamed) {
+  const ScratchDir dir;
+  for (const auto& [from, what] :
+       {std::pair{"stiffness=\"8.0e6\"", "stiffness"}, {"damping=\"4.0e4\"", "damping"}}) {
+    const std::string key = std::string(from).substr(0, std::string(from).find('='));
+    const std::string bad =
+        dir.Write("bad.xml", Changed("standard_gauge.xml", from, key + "=\"nan\""));
+    const auto simulation = Simulation::Create(On(bad, "straight"));
+    ASSERT_FALSE(simulation.ok()) << from;
+    EXPECT_THAT(simulation.error().Line(),
+                AllOf(HasSubstr("bad.xml"), HasSubstr(what), HasSubstr("that is no number")));
+  }
+}
+
 TEST(BogieNeedsTest, PathsOfAScenarioBeginInItsFolder) {
   const ScratchDir dir;
   dir.Write("t.yaml", "gauge_m: 1.067\nname: beside\nsegments: [{kind: tangent, length_m: 90}]\n");
