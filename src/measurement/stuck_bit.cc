@@ -52,9 +52,10 @@ Complex Gather(const std::vector<double>& y, size_t from, double period) {
 
 /// Periods [unit of y] in which the values gather most, the best first.
 std::vector<double> Periods(const std::vector<double>& y, double span, double noise) {
-  constexpr double kGathered = 0.3, kFewest = 4, kLeastWeight = 8;
+  constexpr double kGathered = 0.3, kFewest = 4, kMostPeriods = 1000, kLeastWeight = 8;
   constexpr size_t kMost = 10;
-  const double first = kFewest / span, last = 1 / (2 * kLeastWeight * noise), step = 0.125 / span;
+  const double first = kFewest / span, step = 0.125 / span;
+  const double last = std::min(kMostPeriods / span, 1 / (2 * kLeastWeight * noise));
   std::vector<Complex> now, turn;
   for (const double value : y) {
     now.push_back(std::polar(1.0, 2 * M_PI * value * first));

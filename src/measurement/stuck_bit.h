@@ -22,9 +22,9 @@ struct StuckBit {
   std::vector<char> told;   ///< 0: whether it should is not told, as the channel moves too fast
 };
 
-/// The stuck bit of a channel: of 8 noise levels or more and at most an eighth of what the channel
-/// covers, with ten or more such jumps and no two samples in a row within the bands left out, from
-/// `from` to the end.
+/// The stuck bit of a channel: of 8 noise levels or more, a two-thousandth to an eighth of what the
+/// channel covers, with ten or more such jumps and no two samples in a row within the bands left out,
+/// from `from` to the end.
 std::optional<StuckBit> FindStuckBit(const std::vector<double>& y);
 
 /// Reads the (measured) channel back, leaves out what is not told, and says so.

@@ -149,4 +149,23 @@ inline Identification FindAlone(const hydraulics::EffectParams& hidden,
   return found;
 }
 
+/// The rig of the records, off its declared numbers, with a formula on no list.
+inline hydraulics::PhsParams WithUnlisted(const std::string& formula,
+                                          const std::string& coefficient, double value,
+                                          std::vector<std::string> targets) {
+  hydraulics::PhsParams truth = OffDeclared();
+  hydraulics::EffectParams effect{"unlisted", std::move(targets), {{coefficient, value}}};
+  effect.formula = formula;
+  truth.effects.push_back(effect);
+  return truth;
+}
+
+/// Of the load cell: mean square over its noise, with the wobble of friction about standstill.
+inline double LeftOnACleanRecord() {
+  static const double left =
+      Find(phs_model::FindPhsParams("quarter_setup2").value(), Record(OffDeclared()))
+          .after.channel_ms[1];
+  return left;
+}
+
 }  // namespace phs::identify::search

@@ -17,21 +17,6 @@ namespace phs::identify::search {
 using measurement::FitData;
 namespace {
 
-hydraulics::PhsParams WithUnlisted(const std::string& formula, const std::string& coefficient,
-                                   double value, std::vector<std::string> targets) {
-  hydraulics::PhsParams truth = OffDeclared();
-  hydraulics::EffectParams effect{"unlisted", std::move(targets), {{coefficient, value}}};
-  effect.formula = formula;
-  truth.effects.push_back(effect);
-  return truth;
-}
-
-/// Of the load cell: mean square over its noise, with the wobble of friction about standstill.
-double LeftOnACleanRecord() {
-  static const double left = Find(Declared(), Record(OffDeclared())).after.channel_ms[1];
-  return left;
-}
-
 TEST(UnlistedSearchTest, DescribesAForceThatNoEffectHolds) {
   hydraulics::PhsParams truth = OffDeclared();
   hydraulics::EffectParams cogging{"unlisted", {}, {{"c1_N", 250}}};
@@ -87,30 +72,6 @@ TEST(UnlistedSearchTest, ABumpStopBeginsAtItsPosition) {
   ASSERT_THAT(text, testing::StartsWith("c1*(max(x-"));
   EXPECT_NEAR(std::stod(text.substr(text.find("max(x-") + 6)), 1.2e-3, 3e-5);
   EXPECT_NEAR(found.after.values.back() / 0.002, 900 / 0.001, 0.05 * 900 / 0.001) << "N/m";
-}
-
-TEST(UnlistedSearchTest, AVibrationOfTheFrameIsAWaveInTime) {
-  const FitData data = Record(WithUnlisted("c1*sin(2*pi*t/0.13[s])", "c1_N", 150, {}));
-  const Identification found = Find(Declared(), data);
-  ASSERT_EQ(found.effects.size(), 1u);
-  EXPECT_EQ(found.effects[0].candidate.effect, "unlisted");
-  const std::string text = found.formula.text;
-  ASSERT_THAT(text, testing::HasSubstr("sin(2*pi*t/"));
-  EXPECT_NEAR(std::stod(text.substr(text.find("t/") + 2)), 0.13, 1e-4 * 0.13);
-}
-
-TEST(UnlistedSearchTest, ACyclicErrorOfThePistonsSensorIsItsReading) {
-  // Of a sensor that was set to zero where the motion begins, or not.
-  for (const char* wave : {"c1*sin(2*pi*x/0.0009[m])", "c1*cos(2*pi*x/0.0009[m])"}) {
-    const FitData data = Record(WithUnlisted(wave, "c1_m", 1e-5, {}));
-    const Identification found = Find(Declared(), data);
-    ASSERT_EQ(found.effects.size(), 1u) << wave;
-    EXPECT_EQ(found.effects[0].candidate.effect, "unlisted");
-    EXPECT_EQ(found.formula.unit, "m");
-    const std::string text = found.formula.text;
-    EXPECT_NEAR(std::stod(text.substr(text.find("x/") + 2)), 9e-4, 9e-6);
-    EXPECT_LT(found.after.channel_ms[0], 1.1) << text;
-  }
 }
 
 TEST(UnlistedSearchTest, CrosstalkOfAPressureSensorIsItsReadingOverTheOther) {

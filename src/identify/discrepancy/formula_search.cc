@@ -60,13 +60,9 @@ class PlaceTerms final : public TermLibrary {
   void AddForResidual(const Eigen::VectorXd& residual) override {
     if (!places_known_) CollectRows();
     const Variable x{"x", "m", scale_.x, row_x_}, load{"F", "N", scale_.F, row_F_};
-    if (!data_.has_friction) {
-      for (const Wave kind : {Wave::kPlain, Wave::kZeroed}) AddWave(residual, x, kind);
-    } else {
-      // Of a force that the load cell was set to zero with, or not.
-      for (const Wave kind : {Wave::kPlain, Wave::kZeroed, Wave::kTurned}) {
-        AddWave(residual, x, kind);
-      }
+    // What a load cell or a sensor has been set to zero with, or not.
+    for (const Wave kind : {Wave::kPlain, Wave::kZeroed, Wave::kTurned}) {
+      if (kind != Wave::kTurned || data_.has_friction) AddWave(residual, x, kind);
     }
     if (data_.has_friction) AddLocal(residual, x, Local::kNotch);
     if (!data_.has_friction && data_.own == 0) AddLocal(residual, x, Local::kStep);
@@ -77,7 +73,7 @@ class PlaceTerms final : public TermLibrary {
       if (data_.has_load) AddRamp(residual, load, squared);
       if (data_.own != 0) AddRamp(residual, OwnPressure(), squared);
     }
-    if (data_.has_time_waves) AddTimeWave(residual);
+    if (data_.has_time_waves) AddTimeWaves(residual);
   }
 
  private:
@@ -224,18 +220,24 @@ class PlaceTerms final : public TermLibrary {
     }
   }
 
-  void AddTimeWave(const Eigen::VectorXd& residual) {
+  /// A wave over time: as it is, and as strong as the rig is fast (a drive's inverter).
+  void AddTimeWaves(const Eigen::VectorXd& residual) {
     const std::vector<ForcePlace>& run = data_.places.front();
-    const auto count = static_cast<Eigen::Index>(run.size());
-    if (count < 2) return;
+    if (run.size() < 2) return;
     if (weight_.size() == 0) weight_ = data_.column({std::vector<double>(run.size(), 1.0)});
-    const Eigen::VectorXd here = residual.segment(data_.first_row, count)
-                                     .cwiseProduct(weight_.segment(data_.first_row, count));
-    const TimeWave wave = FindTimeWave({here.data(), here.data() + count},
-                                       run[1].time - run[0].time, LeastPeriods({}));
-    if (!(wave.frequency_Hz > 0)) return;
-    const std::string period = fmt::format("{:.8g}[s]", 1 / wave.frequency_Hz);
-    Add("sin(2*pi*t/" + period + ")", "cos(2*pi*t/" + period + ")", 2, std::log(wave.looked_at));
+    std::vector<double> plain, by_speed;
+    for (size_t i = 0; i < run.size(); ++i) {
+      const Eigen::Index row = data_.first_row + static_cast<Eigen::Index>(i);
+      plain.push_back(residual[row] * weight_[row]);
+      by_speed.push_back(plain.back() * std::abs(run[i].speed));
+    }
+    const std::string speed = fmt::format("(abs(v)/{:g}[m/s])*", scale_.v);
+    for (const auto& [weighted, times] : {std::pair{&plain, std::string()}, {&by_speed, speed}}) {
+      const TimeWave wave = FindTimeWave(*weighted, run[1].time - run[0].time, LeastPeriods({}));
+      if (!(wave.frequency_Hz > 0)) continue;
+      const std::string angle = fmt::format("(2*pi*t/{:.8g}[s])", 1 / wave.frequency_Hz);
+      Add(times + "sin" + angle, times + "cos" + angle, 2, std::log(wave.looked_at));
+    }
   }
 
   /// Column of a term (coefficient 1).
