@@ -73,6 +73,21 @@ int MakeSweep(const std::filesystem::path& directory) {
   return status.ok() ? 0 : 1;
 }
 
+/// The one arc of a track: curves of a single point.
+int MakeOneCurve(const std::filesystem::path& directory) {
+  std::filesystem::create_directories(directory);
+  const std::string file = (directory / "curving.json").string();
+  const char* row = R"([{"radius_m":550,"hand":"right","status":"ok","angle_of_attack_lead_rad":)";
+  std::ofstream(file) << R"({"bogies":{"phs":)" << row
+                      << R"(-2.5e-5,"largest_Y_N":9550,"sum_Y_lead_N":-5340,"T_gamma_N":22.7}],)"
+                      << R"("rigid_link":)" << row
+                      << R"(4.57e-3,"largest_Y_N":38770,"sum_Y_lead_N":-10040,"T_gamma_N":582}]}})";
+  const phs::Status status =
+      phs::report::WriteSteadyCurvingReport(file, (directory / "report.html").string());
+  if (!status.ok()) std::fprintf(stderr, "%s\n", status.error().Line().c_str());
+  return status.ok() ? 0 : 1;
+}
+
 /// A bogie that hunts: the trailing wheelset half a radian behind, yaw a quarter period ahead.
 int MakeStability(const std::filesystem::path& directory) {
   std::filesystem::create_directories(directory);
@@ -144,6 +159,7 @@ int main(int argc, char** argv) {
   failed += MakeIdentification(root / "identify");
   failed += MakeSweep(root / "sweep");
   failed += MakeStability(root / "stability");
+  failed += MakeOneCurve(root / "one_curve");
   failed += MakeModes(root / "modes");
   failed += MakeIndex(root);
   return failed > 0 ? 1 : 0;

@@ -2,7 +2,7 @@
 // double click to go back; the readout gives the coordinates under the pointer.
 "use strict";
 (() => {
-  /** Draws one curve as a line through its rows or as markers. */
+  /** Draws one curve as a line through its rows, a row without neighbours as a marker, or all as markers. */
   function painter(curve) {
     return (plot, index) => {
       uPlot.orient(plot, index, (series, dataX, dataY, scaleX, scaleY, posX, posY, left, top, w, h) => {
@@ -16,24 +16,28 @@
         ctx.strokeStyle = ctx.fillStyle = phs.colour(curve.colour);
         ctx.lineWidth = 1.4 * ratio;
         ctx.setLineDash(phs.dashes[curve.dash].map((d) => d * ratio));
-        ctx.beginPath();
+        const there = (i) => (xs[i] ?? null) !== null && (ys[i] ?? null) !== null;
+        const line = new Path2D(), markers = new Path2D();
         let pen = false;
         for (let i = 0; i < xs.length; ++i) {
-          if (xs[i] === null || ys[i] === null) {
+          const alone = !there(i - 1) && !there(i + 1);
+          if (!there(i)) {
             pen = false;
             continue;
           }
           const x = posX(xs[i], scaleX, w, left);
           const y = posY(ys[i], scaleY, h, top);
-          if (curve.points) {
-            ctx.moveTo(x + 2.2 * ratio, y);
-            ctx.arc(x, y, 2.2 * ratio, 0, 2 * Math.PI);
+          if (curve.points || alone) {
+            const radius = (curve.points ? 2.2 : 3.5) * ratio;
+            markers.moveTo(x + radius, y);
+            markers.arc(x, y, radius, 0, 2 * Math.PI);
           } else {
-            pen ? ctx.lineTo(x, y) : ctx.moveTo(x, y);
+            pen ? line.lineTo(x, y) : line.moveTo(x, y);
             pen = true;
           }
         }
-        curve.points ? ctx.fill() : ctx.stroke();
+        ctx.stroke(line);
+        ctx.fill(markers);
         ctx.restore();
       });
       return null;
