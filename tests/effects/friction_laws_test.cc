@@ -296,6 +296,24 @@ TEST(DwellFriction, GrowsWithTheLogarithmOfTheRest) {
   EXPECT_NEAR(PeakAfter(20, p) - PeakAfter(2, p), theory(20, 2), 0.003 * theory(20, 2));
 }
 
+// The rate of an instant is that of a short step.
+TEST(DwellFriction, RatesAreThoseOfSteps) {
+  for (const double logarithmic : {0.0, 1.0}) {
+    const PhsSystem s = Compile(With(
+        Quarter(), "dwell_friction",
+        {{"extra_N", 100}, {"time_s", 0.3}, {"length_m", 1e-3}, {"logarithmic", logarithmic}}));
+    std::vector<double> state(s.num_states(), 0.0), instant(state), step(state);
+    state.back() = 0.4;  // the memory of the one cylinder's friction
+    const double x = 0;
+    for (const double v : {0.0, 2e-3, -5e-4}) {
+      s.CalcStateRate(0, 0, &x, &v, state.data(), instant.data());
+      s.CalcStateRate(0, 1e-7, &x, &v, state.data(), step.data());
+      EXPECT_GT(std::abs(instant.back()), 0.1);
+      EXPECT_NEAR(step.back() / instant.back(), 1, 1e-4) << v << " m/s, " << logarithmic;
+    }
+  }
+}
+
 TEST(ViscousFriction, IsProportionalToSpeed) {
   const PhsParams p = Quarter();
   const PhsParams with =
