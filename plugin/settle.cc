@@ -210,7 +210,7 @@ Status PrepareStart(mjModel* m, const Binding& binding) {
   if (!stands) {
     return Error{
         ObjectName(m, mjOBJ_BODY, m->body_rootid[binding.wheelsets()[0].body]),
-        "does not come to rest on track '" + binding.track().name() +
+        "does not come to rest on the rails of track '" + binding.track().name() +
             "' (acceleration left: " + std::to_string(left) + ")",
         "wheelsets that stand on straight, level track at the start",
         binding.track().has_irregularity()

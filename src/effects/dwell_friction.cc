@@ -16,65 +16,65 @@ using hydraulics::LevelParts;
 using hydraulics::LevelPlace;
 using hydraulics::Walk;
 
+struct RestNumbers {
+  double extra_N, time_s, length_m;
+};
+
 /// Memory: 1 - phi.
 class Dwell final : public hydraulics::LevelLaw {
  public:
-  explicit Dwell(const EffectParams& effect)
-      : extra_N_(effect.values.at("extra_N")),
-        time_s_(effect.values.at("time_s")),
-        length_m_(effect.values.at("length_m")) {}
+  explicit Dwell(const RestNumbers& of) : of_(of) {}
   void Add(const LevelPlace& place, LevelParts* level) const noexcept override {
-    level->extra += extra_N_ * (1 - place.memory);
+    level->extra += of_.extra_N * (1 - place.memory);
   }
   std::string MemoryName() const override { return "dwell"; }
   double MemoryRate(double v, double memory) const noexcept override {
-    return -memory / time_s_ + (1 - memory) * std::abs(v) / length_m_;
+    return -memory / of_.time_s + (1 - memory) * std::abs(v) / of_.length_m;
   }
   double AdvanceMemory(double h, double v, double memory) const noexcept override {
-    const double moved = std::abs(v) / length_m_;
-    const double rate = 1 / time_s_ + moved;
+    const double moved = std::abs(v) / of_.length_m;
+    const double rate = 1 / of_.time_s + moved;
     const double settled = moved / rate;
     return settled + (memory - settled) * std::exp(-rate * h);
   }
 
  private:
-  double extra_N_, time_s_, length_m_;
+  RestNumbers of_;
 };
 
 /// Memory: a = ln(1 + theta/tau).
 class Ageing final : public hydraulics::LevelLaw {
  public:
-  explicit Ageing(const EffectParams& effect)
-      : extra_N_(effect.values.at("extra_N")),
-        time_s_(effect.values.at("time_s")),
-        length_m_(effect.values.at("length_m")) {}
+  explicit Ageing(const RestNumbers& of) : of_(of) {}
   void Add(const LevelPlace& place, LevelParts* level) const noexcept override {
-    level->extra += extra_N_ * place.memory;
+    level->extra += of_.extra_N * place.memory;
   }
   std::string MemoryName() const override { return "dwell"; }
   double MemoryRate(double v, double memory) const noexcept override {
     const double young = std::exp(-memory);
-    return young / time_s_ - (1 - young) * std::abs(v) / length_m_;
+    return young / of_.time_s - (1 - young) * std::abs(v) / of_.length_m;
   }
   /// At a speed theta comes near d/|v| exponentially.
   double AdvanceMemory(double h, double v, double memory) const noexcept override {
-    const double rate = std::abs(v) / length_m_, way = rate * h;
+    const double rate = std::abs(v) / of_.length_m, way = rate * h;
     const double grown = way > 1e-9 ? -std::expm1(-way) / rate : h;
-    return std::log1p(std::expm1(memory) * std::exp(-way) + grown / time_s_);
+    return std::log1p(std::expm1(memory) * std::exp(-way) + grown / of_.time_s);
   }
 
  private:
-  double extra_N_, time_s_, length_m_;
+  RestNumbers of_;
 };
 
 Status InstallDwellFriction(const EffectParams& effect, Extension* extension) {
   if (effect.values.at("extra_N") == 0) return {};
+  const RestNumbers of = {effect.values.at("extra_N"), effect.values.at("time_s"),
+                          effect.values.at("length_m")};
   const bool ages = effect.values.at("logarithmic") != 0;
   for (int i : TargetCylinders(effect, extension->params())) {
     if (ages) {
-      extension->AddLevel(i, std::make_unique<Ageing>(effect));
+      extension->AddLevel(i, std::make_unique<Ageing>(of));
     } else {
-      extension->AddLevel(i, std::make_unique<Dwell>(effect));
+      extension->AddLevel(i, std::make_unique<Dwell>(of));
     }
   }
   return {};
